@@ -19,6 +19,7 @@ LIMITS = {
     "folders that the map of the README lacks": (0, 0),
     "files of the programs that print past the console": (0, 0),
     "files that take axes in the order of a hash": (0, 0),
+    "helpers of a test that it does not call": (0, 0),
 }
 
 
@@ -34,6 +35,17 @@ def tracked(*folders):
 
 def knowing(files, pattern):
     return [f for f in files if re.search(pattern, (ROOT / f).read_text(encoding="utf-8"))]
+
+
+def idle_helpers(names):
+    """Functions outside the class of a test that stand in its source once: a namespace with a name
+    hides them from the compiler's warning."""
+    head = re.compile(r"^(?!using|namespace|return|else|struct|class|enum)"
+                      r"[A-Za-z\[][\w:<>,&*\[\] ]*?[ &*](\w+)\([^;{}]*\)\s*\{", re.M)
+    for name in names:
+        text = re.sub(r"//.*", "", (ROOT / name).read_text(encoding="utf-8"))
+        yield from (f"{name}: {function}" for function in head.findall(text)
+                    if function != "main" and len(re.findall(rf"\b{function}\b", text)) == 1)
 
 
 def main():
@@ -54,6 +66,8 @@ def main():
         "files of the programs that print past the console": [
             f for f in knowing(files, prints) if f.startswith("app/")
             and not f.startswith(("app/io/console", "app/reference/"))],
+        "helpers of a test that it does not call": list(idle_helpers(
+            name for name in tracked("tests") if pathlib.PurePath(name).match("test_*.cpp"))),
         "files that know a kind of operation": knowing(files, KIND),
         "files that know spark-out": knowing(files, r"\bSparkOut\b|\bspark_out\b"),
         # For those who compare: the same widely, by any name.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cstdio>
 #include <map>
 #include <string>

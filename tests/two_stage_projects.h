@@ -2,16 +2,11 @@
 // The cycle of two stages that many tests grind.
 #pragma once
 
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/project.h"
+#include "tests/whole_project.h"
 
 #include <vector>
 
-namespace fixtures {
-
-using namespace sparkout;
+namespace sparkout::fixtures {
 
 inline Project traverseProject() {
     Project p;
@@ -45,4 +40,4 @@ inline Project plungeProject(int sections) {
     return p;
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

@@ -9,12 +9,7 @@
 #include "core/format/project_file.h"
 #include "core/limits/burn_table.h"
 #include "core/process/pass_kernel.h"
-#include "core/project/batch.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/limit_watch.h"
 #include "core/simulation/simulate.h"
@@ -22,7 +17,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>

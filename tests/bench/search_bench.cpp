@@ -6,12 +6,7 @@
 #include "core/format/project_file.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/robust.h"
-#include "core/project/batch.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
+#include "tests/whole_project.h"
 
 #include <cstdio>
 #include <ctime>

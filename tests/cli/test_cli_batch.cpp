@@ -5,25 +5,20 @@
 #include "core/batch/batch_summary.h"
 #include "core/batch/sensitivity.h"
 #include "tests/cli/cli_process.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <QDir>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <clocale>
-#include <csignal>
-#include <fstream>
 
 namespace test_cli_batch {
 
 using namespace sparkout;
 using namespace cli;
 using nlohmann::json;
-
-namespace {
 
 /// A batch that is still running, with its progress on stderr.
 class RunningBatch {
@@ -54,8 +49,6 @@ private:
     QProcess m_process;
     std::string m_progress;
 };
-
-} // namespace
 
 class TestCliBatch : public QObject {
     Q_OBJECT
@@ -429,8 +422,7 @@ private slots:
         RunningBatch batch(m_file);
         batch.readProgress();
         QVERIFY(batch.hasDoneSome());
-        QElapsedTimer timer;
-        timer.start();
+        RunningTimer timer;
         const Outcome outcome = batch.endBy(signal);
         QVERIFY(timer.elapsed() < 5000); // the quickness itself is the engine's test
         QCOMPARE(outcome.status, 128 + signal);

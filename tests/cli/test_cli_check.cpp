@@ -5,7 +5,6 @@
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace test_cli_check {
@@ -38,10 +37,7 @@ private slots:
     }
 
     void checkExits4ForEachRequirement_data() {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QString>("path");
-        QTest::addColumn<double>("holds");
-        QTest::addColumn<double>("fails");
+        addColumns<QString, QString, double, double>("name", "path", "holds", "fails");
         QStringList named;
         const auto row = [&named](const char* name, const char* path, double holds, double fails) {
             QTest::newRow(name) << name << path << holds << fails;

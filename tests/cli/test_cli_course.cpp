@@ -9,20 +9,12 @@
 #include "tests/registry.h"
 #include "tests/ui/support/xlsx_reader.h"
 
-#include <QDir>
-
-#include <csignal>
-#include <filesystem>
-#include <fstream>
-
 #include <sys/resource.h>
 
 namespace test_cli_course {
 
 using namespace sparkout;
 using namespace cli;
-
-namespace {
 
 QString lessonPath() {
     return QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/lessons/02-actual-feed.sparkout-lesson");
@@ -31,8 +23,6 @@ QString lessonPath() {
 std::string contentOf(const QString& file) {
     return samples::readText(file.toStdString());
 }
-
-} // namespace
 
 class TestCliCourse : public FolderTest {
     Q_OBJECT
@@ -49,32 +39,31 @@ private slots:
 
     void usageErrors_data() {
         QTest::addColumn<QStringList>("arguments");
-        QTest::newRow("nothing") << QStringList{"course"};
-        QTest::newRow("unknown") << QStringList{"course", "teach", "a"};
-        QTest::newRow("no file") << QStringList{"course", "check"};
-        QTest::newRow("two files") << QStringList{"course", "check", "a", "b"};
-        QTest::newRow("no lesson") << QStringList{"course", "variants"};
-        QTest::newRow("no seed") << QStringList{"course", "variants", "a", "--group",
-                                                "g",      "-d",       "d"};
-        QTest::newRow("bad seed") << QStringList{"course", "variants", "a",      "--group", "g",
-                                                 "-d",     "d",        "--seed", "-1"};
-        QTest::newRow("no folder") << QStringList{"course", "grade", "a"};
-        QTest::newRow("two outputs") << QStringList{"course", "grade", "a", "b", "--csv", "--json"};
+        addRow("nothing", QStringList{"course"});
+        addRow("unknown", QStringList{"course", "teach", "a"});
+        addRow("no file", QStringList{"course", "check"});
+        addRow("two files", QStringList{"course", "check", "a", "b"});
+        addRow("no lesson", QStringList{"course", "variants"});
+        addRow("no seed", QStringList{"course", "variants", "a", "--group", "g", "-d", "d"});
+        addRow("bad seed",
+               QStringList{"course", "variants", "a", "--group", "g", "-d", "d", "--seed", "-1"});
+        addRow("no folder", QStringList{"course", "grade", "a"});
+        addRow("two outputs", QStringList{"course", "grade", "a", "b", "--csv", "--json"});
         for (const char* other : {"--csv", "--json"}) {
-            QTest::newRow(other) << QStringList{"course", "grade",  "a",  "b",
-                                                other,    "--xlsx", "-o", "c.xlsx"};
+            addRow(other,
+                   QStringList{"course", "grade", "a", "b", other, "--xlsx", "-o", "c.xlsx"});
         }
-        QTest::newRow("book without a name") << QStringList{"course", "grade", "a", "b", "--xlsx"};
-        QTest::newRow("book of another kind")
-            << QStringList{"course", "grade", "a", "b", "--xlsx", "-o", "c.ods"};
-        QTest::newRow("name without a book")
-            << QStringList{"course", "grade", "a", "b", "--csv", "-o", "c.xlsx"};
-        QTest::newRow("force without a book")
-            << QStringList{"course", "grade", "a", "b", "--csv", "--force"};
-        QTest::newRow("book of another command")
-            << QStringList{"course", "check", "a", "--xlsx", "-o", "c.xlsx"};
-        QTest::newRow("unknown option") << QStringList{"course", "grade", "a", "b", "--xml"};
-        QTest::newRow("option of another") << QStringList{"course", "check", "a", "--force"};
+        addRow("book without a name", QStringList{"course", "grade", "a", "b", "--xlsx"});
+        addRow("book of another kind",
+               QStringList{"course", "grade", "a", "b", "--xlsx", "-o", "c.ods"});
+        addRow("name without a book",
+               QStringList{"course", "grade", "a", "b", "--csv", "-o", "c.xlsx"});
+        addRow("force without a book",
+               QStringList{"course", "grade", "a", "b", "--csv", "--force"});
+        addRow("book of another command",
+               QStringList{"course", "check", "a", "--xlsx", "-o", "c.xlsx"});
+        addRow("unknown option", QStringList{"course", "grade", "a", "b", "--xml"});
+        addRow("option of another", QStringList{"course", "check", "a", "--force"});
     }
     void usageErrors() {
         QFETCH(QStringList, arguments);
@@ -187,13 +176,13 @@ private slots:
     /// Lists as Russian Excel writes them; UTF-16 by its mark, Windows-1251 by its letters.
     void listsInAnyEncodingAreTaken_data() {
         QTest::addColumn<QByteArray>("list");
-        QTest::newRow("Windows-1251")
-            << QByteArray("\xD4\xC8\xCE;\xC3\xF0\xF3\xEF\xEF\xE0\r\n\xC8\xE2\xE0\xED;\xC0-1\r\n");
-        QTest::newRow("UTF-16") << QByteArray("\xFF\xFE\x24\x04\x18\x04\x1E\x04;\0\x13\x04\x40\x04"
-                                              "\x43\x04\x3F\x04\x3F\x04\x30\x04\n\0\x18\x04\x32\x04"
-                                              "\x30\x04\x3D\x04;\0\x10\x04-\0001\0\n\0",
-                                              42);
-        QTest::newRow("quotation marks") << QByteArray("name;group\n\"Иван\";\"А-1\"\n");
+        addRow("Windows-1251",
+               QByteArray("\xD4\xC8\xCE;\xC3\xF0\xF3\xEF\xEF\xE0\r\n\xC8\xE2\xE0\xED;\xC0-1\r\n"));
+        addRow("UTF-16", QByteArray("\xFF\xFE\x24\x04\x18\x04\x1E\x04;\0\x13\x04\x40\x04"
+                                    "\x43\x04\x3F\x04\x3F\x04\x30\x04\n\0\x18\x04\x32\x04"
+                                    "\x30\x04\x3D\x04;\0\x10\x04-\0001\0\n\0",
+                                    42));
+        addRow("quotation marks", QByteArray("name;group\n\"Иван\";\"А-1\"\n"));
     }
     void listsInAnyEncodingAreTaken() {
         QFETCH(QByteArray, list);

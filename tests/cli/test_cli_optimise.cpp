@@ -10,24 +10,19 @@
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_process.h"
 #include "tests/cli/search_samples.h"
-#include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QElapsedTimer>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <clocale>
 #include <cmath>
-#include <csignal>
 
 namespace test_cli_optimise {
 
 using namespace sparkout;
 using namespace cli;
 using nlohmann::json;
-
-namespace {
 
 /// A soft shaft ground by plunging in three stages of equal stocks, with a field of 4 µm.
 json softShaft() {
@@ -46,8 +41,6 @@ json softShaft() {
 Project projectOf(const json& file) {
     return readProject(file.dump()).project.value();
 }
-
-} // namespace
 
 class TestCliOptimise : public QObject {
     Q_OBJECT
@@ -88,35 +81,32 @@ private slots:
     }
 
     void whatCannotBeSearchedIsRefused_data() {
-        QTest::addColumn<QString>("patch");
-        QTest::addColumn<QString>("path");
-        const auto row = [](const char* name, const char* patch, const char* path) {
-            QTest::newRow(name) << patch << path;
-        };
-        row("no grid", R"({"optimisation": null})", "/optimisation: ");
-        row("no feeds", R"({"optimisation": {"radial_feed_mm": null}})",
-            "/optimisation/radial_feed_mm, /optimisation/axial_feed_mm_min: ");
-        row("no axial feeds", R"({"optimisation": {"axial_feed_mm_min": null}})",
-            "/optimisation/radial_feed_mm, /optimisation/axial_feed_mm_min: ");
-        row("too many feeds",
-            R"({"optimisation": {"radial_feed_mm": {"from": 1e-9, "to": 0.9, "step": 1e-9}}})",
-            "/optimisation: ");
-        row("too many steps", R"({"optimisation": {"stock_step_mm": 1e-9}})",
-            "/optimisation/stock_step_mm: ");
-        row("too few steps", R"({"optimisation": {"stages": [3], "stock_step_mm": 0.1}})",
-            "/optimisation: ");
-        row("nothing to share",
-            R"({"optimisation": {"stages": [2], "last_stock_mm": [0.05, 0.04]}})",
-            "/optimisation: ");
-        row("too many speeds",
-            R"({"optimisation": {"work_speed_rpm": {"from": 100, "to": 300, "step": 0.1}}})",
-            "/optimisation: Work speed, dwells and spark-outs make more than 500 "
-            "combinations");
-        row("a stage that no level fits",
-            R"({"optimisation": {"stage_radial_feed_mm": [[0.003, 0.0035]]}})", "/optimisation: ");
-        row("corners of no batch", R"({"optimisation": {"scenarios": "corners"}, "batch": null})",
-            "/batch: ");
-        row("a fault", R"({"part": {"length_mm": -1}})", "/part/length_mm: ");
+        addColumns<QString, QString>("patch", "path");
+        addRow("no grid", R"({"optimisation": null})", "/optimisation: ");
+        addRow("no feeds", R"({"optimisation": {"radial_feed_mm": null}})",
+               "/optimisation/radial_feed_mm, /optimisation/axial_feed_mm_min: ");
+        addRow("no axial feeds", R"({"optimisation": {"axial_feed_mm_min": null}})",
+               "/optimisation/radial_feed_mm, /optimisation/axial_feed_mm_min: ");
+        addRow("too many feeds",
+               R"({"optimisation": {"radial_feed_mm": {"from": 1e-9, "to": 0.9, "step": 1e-9}}})",
+               "/optimisation: ");
+        addRow("too many steps", R"({"optimisation": {"stock_step_mm": 1e-9}})",
+               "/optimisation/stock_step_mm: ");
+        addRow("too few steps", R"({"optimisation": {"stages": [3], "stock_step_mm": 0.1}})",
+               "/optimisation: ");
+        addRow("nothing to share",
+               R"({"optimisation": {"stages": [2], "last_stock_mm": [0.05, 0.04]}})",
+               "/optimisation: ");
+        addRow("too many speeds",
+               R"({"optimisation": {"work_speed_rpm": {"from": 100, "to": 300, "step": 0.1}}})",
+               "/optimisation: Work speed, dwells and spark-outs make more than 500 "
+               "combinations");
+        addRow("a stage that no level fits",
+               R"({"optimisation": {"stage_radial_feed_mm": [[0.003, 0.0035]]}})",
+               "/optimisation: ");
+        addRow("corners of no batch",
+               R"({"optimisation": {"scenarios": "corners"}, "batch": null})", "/batch: ");
+        addRow("a fault", R"({"part": {"length_mm": -1}})", "/part/length_mm: ");
     }
     void whatCannotBeSearchedIsRefused() {
         QFETCH(QString, patch);
@@ -585,8 +575,7 @@ private slots:
 
     // A refinement takes some thousand runs: without a limit of its own it takes far longer.
     void theTimeLimitIsThatOfTheRefinementToo() {
-        QElapsedTimer took;
-        took.start();
+        RunningTimer took;
         checkStopped(optimize(
             {save("endless.sparkout", endless()), "--time-limit", "1", "--refine", "--json"}));
         QVERIFY2(took.elapsed() < 3000, QByteArray::number(took.elapsed()));

@@ -5,8 +5,6 @@
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 
-#include <filesystem>
-
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -23,19 +21,19 @@ private slots:
 
     void usageErrors_data() {
         QTest::addColumn<QStringList>("arguments");
-        QTest::newRow("nothing") << QStringList{};
-        QTest::newRow("empty") << QStringList{""};
-        QTest::newRow("unknown command") << QStringList{"grind", "a"};
-        QTest::newRow("no file") << QStringList{"simulate"};
-        QTest::newRow("no file to validate") << QStringList{"validate"};
-        QTest::newRow("no folder") << QStringList{"examples"};
-        QTest::newRow("empty file name") << QStringList{"simulate", ""};
-        QTest::newRow("two files") << QStringList{"simulate", "a", "b"};
-        QTest::newRow("unknown option") << QStringList{"simulate", "a", "--jsom"};
-        QTest::newRow("option of another command") << QStringList{"validate", "a", "--json"};
-        QTest::newRow("no trace file") << QStringList{"simulate", "a", "--trace"};
-        QTest::newRow("empty trace file") << QStringList{"simulate", "a", "--trace", ""};
-        QTest::newRow("help of a command") << QStringList{"simulate", "--help"};
+        addRow("nothing", QStringList{});
+        addRow("empty", QStringList{""});
+        addRow("unknown command", QStringList{"grind", "a"});
+        addRow("no file", QStringList{"simulate"});
+        addRow("no file to validate", QStringList{"validate"});
+        addRow("no folder", QStringList{"examples"});
+        addRow("empty file name", QStringList{"simulate", ""});
+        addRow("two files", QStringList{"simulate", "a", "b"});
+        addRow("unknown option", QStringList{"simulate", "a", "--jsom"});
+        addRow("option of another command", QStringList{"validate", "a", "--json"});
+        addRow("no trace file", QStringList{"simulate", "a", "--trace"});
+        addRow("empty trace file", QStringList{"simulate", "a", "--trace", ""});
+        addRow("help of a command", QStringList{"simulate", "--help"});
     }
 
     void usageErrors() {
@@ -56,7 +54,7 @@ private slots:
     void validFilesPass_data() {
         QTest::addColumn<QString>("file");
         for (const std::string& name : samples::names()) {
-            QTest::newRow(name.c_str()) << samplePath(name);
+            addRow(name.c_str(), samplePath(name));
         }
     }
 
@@ -94,20 +92,20 @@ private slots:
 
     void unreadableFilesExit1_data() {
         QTest::addColumn<QString>("file");
-        QTest::newRow("missing") << m_folder.filePath("no such file");
-        QTest::newRow("no such folder") << m_folder.filePath("no/such/file");
-        QTest::newRow("directory") << m_folder.path();
-        QTest::newRow("device") << "/dev/null";
-        QTest::newRow("endless device") << "/dev/zero";
-        QTest::newRow("name too long") << m_folder.filePath(QString(300, 'x'));
-        QTest::newRow("a dash") << "-";
+        addRow("missing", m_folder.filePath("no such file"));
+        addRow("no such folder", m_folder.filePath("no/such/file"));
+        addRow("directory", m_folder.path());
+        addRow("device", "/dev/null");
+        addRow("endless device", "/dev/zero");
+        addRow("name too long", m_folder.filePath(QString(300, 'x')));
+        addRow("a dash", "-");
         const QString fifo = m_folder.filePath("fifo");
         mkfifo(fifo.toUtf8(), 0600);
-        QTest::newRow("FIFO") << fifo;
+        addRow("FIFO", fifo);
         if (geteuid() != 0) {
             const QString locked = save("locked.sparkout", "{}");
             chmod(locked.toUtf8(), 0);
-            QTest::newRow("not permitted") << locked;
+            addRow("not permitted", locked);
         }
     }
 
@@ -125,11 +123,10 @@ private slots:
         QTest::addColumn<QString>("file");
         for (const auto& entry :
              std::filesystem::directory_iterator(samples::sourcePath("tests/data/hostile"))) {
-            QTest::newRow(entry.path().filename().c_str()) << QString::fromStdString(entry.path());
+            addRow(entry.path().filename().c_str(), QString::fromStdString(entry.path()));
         }
-        QTest::newRow("10 MB of [") << save("nested.sparkout", std::string(10'000'000, '['));
-        QTest::newRow("32 MB + 1")
-            << save("large.sparkout", std::string(limits::fileBytes + 1, ' '));
+        addRow("10 MB of [", save("nested.sparkout", std::string(10'000'000, '[')));
+        addRow("32 MB + 1", save("large.sparkout", std::string(limits::fileBytes + 1, ' ')));
     }
 
     void hostileFilesAreRefusedLineByLine() {

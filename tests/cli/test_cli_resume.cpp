@@ -13,8 +13,6 @@ namespace test_cli_resume {
 
 using namespace cli;
 
-namespace {
-
 /// A grid whose full search takes some seconds.
 json grid() {
     json file = shaft();
@@ -46,8 +44,6 @@ long long evaluationsIn(const json& state) {
     return begun != state.end() && begun->is_object() ? begun->at("evaluations").get<long long>()
                                                       : 0;
 }
-
-} // namespace
 
 class TestCliResume : public QObject {
     Q_OBJECT
@@ -118,13 +114,10 @@ private slots:
     }
 
     void whatIsOfSomethingElseIsRefusedAndStays_data() {
-        QTest::addColumn<QStringList>("options");
-        QTest::addColumn<QByteArray>("said");
-        QTest::addColumn<bool>("other");
-        QTest::newRow("options") << QStringList{"--robust"} << QByteArray("other options") << false;
-        QTest::newRow("stages") << QStringList{"--stages", "1"} << QByteArray("other options")
-                                << false;
-        QTest::newRow("project") << QStringList{} << QByteArray("another project") << true;
+        addColumns<QStringList, QByteArray, bool>("options", "said", "other");
+        addRow("options", QStringList{"--robust"}, QByteArray("other options"), false);
+        addRow("stages", QStringList{"--stages", "1"}, QByteArray("other options"), false);
+        addRow("project", QStringList{}, QByteArray("another project"), true);
     }
 
     void whatIsOfSomethingElseIsRefusedAndStays() {

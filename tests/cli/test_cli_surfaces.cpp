@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // Commands on a file of several surfaces: all of them, or the one that --surface names.
-#include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/cli/search_samples.h"

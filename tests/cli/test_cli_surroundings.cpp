@@ -8,7 +8,6 @@
 #include <QDir>
 #include <QFile>
 
-#include <filesystem>
 #include <map>
 #include <random>
 
@@ -173,41 +172,14 @@ private slots:
         const auto copy = [this](const char* name) {
             return m_folder.filePath(QString("random-%1.sparkout").arg(name));
         };
-        const QStringList words{
-            "simulate",
-            "simulate",
-            "simulate",
-            "validate",
-            "validate",
-            "examples",
-            "batch",
-            "batch-merge",
-            "--json",
-            "--json",
-            "--csv",
-            "--shard",
-            "1/2",
-            "--measured",
-            "--scenarios",
-            "corners",
-            "--check",
-            "--trace",
-            "--help",
-            "--version",
-            "-",
-            "--",
-            "-o",
-            "--parts",
-            "",
-            " ",
-            ".",
-            "..",
-            "/dev/null",
-            "Ж",
-            "磨🛠",
-            "\x01\x02",
-            "%s%n",
-            "-1",
+        QStringList words =
+            QString(
+                "simulate|simulate|simulate|validate|validate|examples|batch|batch-merge|"
+                "--json|--json|--csv|--shard|1/2|--measured|--scenarios|corners|--check|"
+                "--trace|--help|--version|-|--|-o|--parts|| |.|..|/dev/null|Ж|磨🛠|\x01\x02|"
+                "%s%n|-1")
+                .split('|');
+        words += QStringList{
             QString(5000, 'x'),
             "a b",
             "$(id)",

@@ -5,15 +5,12 @@
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 
-#include <functional>
 #include <string_view>
 
 namespace test_cli_terminal {
 
 using namespace sparkout;
 using namespace cli;
-
-namespace {
 
 /// Sets the window's title, clears the screen, colours, turns the direction, and begins a line.
 const std::string hostile = "A\x1b]0;title\x07\x1b[2J\x1b[31m\b\x7f\u0085\u009b2J\u202e\u2066\u200f"
@@ -71,8 +68,6 @@ void checkPrinted(const Outcome& outcome, const QStringList& command) {
         QVERIFY2(text->find("\nforged:") == text->npos, (name + '\n' + *text).c_str());
     }
 }
-
-} // namespace
 
 class TestCliTerminal : public FolderTest {
     Q_OBJECT

@@ -8,7 +8,6 @@
 #include <QFile>
 
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include <sys/stat.h>

@@ -13,8 +13,6 @@ namespace test_cli_trials {
 using namespace sparkout;
 using namespace cli;
 
-namespace {
-
 json plunge() {
     json file = samples::sample("smallest-plunge");
     file["machine"]["compliance_mm_per_n"] = {5e-4, 6e-4, 6e-4, 5e-4};
@@ -37,8 +35,6 @@ std::string rigidReadings(double length_mm, double head, double tail) {
     }
     return text;
 }
-
-} // namespace
 
 class TestCliTrials : public FolderTest {
     Q_OBJECT

@@ -3,26 +3,14 @@
 #include "core/format/difference.h"
 #include "core/indirect.h"
 #include "core/optional_indirect.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/project.h"
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
-namespace test_indirect {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_indirect {
 
 struct Later;
 /// An owner of what is only declared here: it compiles, is copied and moved by its own members.
@@ -80,8 +68,6 @@ Indirect<Watched> numbered(int number) {
     value->number = number;
     return value;
 }
-
-} // namespace
 
 class TestIndirect : public QObject {
     Q_OBJECT
@@ -244,7 +230,7 @@ private slots:
     }
 };
 
-} // namespace test_indirect
+} // namespace sparkout::test_indirect
 
 SPARKOUT_TEST(test_indirect, TestIndirect)
 #include "test_indirect.moc"

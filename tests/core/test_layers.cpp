@@ -6,11 +6,8 @@
 #include <QFile>
 #include <QRegularExpression>
 #include <QSet>
-#include <QTest>
 
-namespace test_layers {
-
-namespace {
+namespace sparkout::test_layers {
 
 struct Include {
     QString file; ///< relative to the root
@@ -98,8 +95,7 @@ private slots:
     }
 
     void filesIncludeWhatTheirRowNames_data() {
-        QTest::addColumn<QString>("folder");
-        QTest::addColumn<QStringList>("may");
+        addColumns<QString, QStringList>("folder", "may");
         for (const Row& row : rows()) {
             QTest::newRow(qPrintable(row.folder)) << row.folder << row.may;
         }
@@ -196,9 +192,7 @@ private slots:
     }
 };
 
-} // namespace
-
-} // namespace test_layers
+} // namespace sparkout::test_layers
 
 SPARKOUT_TEST(test_layers, TestLayers)
 #include "test_layers.moc"

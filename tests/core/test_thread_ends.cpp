@@ -2,16 +2,11 @@
 // What a thread keeps for itself goes with it, in the right order (cmake/thread_keys.cpp).
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <array>
 #include <atomic>
-#include <memory>
 #include <thread>
 
-namespace test_thread_ends {
-
-namespace {
+namespace sparkout::test_thread_ends {
 
 std::atomic<int> intact{0};
 
@@ -22,8 +17,6 @@ struct Large {
     ~Large() { intact += numbers[1000] == 42 && *last == 7; }
 };
 thread_local Large large;
-
-} // namespace
 
 class TestThreadEnds : public QObject {
     Q_OBJECT
@@ -38,7 +31,7 @@ private slots:
     }
 };
 
-} // namespace test_thread_ends
+} // namespace sparkout::test_thread_ends
 
 SPARKOUT_TEST(test_thread_ends, TestThreadEnds)
 #include "test_thread_ends.moc"

@@ -2,28 +2,20 @@
 // Student's and Fisher's tests against tables, verdicts on parts that agree with the prediction and
 // on parts that do not, the published comparison.
 #include "core/adequacy/adequacy.h"
+#include "tests/ready_made.h"
+#include "tests/whole_project.h"
 
 #include "core/measured/measured_table.h"
-#include "core/project/batch.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/statistics/philox.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QElapsedTimer>
-#include <QTest>
-
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace test_adequacy {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_adequacy {
 
 double normal(std::uint32_t seed, std::uint64_t index) {
     return normalQuantile(openUnit(randomBits(seed, RandomStream::plain, index, 0)));
@@ -100,8 +92,6 @@ const AdequacyRow* find(const std::vector<AdequacyRow>& rows, MeasuredQuantity q
     return nullptr;
 }
 
-} // namespace
-
 class TestAdequacy : public QObject {
     Q_OBJECT
 
@@ -149,10 +139,7 @@ private slots:
     }
 
     void verdicts_data() {
-        QTest::addColumn<double>("mean");
-        QTest::addColumn<double>("deviation");
-        QTest::addColumn<int>("count");
-        QTest::addColumn<int>("verdict");
+        addColumns<double, double, int, int>("mean", "deviation", "count", "verdict");
         const auto row = [](const char* name, double mean, double deviation, int count,
                             AdequacyVerdict verdict) {
             QTest::newRow(name) << mean << deviation << count << static_cast<int>(verdict);
@@ -330,8 +317,7 @@ private slots:
             part.roughness_ra_um = 0.5;
             measured.parts.push_back(part);
         }
-        QElapsedTimer timer;
-        timer.start();
+        RunningTimer timer;
         const auto rows = judgeAdequacy(project, batch);
         const double seconds = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
         constexpr double target_s = 0.2;
@@ -341,7 +327,7 @@ private slots:
     }
 };
 
-} // namespace test_adequacy
+} // namespace sparkout::test_adequacy
 
 SPARKOUT_TEST(test_adequacy, TestAdequacy)
 #include "test_adequacy.moc"

@@ -5,30 +5,19 @@
 #include "core/batch/factor_law.h"
 #include "core/format/blanks_csv.h"
 #include "core/process/system_compliance.h"
-#include "core/project/batch.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
 
-namespace test_batch_factors {
+namespace sparkout::test_batch_factors {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::uniform;
 using fixtures::within;
-
-namespace {
 
 /// Share of a triangular law below x, integrated from its density by hand.
 double triangularShare(double x, double a, double c, double b) {
@@ -69,17 +58,15 @@ std::vector<MeasuredColumn> columnsOf(const char* csv) {
     return columns ? *columns : std::vector<MeasuredColumn>();
 }
 
-} // namespace
-
 class TestBatchFactors : public QObject {
     Q_OBJECT
 
 private slots:
     void aTriangularFactorHasItsShares_data() {
         QTest::addColumn<double>("mode");
-        QTest::newRow("inside") << 0.16;
-        QTest::newRow("at the low end") << 0.1;
-        QTest::newRow("at the high end") << 0.2;
+        addRow("inside", 0.16);
+        addRow("at the low end", 0.1);
+        addRow("at the high end", 0.2);
     }
     void aTriangularFactorHasItsShares() {
         QFETCH(double, mode);
@@ -109,12 +96,7 @@ private slots:
 
     /// Whatever the compliance comes from, each of its terms is as many times as large.
     void aFactorOfTheComplianceMultipliesAllOfIt() {
-        Project project = fixtures::traverse();
-        project.machine->compliance_mm_per_n = std::monostate();
-        project.machine->stiffness_n_um = Stiffness{60, 40, 50};
-        project.part->shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
-        project.part->shaft.ground_from_mm = 50;
-        project.part->shaft.steady_rests = {{100, 30}};
+        const Project project = fixtures::steppedTraverse();
         Project softer = project;
         putFactor(FactorKind::compliance, 1.25, softer);
         const auto before = complianceAlong(project, 21), after = complianceAlong(softer, 21);
@@ -258,13 +240,13 @@ private slots:
 
     void bothDialectsAreRead_data() {
         QTest::addColumn<QByteArray>("csv");
-        QTest::newRow("comma") << QByteArray("stock_mm,dullness\n0.15,0.02\n0.16,0.03\n");
-        QTest::newRow("semicolon, decimal comma")
-            << QByteArray("stock_mm;dullness\r\n0,15;0,02\r\n0,16;0,03\r\n");
-        QTest::newRow("tab") << QByteArray("stock_mm\tdullness\n0.15\t0,02\n0,16\t0.03");
-        QTest::newRow("other columns, gaps, quotes, byte order mark")
-            << QByteArray("\xEF\xBB\xBF\"no\";\"stock_mm\";\"note\";dullness\n1;\"0,15\";x;0,02\n"
-                          "\n2;;y;\n3;0.16;;3e-2\n");
+        addRow("comma", QByteArray("stock_mm,dullness\n0.15,0.02\n0.16,0.03\n"));
+        addRow("semicolon, decimal comma",
+               QByteArray("stock_mm;dullness\r\n0,15;0,02\r\n0,16;0,03\r\n"));
+        addRow("tab", QByteArray("stock_mm\tdullness\n0.15\t0,02\n0,16\t0.03"));
+        addRow("other columns, gaps, quotes, byte order mark",
+               QByteArray("\xEF\xBB\xBF\"no\";\"stock_mm\";\"note\";dullness\n1;\"0,15\";x;0,02\n"
+                          "\n2;;y;\n3;0.16;;3e-2\n"));
     }
     void bothDialectsAreRead() {
         QFETCH(QByteArray, csv);
@@ -282,18 +264,14 @@ private slots:
     }
 
     void aTableThatIsNoneIsRefusedWithItsLine_data() {
-        QTest::addColumn<QByteArray>("csv");
-        QTest::addColumn<int>("line");
-        QTest::addColumn<QByteArray>("text");
-        QTest::newRow("nothing") << QByteArray() << 1 << QByteArray();
-        QTest::newRow("no heading") << QByteArray("0.15\n0.16\n") << 1 << QByteArray();
-        QTest::newRow("twice") << QByteArray("stock_mm,stock_mm\n1,2\n") << 1
-                               << QByteArray("stock_mm");
-        QTest::newRow("a word") << QByteArray("stock_mm\n0.1\n\nwide\n") << 4 << QByteArray("wide");
-        QTest::newRow("no number") << QByteArray("stock_mm\nnan\n") << 2 << QByteArray("nan");
-        QTest::newRow("infinite") << QByteArray("stock_mm\n0.1\ninf\n") << 3 << QByteArray("inf");
-        QTest::newRow("two points")
-            << QByteArray("stock_mm;a\n1.0.0;\n") << 2 << QByteArray("1.0.0");
+        addColumns<QByteArray, int, QByteArray>("csv", "line", "text");
+        addRow("nothing", QByteArray(), 1, QByteArray());
+        addRow("no heading", QByteArray("0.15\n0.16\n"), 1, QByteArray());
+        addRow("twice", QByteArray("stock_mm,stock_mm\n1,2\n"), 1, QByteArray("stock_mm"));
+        addRow("a word", QByteArray("stock_mm\n0.1\n\nwide\n"), 4, QByteArray("wide"));
+        addRow("no number", QByteArray("stock_mm\nnan\n"), 2, QByteArray("nan"));
+        addRow("infinite", QByteArray("stock_mm\n0.1\ninf\n"), 3, QByteArray("inf"));
+        addRow("two points", QByteArray("stock_mm;a\n1.0.0;\n"), 2, QByteArray("1.0.0"));
     }
     void aTableThatIsNoneIsRefusedWithItsLine() {
         QFETCH(QByteArray, csv);
@@ -307,7 +285,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_factors
+} // namespace sparkout::test_batch_factors
 
 SPARKOUT_TEST(test_batch_factors, TestBatchFactors)
 #include "test_batch_factors.moc"

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is stated of a batch's characteristics, as JSON and CSV have it.
 #include "core/batch/batch_json.h"
-#include "core/project/batch.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 
-#include <nlohmann/json.hpp>
-
-#include <QTest>
-
-#include <algorithm>
 #include <sstream>
-#include <string>
 
-namespace test_batch_outputs {
-
-using namespace sparkout;
+namespace sparkout::test_batch_outputs {
 
 class TestBatchOutputs : public QObject {
     Q_OBJECT
@@ -65,7 +56,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_outputs
+} // namespace sparkout::test_batch_outputs
 
 SPARKOUT_TEST(test_batch_outputs, TestBatchOutputs)
 #include "test_batch_outputs.moc"

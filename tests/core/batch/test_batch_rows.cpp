@@ -4,32 +4,21 @@
 #include "core/batch/moments.h"
 #include "core/batch/part_queue.h"
 #include "core/batch/part_table.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <sstream>
 #include <stop_token>
-#include <string>
 #include <thread>
-#include <vector>
 
-namespace test_batch_rows {
+namespace sparkout::test_batch_rows {
 
-using namespace sparkout;
 using fixtures::shaftBatch;
 using fixtures::stiffBatch;
 using fixtures::uniform;
-
-namespace {
 
 /// With a point, whatever the locale.
 double numberOf(const std::string& cell) {
@@ -94,8 +83,6 @@ Project partlyBad(int parts) {
     project.part->tolerance.radial_runout_um = largest[largest.size() / 2];
     return project;
 }
-
-} // namespace
 
 class TestBatchRows : public QObject {
     Q_OBJECT
@@ -291,7 +278,7 @@ private:
     }
 };
 
-} // namespace test_batch_rows
+} // namespace sparkout::test_batch_rows
 
 SPARKOUT_TEST(test_batch_rows, TestBatchRows)
 #include "test_batch_rows.moc"

@@ -5,40 +5,27 @@
 #include "core/batch/batch_state_reader.h"
 #include "core/batch/batch_summary.h"
 #include "core/batch/sensitivity.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
 
 #include "tests/check_line.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <stop_token>
-#include <string>
 #include <thread>
-#include <vector>
 
-namespace test_batch_run {
+namespace sparkout::test_batch_run {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::shaftBatch;
 using fixtures::uniform;
 using nlohmann::json;
-
-namespace {
 
 BatchResult runWith(const Project& project, int threads) {
     BatchOptions options;
@@ -60,8 +47,6 @@ JoinedBatch joined(const std::vector<BatchResult>& shards) {
     }
     return joiner.join();
 }
-
-} // namespace
 
 class TestBatchRun : public QObject {
     Q_OBJECT
@@ -191,8 +176,7 @@ private slots:
     }
 
     void aShardThatContradictsItselfIsRefused_data() {
-        QTest::addColumn<QByteArray>("path");
-        QTest::addColumn<double>("value");
+        addColumns<QByteArray, double>("path", "value");
         const auto row = [](const char* path, double value) {
             QTest::addRow("%s = %g", path, value) << QByteArray(path) << value;
         };
@@ -450,8 +434,7 @@ private slots:
     }
 
     void aStopBeforeTheFirstPartLeavesNone() {
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         BatchOptions options;
         options.stop = stop.get_token();
         const BatchResult result = runBatch(shaftBatch(50), options);
@@ -688,7 +671,7 @@ private:
     }
 };
 
-} // namespace test_batch_run
+} // namespace sparkout::test_batch_run
 
 SPARKOUT_TEST(test_batch_run, TestBatchRun)
 #include "test_batch_run.moc"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_check.h"
 #include "core/batch/scenario_source.h"
-#include "core/project/batch.h"
-#include "core/project/machine.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/permutation.h"
 #include "core/statistics/sobol_sequence.h"
@@ -15,20 +12,12 @@
 
 #include <boost/random/sobol.hpp>
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <set>
 
-namespace test_batch_scenarios {
+namespace sparkout::test_batch_scenarios {
 
-using namespace sparkout;
 using fixtures::normal;
 using fixtures::uniform;
-
-namespace {
 
 Project batchOf(Scenarios scenarios, int parts) {
     Project project = fixtures::plunge();
@@ -55,8 +44,6 @@ double correlationOf(const ScenarioSource& source, std::size_t a, std::size_t b)
     }
     return (n * xy - x * y) / std::sqrt((n * xx - x * x) * (n * yy - y * y));
 }
-
-} // namespace
 
 class TestBatchScenarios : public QObject {
     Q_OBJECT
@@ -113,9 +100,9 @@ private slots:
 
     void anotherSeedIsAnotherBatch_data() {
         QTest::addColumn<int>("scenarios");
-        QTest::newRow("latin hypercube") << static_cast<int>(Scenarios::latin_hypercube);
-        QTest::newRow("sobol") << static_cast<int>(Scenarios::sobol);
-        QTest::newRow("random") << static_cast<int>(Scenarios::random);
+        addRow("latin hypercube", static_cast<int>(Scenarios::latin_hypercube));
+        addRow("sobol", static_cast<int>(Scenarios::sobol));
+        addRow("random", static_cast<int>(Scenarios::random));
     }
     void anotherSeedIsAnotherBatch() {
         QFETCH(int, scenarios);
@@ -270,41 +257,24 @@ private slots:
     }
 
     void aBatchThatCannotBeIsRefused_data() {
-        QTest::addColumn<QString>("fault");
-        QTest::addColumn<QString>("path");
-        QTest::newRow("two forms") << "forms"
-                                   << "/batch/factors/stock_mm";
-        QTest::newRow("reversed") << "reversed"
-                                  << "/batch/factors/stock_mm/uniform/1";
-        QTest::newRow("outside") << "outside"
-                                 << "/batch/factors/dullness/uniform/1";
-        QTest::newRow("no form") << "none"
-                                 << "/batch/factors/stock_mm";
-        QTest::newRow("nothing measured") << "unmeasured"
-                                          << "/batch/factors/stock_mm/measured";
-        QTest::newRow("measured outside") << "mismeasured"
-                                          << "/batch/factors/dullness/measured/1";
-        QTest::newRow("mode beyond the ends") << "mode"
-                                              << "/batch/factors/stock_mm/triangular/2";
-        QTest::newRow("negative scatter") << "scatter"
-                                          << "/batch/factors/stock_mm/normal/1";
-        QTest::newRow("mean outside") << "mean"
-                                      << "/batch/factors/dullness/normal/0";
-        QTest::newRow("within without normal") << "within"
-                                               << "/batch/factors/stock_mm/within";
-        QTest::newRow("dressings without growth")
-            << "dressings"
-            << "/batch/factors/stock_mm/parts_between_dressings";
-        QTest::newRow("part beyond the wheel") << "width"
-                                               << "/wheel/width_mm";
-        QTest::newRow("small matrix") << "small"
-                                      << "/batch/correlation";
-        QTest::newRow("not symmetric") << "skew"
-                                       << "/batch/correlation/1/0";
-        QTest::newRow("not definite") << "indefinite"
-                                      << "/batch/correlation";
-        QTest::newRow("correlated law") << "law"
-                                        << "/batch/correlation/1/0";
+        addColumns<QString, QString>("fault", "path");
+        addRow("two forms", "forms", "/batch/factors/stock_mm");
+        addRow("reversed", "reversed", "/batch/factors/stock_mm/uniform/1");
+        addRow("outside", "outside", "/batch/factors/dullness/uniform/1");
+        addRow("no form", "none", "/batch/factors/stock_mm");
+        addRow("nothing measured", "unmeasured", "/batch/factors/stock_mm/measured");
+        addRow("measured outside", "mismeasured", "/batch/factors/dullness/measured/1");
+        addRow("mode beyond the ends", "mode", "/batch/factors/stock_mm/triangular/2");
+        addRow("negative scatter", "scatter", "/batch/factors/stock_mm/normal/1");
+        addRow("mean outside", "mean", "/batch/factors/dullness/normal/0");
+        addRow("within without normal", "within", "/batch/factors/stock_mm/within");
+        addRow("dressings without growth", "dressings",
+               "/batch/factors/stock_mm/parts_between_dressings");
+        addRow("part beyond the wheel", "width", "/wheel/width_mm");
+        addRow("small matrix", "small", "/batch/correlation");
+        addRow("not symmetric", "skew", "/batch/correlation/1/0");
+        addRow("not definite", "indefinite", "/batch/correlation");
+        addRow("correlated law", "law", "/batch/correlation/1/0");
     }
     void aBatchThatCannotBeIsRefused() {
         QFETCH(QString, fault);
@@ -365,7 +335,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_scenarios
+} // namespace sparkout::test_batch_scenarios
 
 SPARKOUT_TEST(test_batch_scenarios, TestBatchScenarios)
 #include "test_batch_scenarios.moc"

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/sensitivity.h"
-#include "core/project/batch.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_batch_sensitivity {
 
-#include <cmath>
-#include <string>
-
-namespace test_batch_sensitivity {
-
-using namespace sparkout;
 using fixtures::uniform;
 using fixtures::within;
-
-namespace {
 
 /// A system that does not yield: the power follows the flow stress alone, the time the stock alone.
 Project stiffBatch() {
@@ -45,8 +36,6 @@ std::size_t indexOf(const Project& project, const std::string& name) {
     }
     return i;
 }
-
-} // namespace
 
 class TestBatchSensitivity : public QObject {
     Q_OBJECT
@@ -176,7 +165,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_sensitivity
+} // namespace sparkout::test_batch_sensitivity
 
 SPARKOUT_TEST(test_batch_sensitivity, TestBatchSensitivity)
 #include "test_batch_sensitivity.moc"

@@ -7,20 +7,13 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
-namespace test_batch_statistics {
+namespace sparkout::test_batch_statistics {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
-
-namespace {
 
 /// Numbers of both signs and very different sizes.
 std::vector<double> mixedTerms(int count) {
@@ -52,8 +45,6 @@ Normality binnedNormality(const std::vector<double>& values) {
     return andersonDarling(statistics.bins, micrometres.resolution, statistics.count, moments.mean,
                            moments.deviation);
 }
-
-} // namespace
 
 class TestBatchStatistics : public QObject {
     Q_OBJECT
@@ -293,7 +284,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_statistics
+} // namespace sparkout::test_batch_statistics
 
 SPARKOUT_TEST(test_batch_statistics, TestBatchStatistics)
 #include "test_batch_statistics.moc"

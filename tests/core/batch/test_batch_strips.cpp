@@ -3,10 +3,6 @@
 // batch, whose parts fail by the overlap alone.
 #include "core/batch/batch_summary.h"
 #include "core/batch/batch_verdict.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/result_json.h"
 #include "core/sweep/sweep_point.h"
@@ -14,16 +10,9 @@
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_batch_strips {
 
-#include <cmath>
-
-namespace test_batch_strips {
-
-using namespace sparkout;
 using nlohmann::json;
-
-namespace {
 
 constexpr std::int64_t parts = 30;
 
@@ -69,8 +58,6 @@ std::vector<json> surfaceOf(const json& result) {
     }
     return all;
 }
-
-} // namespace
 
 class TestBatchStrips : public QObject {
     Q_OBJECT
@@ -151,7 +138,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_strips
+} // namespace sparkout::test_batch_strips
 
 SPARKOUT_TEST(test_batch_strips, TestBatchStrips)
 #include "test_batch_strips.moc"

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_verdict.h"
-#include "core/project/batch.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-
-namespace test_batch_verdict {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_batch_verdict {
 
 /// Fifty good parts of three characteristics: of the P_pk's bounds 1.3 and 1.1, and without one.
 BatchSummary goodSummary() {
@@ -40,8 +31,6 @@ void fail(BatchSummary& summary, std::int64_t parts) {
     summary.bad.count = parts;
     summary.bad.value = static_cast<double>(parts) / static_cast<double>(summary.parts);
 }
-
-} // namespace
 
 class TestBatchVerdict : public QObject {
     Q_OBJECT
@@ -121,7 +110,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_verdict
+} // namespace sparkout::test_batch_verdict
 
 SPARKOUT_TEST(test_batch_verdict, TestBatchVerdict)
 #include "test_batch_verdict.moc"

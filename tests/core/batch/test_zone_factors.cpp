@@ -9,37 +9,18 @@
 #include "core/batch/part_table.h"
 #include "core/batch/scenario_source.h"
 #include "core/batch/sensitivity.h"
-#include "core/format/project_file.h"
 #include "core/optimisation/robust.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/simulation/simulate.h"
 #include "core/study/operation.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
 #include <set>
-#include <string>
 
-namespace test_zone_factors {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_zone_factors {
 
 Project shaft() {
-    Project project = readProject(samples::readText(samples::sourcePath(
-                                      "resources/examples/shaft-30h6-factory.sparkout")))
-                          .project.value();
+    Project project = samples::projectIn("resources/examples/shaft-30h6-factory.sparkout");
     project.batch->zone_stock_mm.reset();
     project.batch->zone_runout_mm.reset();
     project.batch->zone_compliance.reset();
@@ -60,8 +41,6 @@ std::set<std::string> faultsOf(const Project& project) {
     }
     return paths;
 }
-
-} // namespace
 
 class TestZoneFactors : public QObject {
     Q_OBJECT
@@ -287,7 +266,7 @@ private slots:
     }
 };
 
-} // namespace test_zone_factors
+} // namespace sparkout::test_zone_factors
 
 SPARKOUT_TEST(test_zone_factors, TestZoneFactors)
 #include "test_zone_factors.moc"

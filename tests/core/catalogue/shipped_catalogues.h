@@ -11,9 +11,7 @@
 #include <vector>
 
 /// The catalogues that come with the program.
-namespace catalogues {
-
-using namespace sparkout;
+namespace sparkout::catalogues {
 
 inline std::string shippedText(const char* kind) {
     return samples::readText(
@@ -36,4 +34,4 @@ std::vector<Entry> shipped() {
     return *read.entries;
 }
 
-} // namespace catalogues
+} // namespace sparkout::catalogues

@@ -1,33 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Catalogues: read strictly, used in a project, saved as one's own.
 #include "core/catalogue/catalogue.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/wheel.h"
 
 #include "tests/core/catalogue/shipped_catalogues.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-#include "words/issue_words.h"
 
-#include <QFile>
 #include <QTemporaryDir>
-#include <QTest>
-#include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
+namespace sparkout::test_catalogue {
 
-namespace test_catalogue {
-
-using namespace sparkout;
 using namespace catalogues;
 using fixtures::close;
 using nlohmann::json;
-
-namespace {
 
 /// One material as small as it may be.
 json smallest() {
@@ -39,8 +24,6 @@ json smallest() {
                {"value", {{"grade", "40Х"}, {"conductivity_w_mk", 38.5}}},
                {"sources", {{{"key", "conductivity_w_mk"}, {"source", "ALORO40X"}}}}}}}};
 }
-
-} // namespace
 
 class TestCatalogue : public QObject {
     Q_OBJECT
@@ -57,9 +40,7 @@ private slots:
     }
 
     void faultsAreRefusedWithTheirPath_data() {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QString>("path");
-        QTest::addColumn<int>("code");
+        addColumns<QByteArray, QString, int>("text", "path", "code");
         const auto row = [](const char* name, const json& text, const char* path, IssueCode code) {
             QTest::newRow(name) << QByteArray::fromStdString(text.dump()) << path << int(code);
         };
@@ -277,7 +258,7 @@ private:
     }
 };
 
-} // namespace test_catalogue
+} // namespace sparkout::test_catalogue
 
 SPARKOUT_TEST(test_catalogue, TestCatalogue)
 #include "test_catalogue.moc"

@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is shipped: whole, sourced, told in both languages, and good for a project.
-#include "core/project/machine.h"
-#include "core/project/material.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/project/wheel_marking.h"
 #include "tests/core/catalogue/shipped_catalogues.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-#include "words/issue_words.h"
-
-#include <QTest>
 
 #include <regex>
 #include <set>
-#include <sstream>
-#include <string>
-#include <vector>
 
-namespace test_catalogue_shipped {
+namespace sparkout::test_catalogue_shipped {
 
-using namespace sparkout;
 using namespace catalogues;
 using fixtures::close;
-
-namespace {
 
 /// The keys that core/SOURCES.md explains.
 std::set<std::string> sourceKeys() {
@@ -66,8 +54,6 @@ std::string every(const std::vector<Entry>& entries, auto fault) {
     }
     return {};
 }
-
-} // namespace
 
 class TestCatalogueShipped : public QObject {
     Q_OBJECT
@@ -227,7 +213,7 @@ private:
     }
 };
 
-} // namespace test_catalogue_shipped
+} // namespace sparkout::test_catalogue_shipped
 
 SPARKOUT_TEST(test_catalogue_shipped, TestCatalogueShipped)
 #include "test_catalogue_shipped.moc"

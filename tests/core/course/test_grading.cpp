@@ -10,16 +10,11 @@
 #include "tests/processor_time.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <set>
 
-namespace test_grading {
+namespace sparkout::test_grading {
 
-using namespace sparkout;
 using nlohmann::json;
-
-namespace {
 
 constexpr std::size_t classSize = 25;
 
@@ -32,8 +27,6 @@ HandedIn handedIn(const Work& work) {
 }
 
 using Flags = std::set<WorkFlag>;
-
-} // namespace
 
 class TestGrading : public QObject {
     Q_OBJECT
@@ -403,7 +396,7 @@ private:
     GradeWish m_wish;
 };
 
-} // namespace test_grading
+} // namespace sparkout::test_grading
 
 SPARKOUT_TEST(test_grading, TestGrading)
 #include "test_grading.moc"

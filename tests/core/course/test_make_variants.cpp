@@ -6,25 +6,19 @@
 #include "core/course/work.h"
 #include "core/lesson/goal_check.h"
 #include "core/optimisation/optimise.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/setup/setup_file.h"
 #include "core/statistics/philox.h"
 #include "tests/core/lesson/lesson_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
-
-#include <QElapsedTimer>
-#include <QTest>
+#include "tests/whole_project.h"
 
 #include <set>
 
-namespace test_make_variants {
+namespace sparkout::test_make_variants {
 
-using namespace sparkout;
 using nlohmann::json;
-
-namespace {
 
 Answer answerWith(const Setup& setup) {
     Answer answer;
@@ -36,8 +30,6 @@ long long refusedBy(const MadeVariants& made, VariantFault fault) {
     return made.refused[static_cast<std::size_t>(fault)];
 }
 
-} // namespace
-
 class TestMakeVariants : public QObject {
     Q_OBJECT
 
@@ -45,16 +37,14 @@ private slots:
     void everyVariantIsSolvableAndUnsolved_data() {
         QTest::addColumn<QString>("file");
         for (const auto& file : samples::lessonFiles()) {
-            QTest::newRow(file.filename().string().c_str())
-                << QString::fromStdString(file.string());
+            addRow(file.filename().string().c_str(), QString::fromStdString(file.string()));
         }
     }
     void everyVariantIsSolvableAndUnsolved() {
         QFETCH(QString, file);
         const Lesson lesson = readLesson(samples::readText(file.toStdString())).lesson.value();
         const auto count = static_cast<std::size_t>(samples::sized(6, 2, 1000));
-        QElapsedTimer timer;
-        timer.start();
+        RunningTimer timer;
         const MadeVariants made = makeVariants(lesson, count, 2026);
         qInfo("%zu variants in %lld tries and %.1f s", made.variants.size(), made.tries,
               double(timer.elapsed()) / 1000);
@@ -119,13 +109,10 @@ private slots:
     }
 
     void impossibleDemandsSayWhatRefusedThem_data() {
-        QTest::addColumn<QString>("pointer");
-        QTest::addColumn<QString>("value");
-        QTest::addColumn<int>("fault");
+        addColumns<QString, QString, int>("pointer", "value", "fault");
         const auto row = [](const char* name, const char* pointer, const char* value,
                             VariantFault fault) {
-            QTest::newRow(name) << QString::fromLatin1(pointer) << QString::fromLatin1(value)
-                                << static_cast<int>(fault);
+            addRow(name, pointer, value, static_cast<int>(fault));
         };
         row("best too slow", "/variants/difficulty", R"({"most_time_percent": 100})",
             VariantFault::tooSlow);
@@ -202,8 +189,7 @@ private slots:
     }
 
     void aStopEndsIt() {
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         const MadeVariants made = makeVariants(samples::lesson(), 5, 1, stop.get_token());
         QVERIFY(made.isStopped);
         QVERIFY(made.variants.empty());
@@ -254,7 +240,7 @@ private:
     }
 };
 
-} // namespace test_make_variants
+} // namespace sparkout::test_make_variants
 
 SPARKOUT_TEST(test_make_variants, TestMakeVariants)
 #include "test_make_variants.moc"

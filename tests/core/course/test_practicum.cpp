@@ -2,30 +2,17 @@
 // The ten works that are shipped, tried as a student tries them: who reads what the program shows
 // gets all points, who does not gets none; and each is a lesson, with its guide for the teacher.
 #include "core/course/grading.h"
-#include "core/course/make_variants.h"
 #include "core/course/variant_check.h"
-#include "core/course/work_file.h"
-#include "core/lesson/goal_check.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
-#include "core/setup/setup_file.h"
 #include "tests/core/course/class_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
+#include "tests/whole_project.h"
 
 #include <cmath>
 #include <numeric>
 #include <set>
 
-namespace test_practicum {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_practicum {
 
 enum class Pupil { reads, guesses };
 
@@ -230,8 +217,6 @@ Lesson lessonIn(const QString& file) {
     return readLesson(samples::readText(file.toStdString())).lesson.value();
 }
 
-} // namespace
-
 class TestPracticum : public QObject {
     Q_OBJECT
 
@@ -413,7 +398,7 @@ private:
     }
 };
 
-} // namespace test_practicum
+} // namespace sparkout::test_practicum
 
 SPARKOUT_TEST(test_practicum, TestPracticum)
 #include "test_practicum.moc"

@@ -6,13 +6,8 @@
 #include "tests/core/support/project_mutator.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_work {
 
-#include <algorithm>
-
-namespace test_work {
-
-using namespace sparkout;
 using nlohmann::json;
 
 class TestWork : public QObject {
@@ -153,14 +148,10 @@ private slots:
     }
 
     void everyFaultHasItsPath_data() {
-        QTest::addColumn<QString>("pointer");
-        QTest::addColumn<QString>("value");
-        QTest::addColumn<int>("code");
-        QTest::addColumn<QString>("path");
+        addColumns<QString, QString, int, QString>("pointer", "value", "code", "path");
         const auto row = [](const char* name, const char* pointer, const char* value,
                             IssueCode code, const char* path) {
-            QTest::newRow(name) << QString::fromUtf8(pointer) << QString::fromUtf8(value)
-                                << static_cast<int>(code) << QString::fromUtf8(path);
+            addRow(name, pointer, value, static_cast<int>(code), path);
         };
         row("other format", "/format", "\"sparkout-lesson\"", IssueCode::notOneOf, "/format");
         row("no lesson", "/lesson", "", IssueCode::missingKey, "/lesson");
@@ -186,13 +177,8 @@ private slots:
         QFETCH(QString, value);
         QFETCH(int, code);
         QFETCH(QString, path);
-        json file = json::parse(m_text);
-        const json::json_pointer at(pointer.toStdString());
-        if (value.isEmpty()) {
-            file.at(at.parent_pointer()).erase(at.back());
-        } else {
-            file[at] = json::parse(value.toStdString());
-        }
+        const json file =
+            samples::changedAt(json::parse(m_text), pointer.toStdString(), value.toStdString());
         const ReadWork read = readWork(file.dump());
         QVERIFY(!read.work);
         QVERIFY2(samples::holds(read.issues, static_cast<IssueCode>(code), path.toStdString()),
@@ -225,7 +211,7 @@ private:
     std::string m_text;
 };
 
-} // namespace test_work
+} // namespace sparkout::test_work
 
 SPARKOUT_TEST(test_work, TestWork)
 #include "test_work.moc"

@@ -3,36 +3,15 @@
 #include "core/dressing/dressing_interval.h"
 #include "core/dressing/part_cost.h"
 #include "core/process/force.h"
-#include "core/project/batch.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
 #include "core/setup/surface_wear.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/batch_fixtures.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <numbers>
-#include <stop_token>
-#include <vector>
-
-namespace test_dressing_interval {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_dressing_interval {
 
 /// So stiff that every revolution removes what it is fed: 5 µm of 40 mm.
 Setup stiffPlunge() {
@@ -112,8 +91,6 @@ private:
     std::vector<RemovedMetal> m_before; ///< of the surfaces before each, in the first part
     RemovedMetal m_part;
 };
-
-} // namespace
 
 class TestDressingInterval : public QObject {
     Q_OBJECT
@@ -339,8 +316,7 @@ private slots:
         setup.wear = {};
         QVERIFY(dressingInterval(setup).fault == DressingFault::noWear);
         setup = stiffPlunge();
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         DressingOptions options;
         options.stop = stop.get_token();
         const DressingInterval stopped = dressingInterval(setup, options);
@@ -350,7 +326,7 @@ private slots:
     }
 };
 
-} // namespace test_dressing_interval
+} // namespace sparkout::test_dressing_interval
 
 SPARKOUT_TEST(test_dressing_interval, TestDressingInterval)
 #include "test_dressing_interval.moc"

@@ -5,27 +5,17 @@
 #include "core/dressing/interval_search.h"
 #include "core/dressing/part_cost.h"
 #include "core/process/force.h"
-#include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
 #include "core/study/search.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 #include "words/search_words.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <numbers>
-#include <numeric>
-#include <vector>
 
-namespace test_interval_search {
+namespace sparkout::test_interval_search {
 
 using namespace search_checks;
-
-namespace {
 
 /// A cycle of a grid that holds for the first part: how long it goes on to, and its margin over so
 /// many.
@@ -176,8 +166,6 @@ double power_kw(const Project& project, double feed_mm_min, double dullness) {
     return dull.machine->wheel_speed_m_s * law.tangential(dull.part->length_mm, std::sqrt(cut_mm))
            / 1000;
 }
-
-} // namespace
 
 class TestIntervalSearch : public QObject {
     Q_OBJECT
@@ -475,7 +463,7 @@ private slots:
     }
 };
 
-} // namespace test_interval_search
+} // namespace sparkout::test_interval_search
 
 SPARKOUT_TEST(test_interval_search, TestIntervalSearch)
 #include "test_interval_search.moc"

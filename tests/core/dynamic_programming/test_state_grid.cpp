@@ -5,32 +5,16 @@
 #include "core/dynamic_programming/exact_answer.h"
 #include "core/dynamic_programming/state_grid.h"
 #include "core/optimisation/cycle_runner.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/quality/constraints.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/optimisation/search_checks.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QElapsedTimer>
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <limits>
-#include <vector>
 
-namespace test_state_grid {
+namespace sparkout::test_state_grid {
 
 using namespace search_checks;
 using Path = std::vector<std::size_t>;
-
-namespace {
 
 constexpr double slack_s = 1e-9;
 
@@ -122,8 +106,6 @@ bool isAllowed(const StateGrid& grid, const Path& path) {
 std::int64_t us(double time_s) {
     return comparedTime_us(time_s);
 }
-
-} // namespace
 
 class TestStateGrid : public QObject {
     Q_OBJECT
@@ -356,9 +338,7 @@ private slots:
     }
 
     void fortyFeedsAtMostOfBothKinds() {
-        Project p = readProject(samples::readText(samples::sourcePath(
-                                    "resources/examples/shaft-30h6-factory.sparkout")))
-                        .project.value();
+        Project p = samples::projectIn("resources/examples/shaft-30h6-factory.sparkout");
         p.optimisation = Optimisation{};
         p.optimisation->radial_feed_mm = SteppedLevels{0.001, 0.02, 0.001};
         p.optimisation->axial_feed_mm_min = SteppedLevels{300, 2500, 100};
@@ -372,17 +352,13 @@ private slots:
     }
 
     void twentyLevelsByFortyFeedsTakeSeconds() {
-        const auto example = [](const char* name) {
-            return readProject(samples::readText(samples::sourcePath(name))).project.value();
-        };
-        Project plunge = example("resources/examples/plunge-shaft-two-stage.sparkout");
+        Project plunge = samples::projectIn("resources/examples/plunge-shaft-two-stage.sparkout");
         plunge.optimisation->radial_feed_mm_min = SteppedLevels{0.05, 2.0, 0.05};
-        Project traverse = example("resources/examples/shaft-30h6-factory.sparkout");
+        Project traverse = samples::projectIn("resources/examples/shaft-30h6-factory.sparkout");
         traverse.optimisation->radial_feed_mm = SteppedLevels{0.001, 0.010, 0.001};
         traverse.optimisation->axial_feed_mm_min = SteppedLevels{500, 2000, 500};
         for (const Project& p : {plunge, traverse}) {
-            QElapsedTimer timer;
-            timer.start();
+            RunningTimer timer;
             const StateGridSize size{20, p.operation == Operation::plunge ? 2 : 3};
             const auto grid = fillStateGrid(p, size);
             const double filled_s = static_cast<double>(timer.restart()) / 1000;
@@ -399,7 +375,7 @@ private slots:
     }
 };
 
-} // namespace test_state_grid
+} // namespace sparkout::test_state_grid
 
 SPARKOUT_TEST(test_state_grid, TestStateGrid)
 #include "test_state_grid.moc"

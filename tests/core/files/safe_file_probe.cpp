@@ -6,8 +6,6 @@
 //   safe_file_probe read PATH LIMIT
 #include "core/files/safe_file.h"
 
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <sstream>

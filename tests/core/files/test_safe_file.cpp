@@ -7,9 +7,6 @@
 #include "core/sha256.h"
 #include "tests/check_line.h"
 
-#include <QTest>
-
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace fixtures {
+namespace sparkout::fixtures {
 
 /// Smallest value of f found by Nelder and Mead's simplex from `start` on, begun anew from its own
 /// result until that gains nothing: slow, plain, and knows nothing of what f is.
@@ -65,4 +65,4 @@ double downhill(const Function& f, std::array<double, N> start, double size) {
     return best;
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

@@ -12,27 +12,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <numeric>
 #include <vector>
 
 /// Random bodies of several sections, and their zones by other means.
-namespace ground_bodies {
+namespace sparkout::ground_bodies {
 
-using namespace sparkout;
 using fixtures::between;
 using fixtures::close;
 using fixtures::decades;
+using fixtures::holds;
 using fixtures::oneIn;
 using fixtures::pick;
 using fixtures::within;
 
 using Radii = std::vector<double>;
-
-inline bool holds(const char* law, const std::function<void()>& check) {
-    return rc::check(law, check);
-}
 
 inline double angle(std::size_t k, std::size_t K) {
     return 2 * std::numbers::pi * double(k) / double(K);
@@ -175,4 +170,4 @@ inline double curvature(const Body& body, double w) {
     return 2 * (w * w / 15 + 15 * std::pow(2 * w / longest(body), 2)) + 2e-12;
 }
 
-} // namespace ground_bodies
+} // namespace sparkout::ground_bodies

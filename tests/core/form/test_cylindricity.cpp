@@ -2,11 +2,8 @@
 #include "tests/core/form/ground_bodies.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_cylindricity {
 
-namespace test_cylindricity {
-
-using namespace sparkout;
 using namespace ground_bodies;
 
 class TestCylindricity : public QObject {
@@ -279,7 +276,7 @@ private:
     }
 };
 
-} // namespace test_cylindricity
+} // namespace sparkout::test_cylindricity
 
 SPARKOUT_TEST(test_cylindricity, TestCylindricity)
 #include "test_cylindricity.moc"

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Total runout, the form along the length, and the harmonics of sections.
-#include "core/project/machine.h"
 #include "tests/core/form/ground_bodies.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_form_along {
 
-namespace test_form_along {
-
-using namespace sparkout;
 using namespace ground_bodies;
 
 class TestFormAlong : public QObject {
@@ -109,9 +105,7 @@ private slots:
     }
 
     void formIsNamedByItsLargerPart_data() {
-        QTest::addColumn<double>("taper_um");
-        QTest::addColumn<double>("crown_um");
-        QTest::addColumn<LongitudinalForm>("form");
+        addColumns<double, double, LongitudinalForm>("taper_um", "crown_um", "form");
         QTest::newRow("straight") << 0.005 << -0.005 << LongitudinalForm::straight;
         QTest::newRow("taper up") << 3.0 << 1.0 << LongitudinalForm::taper;
         QTest::newRow("taper down") << -3.0 << 1.0 << LongitudinalForm::taper;
@@ -195,7 +189,7 @@ private slots:
     }
 };
 
-} // namespace test_form_along
+} // namespace sparkout::test_form_along
 
 SPARKOUT_TEST(test_form_along, TestFormAlong)
 #include "test_form_along.moc"

@@ -7,30 +7,15 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_roundness {
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numbers>
-#include <vector>
-
-namespace test_roundness {
-
-using namespace sparkout;
 using fixtures::between;
 using fixtures::decades;
+using fixtures::holds;
 using fixtures::pick;
 using fixtures::within;
 
-namespace {
-
 using Radii = std::vector<double>;
-
-bool holds(const char* law, const std::function<void()>& check) {
-    return rc::check(law, check);
-}
 
 /// R + amplitude·cos(n·φ − phase) of K radii.
 Radii lobed(std::size_t K, double R, double amplitude, int n, double phase = 0) {
@@ -125,8 +110,6 @@ double eccentricity(const RoundnessZone& zone) {
     return std::hypot(zone.x_mm, zone.y_mm);
 }
 
-} // namespace
-
 class TestRoundness : public QObject {
     Q_OBJECT
 
@@ -135,8 +118,7 @@ private slots:
 
     // shared/vectors: e·cos φ has a runout of 2e and no roundness; e·cos 2φ and e·cos 3φ have 2e.
     void formsOfTheVectors_data() {
-        QTest::addColumn<int>("lobes");
-        QTest::addColumn<double>("roundness_um");
+        addColumns<int, double>("lobes", "roundness_um");
         QTest::newRow("e·cos φ") << 1 << 0.0;
         QTest::newRow("e·cos 2φ") << 2 << 10.0;
         QTest::newRow("e·cos 3φ") << 3 << 10.0;
@@ -424,7 +406,7 @@ private slots:
     }
 };
 
-} // namespace test_roundness
+} // namespace sparkout::test_roundness
 
 SPARKOUT_TEST(test_roundness, TestRoundness)
 #include "test_roundness.moc"

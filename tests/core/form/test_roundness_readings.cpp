@@ -12,30 +12,17 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
-#include <numbers>
-#include <vector>
 
-namespace test_roundness_readings {
+namespace sparkout::test_roundness_readings {
 
-using namespace sparkout;
 using fixtures::between;
+using fixtures::holds;
 using fixtures::pick;
-
-namespace {
 
 using Radii = std::vector<double>;
 
 constexpr double R = 15, um = 1e-3;
-
-bool holds(const char* law, const std::function<void()>& check) {
-    return rc::check(law, check);
-}
 
 double angle(std::size_t k, std::size_t K) {
     return 2 * std::numbers::pi * double(k) / double(K);
@@ -116,8 +103,6 @@ std::vector<double> deviationsOf(const RoundnessReading& reading) {
     return {reading.minimumZone.deviation(), reading.leastSquares.deviation(),
             reading.inscribed.value().deviation(), reading.circumscribed.value().deviation()};
 }
-
-} // namespace
 
 class TestRoundnessReadings : public QObject {
     Q_OBJECT
@@ -303,7 +288,7 @@ private slots:
     }
 };
 
-} // namespace test_roundness_readings
+} // namespace sparkout::test_roundness_readings
 
 SPARKOUT_TEST(test_roundness_readings, TestRoundnessReadings)
 #include "test_roundness_readings.moc"

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reliability checks 5 and 7: files that are damaged or meant to harm.
 #include "core/files/safe_file.h"
-#include "core/format/project_file.h"
 #include "core/project/validate.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/processor_time.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
-#include "words/issue_words.h"
-
-#include <QElapsedTimer>
-#include <QTest>
 
 #include <cstddef>
 
@@ -18,9 +14,8 @@
 #include <sys/resource.h>
 #endif
 
-namespace test_hostile_files {
+namespace sparkout::test_hostile_files {
 
-using namespace sparkout;
 using nlohmann::json;
 
 #ifdef Q_OS_WIN
@@ -33,8 +28,6 @@ extern "C" __declspec(dllimport) void* __stdcall GetCurrentProcess();
 extern "C" __declspec(dllimport) int __stdcall K32GetProcessMemoryInfo(void*, ProcessMemory*,
                                                                        unsigned long);
 #endif
-
-namespace {
 
 /// Peak resident memory of this process so far [MB].
 double peakMemory_mb() {
@@ -110,15 +103,12 @@ std::string replaced(const std::string& key, const std::string& value) {
     return text.replace(at, text.find_first_of(",\n", at) - at, value);
 }
 
-} // namespace
-
 class TestHostileFiles : public QObject {
     Q_OBJECT
 
 private slots:
     void file_data() {
-        QTest::addColumn<int>("index");
-        QTest::addColumn<bool>("accepted");
+        addColumns<int, bool>("index", "accepted");
         encodingRows();
         numberRows();
         syntaxRows();
@@ -192,8 +182,7 @@ private slots:
 
 private:
     static void readTimed(const std::string& text, qint64& slowest_us) {
-        QElapsedTimer timer;
-        timer.start();
+        RunningTimer timer;
         const ReadResult read = readProject(text);
         slowest_us = std::max(slowest_us, timer.nsecsElapsed() / 1000);
         QVERIFY(timer.elapsed() < 1000);
@@ -262,41 +251,12 @@ private:
     }
 
     void numberRows() {
-        for (const char* text : {"1e309",
-                                 "-1e309",
-                                 "1e999999999",
-                                 "NaN",
-                                 "nan",
-                                 "Infinity",
-                                 "-Infinity",
-                                 "inf",
-                                 "1e308",
-                                 "-1e308",
-                                 "-1",
-                                 "0",
-                                 "4.9e-324",
-                                 "0x32",
-                                 "050",
-                                 "+50",
-                                 ".5",
-                                 "5.",
-                                 "5e",
-                                 "1_000",
-                                 "5,0",
-                                 "9007199254740993",
-                                 "18446744073709551616",
-                                 "-9223372036854775809",
-                                 "1e-400",
-                                 "--5",
-                                 "1e1e1",
-                                 "50mm",
-                                 "\"50\"",
-                                 "null",
-                                 "true",
-                                 "[50]",
-                                 "{}",
-                                 "５０"}) {
-            refused(std::string("width ") + text, replaced("width_mm", text));
+        for (const std::string& text : samples::listOf(
+                 "1e309|-1e309|1e999999999|NaN|nan|Infinity|-Infinity|inf|1e308|-1e308|-1|0|"
+                 "4.9e-324|0x32|050|+50|.5|5.|5e|1_000|5,0|9007199254740993|"
+                 "18446744073709551616|-9223372036854775809|1e-400|--5|1e1e1|50mm|\"50\"|null|"
+                 "true|[50]|{}|５０")) {
+            refused("width " + text, replaced("width_mm", text));
         }
         accepted("width 5e1", replaced("width_mm", "5e1"));
         accepted("width 50.000…", replaced("width_mm", "50." + std::string(10'000, '0')));
@@ -462,7 +422,7 @@ private:
     qint64 m_slowest_ms = 0;
 };
 
-} // namespace test_hostile_files
+} // namespace sparkout::test_hostile_files
 
 SPARKOUT_TEST(test_hostile_files, TestHostileFiles)
 #include "test_hostile_files.moc"

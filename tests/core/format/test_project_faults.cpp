@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is wrong with a project file is named, all at once, with path, value and what is allowed.
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/project/range_check.h"
-#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/core/project/project_places.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-#include "words/issue_words.h"
 
-namespace test_project_faults {
+namespace sparkout::test_project_faults {
 
-using namespace sparkout;
 using namespace project_places;
 
 class TestProjectFaults : public QObject {
@@ -161,9 +156,7 @@ private slots:
 
     /// The limits themselves, apart from the table and the page that is made of it.
     void dwellsAndDrivesHaveTheirLimits_data() {
-        QTest::addColumn<QString>("key");
-        QTest::addColumn<double>("value");
-        QTest::addColumn<bool>("allowed");
+        addColumns<QString, double, bool>("key", "value", "allowed");
         for (const char* dwell : {"dwell_entry_s", "dwell_exit_s"}) {
             QTest::addRow("%s none", dwell) << QString(dwell) << 0.0 << true;
             QTest::addRow("%s an hour", dwell) << QString(dwell) << 3600.0 << true;
@@ -420,7 +413,7 @@ private slots:
     }
 };
 
-} // namespace test_project_faults
+} // namespace sparkout::test_project_faults
 
 SPARKOUT_TEST(test_project_faults, TestProjectFaults)
 #include "test_project_faults.moc"

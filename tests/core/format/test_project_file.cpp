@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is written is read again, to the last bit and byte.
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "tests/check_line.h"
 #include "tests/core/project/project_places.h"
 #include "tests/registry.h"
+#include "tests/whole_project.h"
 
-#include <algorithm>
+namespace sparkout::test_project_file {
 
-namespace test_project_file {
-
-using namespace sparkout;
 using namespace project_places;
 
 class TestProjectFile : public QObject {
@@ -133,9 +129,7 @@ private slots:
     }
 
     void numbers_data() {
-        QTest::addColumn<QByteArray>("written");
-        QTest::addColumn<double>("value");
-        QTest::addColumn<QByteArray>("again");
+        addColumns<QByteArray, double, QByteArray>("written", "value", "again");
         QTest::newRow("shortest") << QByteArray("0.1") << 0.1 << QByteArray("0.1");
         QTest::newRow("sum") << QByteArray("0.30000000000000004") << 0.1 + 0.2
                              << QByteArray("0.30000000000000004");
@@ -201,7 +195,7 @@ private slots:
     }
 };
 
-} // namespace test_project_file
+} // namespace sparkout::test_project_file
 
 SPARKOUT_TEST(test_project_file, TestProjectFile)
 #include "test_project_file.moc"

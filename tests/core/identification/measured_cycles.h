@@ -3,13 +3,11 @@
 
 #include "core/process/force.h"
 #include "core/process/profile.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
-#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
+#include "tests/core/support/project_samples.h"
+#include "tests/whole_project.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +17,26 @@
 
 /// Traces as they would be recorded of a plunge cycle, made from the visits of a run: another way
 /// than that of the fit.
-namespace measured_cycles {
+namespace sparkout::measured_cycles {
 
-using namespace sparkout;
+/// A plunge on a yielding shaft with two feeds, so that the deflection shows.
+inline Project yieldingPlunge(int sections = 1) {
+    Project project = samples::project("smallest-plunge");
+    project.sections = sections;
+    project.machine->compliance_mm_per_n =
+        std::vector<double>(static_cast<std::size_t>(sections), 5e-4);
+    project.part->stock_mm = 0.3;
+    project.part->radii_per_section = 12;
+    project.wheel->dullness = 0.01;
+    project.gauge->rule = GaugeRule::mean;
+    Stage rough = project.cycle->stages.front(), fine = rough;
+    rough.radial_feed_mm_min = 2.0;
+    rough.stock_mm = 0.22;
+    fine.radial_feed_mm_min = 0.4;
+    fine.stock_mm = 0.08;
+    project.cycle->stages = {rough, fine};
+    return project;
+}
 
 /// Size, power and force after each revolution.
 struct Record {
@@ -148,4 +163,4 @@ inline MeasuredTrace trace(TraceQuantity quantity, const Record& cycle, const Re
     return made;
 }
 
-} // namespace measured_cycles
+} // namespace sparkout::measured_cycles

@@ -7,24 +7,14 @@
 #include "core/identification/robust_weights.h"
 #include "core/process/scaled_compliance.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/identification/measured_cycles.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <set>
 
-namespace test_cycle_response {
-
-using namespace sparkout;
+namespace sparkout::test_cycle_response {
 
 class TestCycleResponse : public QObject {
     Q_OBJECT
@@ -152,7 +142,7 @@ private slots:
     }
 };
 
-} // namespace test_cycle_response
+} // namespace sparkout::test_cycle_response
 
 SPARKOUT_TEST(test_cycle_response, TestCycleResponse)
 #include "test_cycle_response.moc"

@@ -6,49 +6,21 @@
 #include "core/identification/calibration.h"
 #include "core/identification/cycle_response.h"
 #include "core/identification/scaled_project.h"
-#include "core/project/cycle.h"
-#include "core/project/material.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/core/identification/measured_cycles.h"
-#include "tests/core/support/project_samples.h"
 #include "tests/processor_time.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
-
-#include <QElapsedTimer>
-#include <QTest>
 
 #include <chrono>
 #include <random>
 #include <stop_token>
 #include <thread>
 
-namespace test_identification {
+namespace sparkout::test_identification {
 
-using namespace sparkout;
 using namespace measured_cycles;
-
-namespace {
-
-/// A plunge on a yielding shaft with two feeds, so that the deflection shows.
-Project plunge(int sections = 1) {
-    Project project = samples::project("smallest-plunge");
-    project.sections = sections;
-    project.machine->compliance_mm_per_n =
-        std::vector<double>(static_cast<std::size_t>(sections), 5e-4);
-    project.part->stock_mm = 0.3;
-    project.part->radii_per_section = 12;
-    project.wheel->dullness = 0.01;
-    project.gauge->rule = GaugeRule::mean;
-    Stage rough = project.cycle->stages.front(), fine = rough;
-    rough.radial_feed_mm_min = 2.0;
-    rough.stock_mm = 0.22;
-    fine.radial_feed_mm_min = 0.4;
-    fine.stock_mm = 0.08;
-    project.cycle->stages = {rough, fine};
-    return project;
-}
 
 void multiplyCompliance(Project& project, double factor) {
     for (double& value : std::get<std::vector<double>>(project.machine->compliance_mm_per_n)) {
@@ -106,22 +78,21 @@ std::vector<MeasuredPart> partsAbout(double diameter_mm) {
     return parts;
 }
 
-} // namespace
-
 class TestIdentification : public QObject {
     Q_OBJECT
 
 private slots:
     void thePlungeIsOne() {
-        QVERIFY2(!hasErrors(validate(plunge())), samples::listed(validate(plunge())).c_str());
-        QVERIFY(record(plunge()).end_s.size() > 20);
+        QVERIFY2(!hasErrors(validate(yieldingPlunge())),
+                 samples::listed(validate(yieldingPlunge())).c_str());
+        QVERIFY(record(yieldingPlunge()).end_s.size() > 20);
     }
 
     /// The steps follow the gauge: with what was found the same cycle leaves the measured size.
     void finishedPartsGiveWhatTheGaugeBringsAbout() {
         int found = 0;
         for (const double factor : {0.7, 0.8, 0.9, 1.1, 1.2, 1.3}) {
-            Project project = plunge();
+            Project project = yieldingPlunge();
             Project truth = project;
             multiplyCompliance(truth, factor);
             const CycleResponse part =
@@ -148,7 +119,7 @@ private slots:
     }
 
     void sizesThatTheGaugeNeverLeavesAreRefused() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         project.measured.emplace().parts = partsAbout(project.part->diameter_mm + 0.05);
         const Identification result =
             identify(project, {.parameters = {of(FittedKind::compliance)}, .withParts = true});
@@ -157,7 +128,7 @@ private slots:
     }
 
     void sizeWithoutNoiseGivesTheTruth() {
-        Project project = plunge(2);
+        Project project = yieldingPlunge(2);
         Project truth = project;
         multiplyCompliance(truth, 1.25);
         truth.wheel->dullness *= 0.7;
@@ -177,7 +148,7 @@ private slots:
     }
 
     void powerWithoutNoiseGivesTheTruth() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         Project truth = project;
         truth.material->shear_strain *= 1.4;
         truth.material->friction *= 0.8;
@@ -195,7 +166,7 @@ private slots:
     }
 
     void sizeAndForceGiveComplianceAndFlowStressApart() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         Project truth = project;
         multiplyCompliance(truth, 0.8);
         truth.material->flow_stress_mpa *= 1.2;
@@ -215,7 +186,7 @@ private slots:
     /// With a contact stiffness that rises with the load the balance is no sum of α and β; the
     /// force enters where it really acts.
     void throughAWheelContact() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         project.machine->wheel_contact.emplace().n_um_at_n = {{0, 5}, {100, 30}, {400, 60}};
         Project truth = project;
         multiplyCompliance(truth, 0.8);
@@ -243,7 +214,7 @@ private slots:
     }
 
     void sectionsAndTheBlank() {
-        Project project = plunge(3);
+        Project project = yieldingPlunge(3);
         Project truth = project;
         auto& given = std::get<std::vector<double>>(truth.machine->compliance_mm_per_n);
         given[0] *= 1.3;
@@ -277,7 +248,7 @@ private slots:
 
     /// γ and σ_i stand in α and β as a product alone.
     void sizeAloneCannotTellComplianceFromFlowStress() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         project.measured.emplace().traces = {
             trace(TraceQuantity::gauge_size, record(project), {.noise = 3e-4})};
         const Identification result = identify(
@@ -300,7 +271,7 @@ private slots:
     }
 
     void whatDoesNotActIsNamed() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         project.measured.emplace().traces = {
             trace(TraceQuantity::gauge_size, record(project), {.noise = 3e-4})};
         const Identification result =
@@ -312,7 +283,7 @@ private slots:
 
     /// A trace of the steady state of one feed has no deflection that changes: α and β together.
     void aFlatProfileIsRefused() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         const Record cycle = record(project);
         project.measured.emplace().traces = {
             trace(TraceQuantity::gauge_size, cycle,
@@ -328,7 +299,7 @@ private slots:
     }
 
     void requestsThatCannotBe() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         QVERIFY(identify(project, {.parameters = {of(FittedKind::alpha)}}).status
                 == IdentificationStatus::noData);
         project.measured.emplace().traces = {
@@ -341,8 +312,7 @@ private slots:
                 == IdentificationStatus::notApplicable);
         QVERIFY(status({{FittedKind::alpha, 0, {}}}) == IdentificationStatus::notApplicable);
         QVERIFY(status({{FittedKind::compliance, 1, {}}}) == IdentificationStatus::notApplicable);
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(identify(project, {.parameters = {of(FittedKind::alpha)}}, stop.get_token()).status
                 == IdentificationStatus::stopped);
         project.wheel->width_mm = 10;
@@ -351,9 +321,7 @@ private slots:
     }
 
     void noiseOfATraceIsFoundFromTheTrace_data() {
-        QTest::addColumn<double>("noise");
-        QTest::addColumn<double>("quantum");
-        QTest::addColumn<bool>("isUneven");
+        addColumns<double, double, bool>("noise", "quantum", "isUneven");
         QTest::newRow("white noise") << 1e-3 << 0.0 << false;
         QTest::newRow("uneven times") << 1e-3 << 0.0 << true;
         QTest::newRow("coarser steps than noise") << 1e-5 << 1e-3 << false;
@@ -386,8 +354,7 @@ private slots:
 
     /// Of the cycle that was run the residuals are the noise; of another one they are more.
     void fitOfAnotherCycleThanTheRecordedOneIsInDoubt_data() {
-        QTest::addColumn<double>("noise");
-        QTest::addColumn<double>("quantum");
+        addColumns<double, double>("noise", "quantum");
         QTest::newRow("no noise") << 0.0 << 0.0;
         QTest::newRow("digits of a file") << 0.0 << 1e-4;
         QTest::newRow("noise") << 3e-4 << 0.0;
@@ -396,7 +363,7 @@ private slots:
     void fitOfAnotherCycleThanTheRecordedOneIsInDoubt() {
         QFETCH(double, noise);
         QFETCH(double, quantum);
-        Project project = plunge();
+        Project project = yieldingPlunge();
         Project truth = project;
         multiplyCompliance(truth, 1.5);
         const MeasuredTrace size =
@@ -424,7 +391,7 @@ private slots:
 
     /// Counted in processor time: the machine may be doing something else.
     void stopEndsAFitWithinATenthOfASecond() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         project.part->stock_mm = 3;
         project.cycle->stages[0].radial_feed_mm_min = 0.4; // thousands of revolutions
         project.cycle->stages[0].stock_mm = 2.92;
@@ -456,7 +423,7 @@ private slots:
     }
 
     void outliersMoveARobustFitLess() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         MeasuredTrace spoilt = trace(TraceQuantity::gauge_size, record(project), {.noise = 3e-4});
         std::vector<double> values = spoilt.values.values();
         for (std::size_t i = 3; i < values.size(); i += 9) {
@@ -483,7 +450,7 @@ private slots:
 
     /// The inputs change so that the cycle is the one that fits, and say where they are from.
     void aResultIsTakenAsCalibration() {
-        Project project = plunge(2);
+        Project project = yieldingPlunge(2);
         Project truth = project;
         multiplyCompliance(truth, 1.25);
         truth.wheel->dullness *= 0.7;
@@ -541,7 +508,7 @@ private slots:
         const bool whole = qEnvironmentVariableIsSet("SPARKOUT_LONG")
                            && !qEnvironmentVariableIsSet("SPARKOUT_QUICK");
         const int sets = whole ? 1000 : qEnvironmentVariableIsSet("SPARKOUT_QUICK") ? 10 : 100;
-        const Project project = plunge();
+        const Project project = yieldingPlunge();
         Project truth = project;
         multiplyCompliance(truth, 1.1);
         truth.material->flow_stress_mpa *= 0.9;
@@ -609,7 +576,7 @@ private slots:
     }
 
     void aMinuteAtAHundredHertzInASecond() {
-        Project project = plunge(4);
+        Project project = yieldingPlunge(4);
         project.part->radii_per_section = 36;
         project.cycle->stages[0].radial_feed_mm_min = 0.4;
         project.cycle->stages[1].radial_feed_mm_min = 0.15;
@@ -624,8 +591,7 @@ private slots:
         double least_s = 1e9;
         constexpr double target_s = 1;
         for (int i = 0; i < 3 && least_s > target_s; ++i) {
-            QElapsedTimer timer;
-            timer.start();
+            RunningTimer timer;
             const Identification result =
                 identify(project, {.parameters = {of(FittedKind::alpha), of(FittedKind::beta),
                                                   of(FittedKind::size_offset)}});
@@ -638,7 +604,7 @@ private slots:
     }
 };
 
-} // namespace test_identification
+} // namespace sparkout::test_identification
 
 SPARKOUT_TEST(test_identification, TestIdentification)
 #include "test_identification.moc"

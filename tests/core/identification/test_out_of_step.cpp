@@ -3,48 +3,19 @@
 // Power recorded late against the size: with its delay fitted the intervals cover the truth,
 // without it a warning says so; none where the clocks agree.
 #include "core/identification/identification.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
-#include "core/statistics/intervals.h"
 #include "tests/core/identification/measured_cycles.h"
-#include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_out_of_step {
 
-namespace test_out_of_step {
-
-using namespace sparkout;
 using namespace measured_cycles;
 
-namespace {
-
 constexpr double alpha = 1.25, beta = 0.875;
-
-/// A plunge on a yielding shaft with two feeds, as it is thought to be.
-Project plungeOfTwoFeeds() {
-    Project project = samples::project("smallest-plunge");
-    project.sections = 1;
-    project.machine->compliance_mm_per_n = std::vector<double>{5e-4};
-    project.part->stock_mm = 0.3;
-    project.part->radii_per_section = 12;
-    project.wheel->dullness = 0.01;
-    project.gauge->rule = GaugeRule::mean;
-    Stage rough = project.cycle->stages.front(), fine = rough;
-    rough.radial_feed_mm_min = 2.0;
-    rough.stock_mm = 0.22;
-    fine.radial_feed_mm_min = 0.4;
-    fine.stock_mm = 0.08;
-    project.cycle->stages = {rough, fine};
-    return project;
-}
 
 /// As it is: α and β by these factors.
 const Record& cycleAsItIs() {
     static const Record cycle = [] {
-        Project truth = plungeOfTwoFeeds();
+        Project truth = yieldingPlunge();
         truth.machine->compliance_mm_per_n = std::vector<double>{5e-4 * alpha};
         truth.wheel->dullness *= beta / alpha;
         return record(truth);
@@ -55,7 +26,7 @@ const Record& cycleAsItIs() {
 /// Size and power of it, the power late by so much.
 Project recorded(double delay_s, std::uint32_t seed, double begin_s = 0.4) {
     const Record& cycle = cycleAsItIs();
-    Project project = plungeOfTwoFeeds();
+    Project project = yieldingPlunge();
     const double end_s = cycle.end_s.back() + 2;
     project.measured.emplace().traces = {trace(TraceQuantity::gauge_size, cycle,
                                                {.hertz = 20,
@@ -92,8 +63,6 @@ Identification fit(const Project& project, bool withDelay) {
 bool holds(const FittedValue& value, double truth) {
     return value.interval95.low <= truth && truth <= value.interval95.high;
 }
-
-} // namespace
 
 class TestOutOfStep : public QObject {
     Q_OBJECT
@@ -192,7 +161,7 @@ private slots:
     }
 
     void exactDataAreInStep() {
-        Project project = plungeOfTwoFeeds();
+        Project project = yieldingPlunge();
         project.measured.emplace().traces = {
             trace(TraceQuantity::gauge_size, cycleAsItIs(), {.shift_s = 0.3}),
             trace(TraceQuantity::wheel_power, cycleAsItIs(), {.offset = 0.6, .shift_s = 0.3})};
@@ -203,7 +172,7 @@ private slots:
     }
 };
 
-} // namespace test_out_of_step
+} // namespace sparkout::test_out_of_step
 
 SPARKOUT_TEST(test_out_of_step, TestOutOfStep)
 #include "test_out_of_step.moc"

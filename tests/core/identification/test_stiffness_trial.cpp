@@ -2,11 +2,9 @@
 // Stiffness of the units from loads and deflections: the truth from exact readings, intervals that
 // cover it with noise, and a refusal of readings that no shaft can give.
 #include "core/identification/stiffness_trial.h"
+#include "tests/whole_project.h"
 
 #include "core/process/system_compliance.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
@@ -14,16 +12,9 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
 #include <cmath>
 
-namespace test_stiffness_trial {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_stiffness_trial {
 
 Project onCentres() {
     Project project = samples::project("stiffness-traverse");
@@ -76,8 +67,6 @@ bool near(const StiffnessTrial& trial, StiffnessUnit unit, double truth) {
     const FoundStiffness* const found = find(trial, unit);
     return found && std::abs(found->n_um / truth - 1) < 1e-9;
 }
-
-} // namespace
 
 class TestStiffnessTrial : public QObject {
     Q_OBJECT
@@ -210,7 +199,7 @@ private slots:
     }
 };
 
-} // namespace test_stiffness_trial
+} // namespace sparkout::test_stiffness_trial
 
 SPARKOUT_TEST(test_stiffness_trial, TestStiffnessTrial)
 #include "test_stiffness_trial.moc"

@@ -4,25 +4,15 @@
 #include "core/identification/trace_comparison.h"
 
 #include "core/identification/fit_proposal.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/ui/support/traced_project.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-
-namespace test_trace_comparison {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_trace_comparison {
 
 std::vector<int> stepsOf(const Project& project) {
     return simulate(project).countsByStage;
 }
-
-} // namespace
 
 class TestTraceComparison : public QObject {
     Q_OBJECT
@@ -61,8 +51,7 @@ private slots:
     void withoutTracesThereIsNothing() {
         QVERIFY(compareTraces(traced::plunge(), stepsOf(traced::plunge())).empty());
         Project stopped = traced::project();
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(compareTraces(stopped, stepsOf(stopped), stop.get_token()).empty());
     }
 
@@ -90,7 +79,7 @@ private slots:
     }
 };
 
-} // namespace test_trace_comparison
+} // namespace sparkout::test_trace_comparison
 
 SPARKOUT_TEST(test_trace_comparison, TestTraceComparison)
 #include "test_trace_comparison.moc"

@@ -3,31 +3,22 @@
 // The choice of a short trial: what it expects is what fits of simulated trials scatter by, and it
 // knows what each kind of record cannot tell.
 #include "core/identification/trial_design.h"
+#include "tests/ready_made.h"
+#include "tests/whole_project.h"
 
 #include "core/identification/fit_problem.h"
 #include "core/identification/identifiability.h"
 #include "core/identification/levenberg_marquardt.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QElapsedTimer>
-#include <QTest>
-
-#include <algorithm>
 #include <cmath>
 
-namespace test_trial_design {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_trial_design {
 
 /// A plunge that yields, with dull grains.
 Project plunge() {
@@ -109,8 +100,6 @@ Scatter scatterOf(const Trial& trial, const Project& ground, const TrialNoise& n
     return scatter;
 }
 
-} // namespace
-
 class TestTrialDesign : public QObject {
     Q_OBJECT
 
@@ -126,8 +115,7 @@ private slots:
     }
 
     void theBestComesFirst() {
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         const TrialDesign design =
             designTrial(plunge(), {{of(FittedKind::alpha), of(FittedKind::beta)}, {}});
         QVERIFY(design.status == TrialStatus::designed);
@@ -221,14 +209,13 @@ private slots:
         Project broken = plunge();
         broken.part->stock_mm = -1;
         QVERIFY(designTrial(broken, {{of(FittedKind::alpha)}, {}}).status == TrialStatus::notRun);
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(designTrial(plunge(), {{of(FittedKind::alpha)}, {}}, stop.get_token()).status
                 == TrialStatus::stopped);
     }
 };
 
-} // namespace test_trial_design
+} // namespace sparkout::test_trial_design
 
 SPARKOUT_TEST(test_trial_design, TestTrialDesign)
 #include "test_trial_design.moc"

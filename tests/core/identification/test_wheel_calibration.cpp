@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The wheel's factor of Ra and its strengths from measurements.
 #include "core/identification/wheel_calibration.h"
+#include "tests/whole_project.h"
 
 #include "core/process/force.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/quality/roughness.h"
 #include "core/quality/self_sharpening.h"
@@ -15,16 +12,9 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
 #include <cmath>
 
-namespace test_wheel_calibration {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_wheel_calibration {
 
 Project plunge() {
     Project project = samples::project("smallest-plunge");
@@ -52,8 +42,6 @@ Project withStrengthsGiven() {
     project.wheel->bond_modulus_gpa = 60;
     return project;
 }
-
-} // namespace
 
 class TestWheelCalibration : public QObject {
     Q_OBJECT
@@ -153,7 +141,7 @@ private slots:
     }
 };
 
-} // namespace test_wheel_calibration
+} // namespace sparkout::test_wheel_calibration
 
 SPARKOUT_TEST(test_wheel_calibration, TestWheelCalibration)
 #include "test_wheel_calibration.moc"

@@ -5,23 +5,14 @@
 #include "core/lesson/figure_value.h"
 #include "core/limits/burn.h"
 #include "core/process/force.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/statistics/intervals.h"
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
+#include "tests/whole_project.h"
 
 #include <cmath>
 
-namespace test_figure_value {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_figure_value {
 
 Project projectOf(const char* lesson) {
     const auto path =
@@ -33,8 +24,6 @@ Figure figureOf(FigureName name, PlaceName place = {}, std::optional<int> stage 
                 std::optional<int> count = {}, Step step = Step::none) {
     return {name, place, stage, count, step};
 }
-
-} // namespace
 
 class TestFigureValue : public QObject {
     Q_OBJECT
@@ -178,7 +167,7 @@ private:
     StudiedRun m_run;
 };
 
-} // namespace test_figure_value
+} // namespace sparkout::test_figure_value
 
 SPARKOUT_TEST(test_figure_value, TestFigureValue)
 #include "test_figure_value.moc"

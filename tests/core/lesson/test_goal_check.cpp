@@ -2,26 +2,17 @@
 // Goals against the engine: figures are those of the run, a goal passes up to its tolerance and not
 // beyond, and what is not free stays as it was given.
 #include "core/lesson/goal_check.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/run_summary.h"
 #include "core/setup/setup_file.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
+#include "tests/whole_project.h"
 
 #include <cmath>
 
-namespace test_goal_check {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_goal_check {
 
 Figure figureOf(FigureName name, PlaceName place = {}, std::optional<int> stage = {},
                 std::optional<int> count = {}, Step step = Step::none) {
@@ -41,8 +32,6 @@ Goal goalOf(std::optional<Kind> Goal::*member, Kind kind) {
     goal.*member = std::move(kind);
     return goal;
 }
-
-} // namespace
 
 class TestGoalCheck : public QObject {
     Q_OBJECT
@@ -357,7 +346,7 @@ private:
     StudiedRun m_run;
 };
 
-} // namespace test_goal_check
+} // namespace sparkout::test_goal_check
 
 SPARKOUT_TEST(test_goal_check, TestGoalCheck)
 #include "test_goal_check.moc"

@@ -8,11 +8,8 @@
 #include "tests/core/support/project_mutator.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_lesson_file {
 
-namespace test_lesson_file {
-
-using namespace sparkout;
 using nlohmann::json;
 using samples::faultOfLesson;
 using samples::lessonJsonOf;
@@ -24,8 +21,7 @@ private slots:
     void shippedLessonsAreAsTheirWriterWritesThem_data() {
         QTest::addColumn<QString>("file");
         for (const auto& file : samples::lessonFiles()) {
-            QTest::newRow(file.filename().string().c_str())
-                << QString::fromStdString(file.string());
+            addRow(file.filename().string().c_str(), QString::fromStdString(file.string()));
         }
     }
     void shippedLessonsAreAsTheirWriterWritesThem() {
@@ -54,8 +50,7 @@ private slots:
     void everyFaultHasItsPath_data() {
         QTest::addColumn<QString>("pointer"); // what is changed
         QTest::addColumn<QString>("value");   // to which JSON; empty: it is taken out
-        QTest::addColumn<int>("code");
-        QTest::addColumn<QString>("path");
+        addColumns<int, QString>("code", "path");
         headerRows();
         textRows();
         stepRows();
@@ -67,13 +62,8 @@ private slots:
         QFETCH(QString, value);
         QFETCH(int, code);
         QFETCH(QString, path);
-        json file = lessonJsonOf();
-        const json::json_pointer at(pointer.toStdString());
-        if (value.isEmpty()) {
-            file.at(at.parent_pointer()).erase(at.back());
-        } else {
-            file[at] = json::parse(value.toStdString());
-        }
+        const json file =
+            samples::changedAt(lessonJsonOf(), pointer.toStdString(), value.toStdString());
         const ReadLesson read = readLesson(file.dump());
         QVERIFY(!read.lesson);
         QVERIFY2(samples::holds(read.issues, static_cast<IssueCode>(code), path.toStdString()),
@@ -113,20 +103,16 @@ private slots:
     void textsHaveTheTagsOfTheHelpAlone_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("foreign"); // null: none
-        QTest::newRow("plain") << "a < b needs no tag"
-                               << "< b needs no tag";
-        QTest::newRow("escaped") << "a &lt; b" << QString();
-        QTest::newRow("formula") << "<p class=\"formula\"><i>a<sub>1</sub></i></p>" << QString();
+        addRow("plain", "a < b needs no tag", "< b needs no tag");
+        addRow("escaped", "a &lt; b", QString());
+        addRow("formula", "<p class=\"formula\"><i>a<sub>1</sub></i></p>", QString());
         QTest::newRow("image") << "<p><img src=\"file:///etc/passwd\"></p>"
                                << "<img src=\"file:///etc/passwd\">";
-        QTest::newRow("attribute") << "<p onclick=\"x\">"
-                                   << "<p onclick=\"x\">";
+        addRow("attribute", "<p onclick=\"x\">", "<p onclick=\"x\">");
         QTest::newRow("link") << "<a href=\"http://x\">"
                               << "<a href=\"http://x\">";
-        QTest::newRow("not closed") << "<b"
-                                    << "<b";
-        QTest::newRow("other case") << "<SCRIPT>"
-                                    << "<SCRIPT>";
+        addRow("not closed", "<b", "<b");
+        addRow("other case", "<SCRIPT>", "<SCRIPT>");
     }
     void textsHaveTheTagsOfTheHelpAlone() {
         QFETCH(QString, text);
@@ -148,20 +134,17 @@ private slots:
     }
 
     void tagsThatEndByThemselvesAreNotNested_data() {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<int>("tags");
-        QTest::addColumn<int>("depth");
-        QTest::newRow("none") << "a &lt; b" << 0 << 0;
-        QTest::newRow("closed") << "<b>a</b><i>b</i>" << 4 << 1;
-        QTest::newRow("paragraphs") << "<p>a<p><b>b<p class=\"formula\">c" << 4 << 2;
-        QTest::newRow("lines") << "a<br>b<br>c" << 2 << 0;
-        QTest::newRow("list") << "<ul><li>a<li>b<li>c</ul><p>d" << 6 << 2;
-        QTest::newRow("list in a list") << "<ul><li>a<ul><li>b</ul></ul>" << 6 << 4;
-        QTest::newRow("rows and cells") << "<table><tr><td>a<td>b<tr><td>c</table>" << 7 << 3;
-        QTest::newRow("table in a cell")
-            << "<table><tr><td><table><tr><td>a</table></table>" << 8 << 6;
-        QTest::newRow("closed from within") << "<b><i><sub>a</b><b>b" << 5 << 3;
-        QTest::newRow("closes nothing") << "</b></i>a<sub>" << 3 << 1;
+        addColumns<QString, int, int>("text", "tags", "depth");
+        addRow("none", "a &lt; b", 0, 0);
+        addRow("closed", "<b>a</b><i>b</i>", 4, 1);
+        addRow("paragraphs", "<p>a<p><b>b<p class=\"formula\">c", 4, 2);
+        addRow("lines", "a<br>b<br>c", 2, 0);
+        addRow("list", "<ul><li>a<li>b<li>c</ul><p>d", 6, 2);
+        addRow("list in a list", "<ul><li>a<ul><li>b</ul></ul>", 6, 4);
+        addRow("rows and cells", "<table><tr><td>a<td>b<tr><td>c</table>", 7, 3);
+        addRow("table in a cell", "<table><tr><td><table><tr><td>a</table></table>", 8, 6);
+        addRow("closed from within", "<b><i><sub>a</b><b>b", 5, 3);
+        addRow("closes nothing", "</b></i>a<sub>", 3, 1);
     }
     void tagsThatEndByThemselvesAreNotNested() {
         QFETCH(QString, text);
@@ -275,8 +258,7 @@ private:
 
     static void row(const char* name, const char* pointer, const char* value, IssueCode code,
                     const char* path) {
-        QTest::newRow(name) << QString::fromUtf8(pointer) << QString::fromUtf8(value)
-                            << static_cast<int>(code) << QString::fromUtf8(path);
+        addRow(name, pointer, value, static_cast<int>(code), path);
     }
 
     static void headerRows() {
@@ -437,7 +419,7 @@ private:
     }
 };
 
-} // namespace test_lesson_file
+} // namespace sparkout::test_lesson_file
 
 SPARKOUT_TEST(test_lesson_file, TestLessonFile)
 #include "test_lesson_file.moc"

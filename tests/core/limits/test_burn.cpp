@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/burn.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 
 #include "core/limits/burn_table.h"
 #include "core/limits/ierfc.h"
@@ -11,24 +7,16 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <array>
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <vector>
 
-namespace test_burn {
+namespace sparkout::test_burn {
 
-using namespace sparkout;
 using fixtures::anyCutting;
 using fixtures::between;
 using fixtures::close;
 using fixtures::decades;
+using fixtures::holds;
 using fixtures::within;
-
-namespace {
 
 /// The steel of the vectors' page: 40Х at 200 °C, μ 0.4, on the full-law case.
 Project hotSteel() {
@@ -85,12 +73,6 @@ double riseUnderBand(double q, double L, double V, double lambda, double Omega) 
                0, std::sqrt(L), 2000);
 }
 
-bool holds(const char* law, const std::function<void()>& check) {
-    return rc::check(law, check);
-}
-
-} // namespace
-
 class TestBurn : public QObject {
     Q_OBJECT
 
@@ -100,8 +82,7 @@ private slots:
     // Values of 60-digit arithmetic; the first three are the vectors' (0.5641896, 0.1996412,
     // 0.0502545).
     void ierfcIsRightToALastBitOrTwo_data() {
-        QTest::addColumn<double>("x");
-        QTest::addColumn<double>("value");
+        addColumns<double, double>("x", "value");
         const std::pair<double, double> rows[] = {
             {0, 5.6418958354775628695e-1},      {0.5, 1.9964122837424566589e-1},
             {1, 5.0254541660012221011e-2},      {1e-8, 5.6418957354775634337e-1},
@@ -145,10 +126,7 @@ private slots:
 
     // shared/vectors, to the digits printed
     void vectorsComeOut_data() {
-        QTest::addColumn<double>("a_um");
-        QTest::addColumn<double>("length_mm");
-        QTest::addColumn<double>("flux_w_mm2");
-        QTest::addColumn<double>("rise_k");
+        addColumns<double, double, double, double>("a_um", "length_mm", "flux_w_mm2", "rise_k");
         QTest::newRow("1 µm") << 1.0 << 0.1690 << 196.0 << 416.6;
         QTest::newRow("2 µm") << 2.0 << 0.2390 << 199.9 << 505.2;
         QTest::newRow("5 µm") << 5.0 << 0.3780 << 207.6 << 659.8;
@@ -402,7 +380,7 @@ private slots:
     }
 };
 
-} // namespace test_burn
+} // namespace sparkout::test_burn
 
 SPARKOUT_TEST(test_burn, TestBurn)
 #include "test_burn.moc"

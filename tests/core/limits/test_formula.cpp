@@ -2,7 +2,6 @@
 // What a formula sheet says must be what the engine computed: every equation is read back, worked
 // out from its numbers and held against its result, units included.
 #include "core/limits/formula.h"
-#include "core/project/wheel.h"
 
 #include "core/form/accuracy.h"
 #include "core/limits/burn.h"
@@ -16,24 +15,18 @@
 #include "tests/registry.h"
 
 #include <QFile>
-#include <QTest>
 
-#include <cmath>
-#include <functional>
 #include <map>
-#include <vector>
 
-namespace test_formula {
+namespace sparkout::test_formula {
 
-using namespace sparkout;
 using fixtures::anyCutting;
 using fixtures::between;
 using fixtures::close;
 using fixtures::decades;
 using fixtures::FormulaError;
+using fixtures::holds;
 using fixtures::workOut;
-
-namespace {
 
 std::string plain(const FormulaTerm& term) {
     return QString::number(term.value).toStdString();
@@ -81,12 +74,6 @@ Case anyCase() {
     }
     return c;
 }
-
-bool holds(const char* law, const std::function<void()>& check) {
-    return rc::check(law, check);
-}
-
-} // namespace
 
 class TestFormula : public QObject {
     Q_OBJECT
@@ -214,8 +201,7 @@ private slots:
 
     // The reader itself refuses what is wrong, else the tests above could not fail.
     void readerSeesWrongEquations_data() {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<bool>("readable");
+        addColumns<QByteArray, bool>("text", "readable");
         QTest::newRow("right") << QByteArray("{F} = {a}·{p}") << true;
         QTest::newRow("unit") << QByteArray("{F} = {a}/{p}") << false;
         QTest::newRow("sum") << QByteArray("{F} = {a}·{p} + {a}") << false;
@@ -236,7 +222,7 @@ private slots:
     }
 };
 
-} // namespace test_formula
+} // namespace sparkout::test_formula
 
 SPARKOUT_TEST(test_formula, TestFormula)
 #include "test_formula.moc"

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which inputs rest on a calibration: those that still have the value that was found.
 #include "core/measured/calibrated_inputs.h"
+#include "tests/whole_project.h"
 
 #include "core/identification/calibration.h"
-#include "core/project/machine.h"
 #include "core/project/member.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-namespace test_calibrated_inputs {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_calibrated_inputs {
 
 void record(Project& project, const char* path, double value) {
     Calibration calibration;
@@ -29,8 +21,6 @@ void record(Project& project, const char* path, double value) {
 const Field& inputAt(const Project& project, const char* path) {
     return *findMember(project, path).field;
 }
-
-} // namespace
 
 class TestCalibratedInputs : public QObject {
     Q_OBJECT
@@ -83,7 +73,7 @@ private slots:
     }
 };
 
-} // namespace test_calibrated_inputs
+} // namespace sparkout::test_calibrated_inputs
 
 SPARKOUT_TEST(test_calibrated_inputs, TestCalibratedInputs)
 #include "test_calibrated_inputs.moc"

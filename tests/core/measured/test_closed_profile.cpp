@@ -6,17 +6,11 @@
 #include "tests/check_line.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <numbers>
 #include <string>
 
-namespace test_closed_profile {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_closed_profile {
 
 /// Angle and value a line, of `value` at so many angles.
 template <class Value>
@@ -32,8 +26,6 @@ bool hasFault(const ClosedProfile& read, std::size_t line, std::size_t column, I
     return read.radii_mm.empty() && read.faults.size() == 1 && read.faults[0].line == line
            && read.faults[0].column == column && read.faults[0].issue.code == code;
 }
-
-} // namespace
 
 class TestClosedProfile : public QObject {
     Q_OBJECT
@@ -100,7 +92,7 @@ private slots:
     }
 };
 
-} // namespace test_closed_profile
+} // namespace sparkout::test_closed_profile
 
 SPARKOUT_TEST(test_closed_profile, TestClosedProfile)
 #include "test_closed_profile.moc"

@@ -5,20 +5,13 @@
 #include "core/measured/thin_out.h"
 #include "core/sha256.h"
 #include "tests/check_line.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QElapsedTimer>
-#include <QTest>
-
-#include <algorithm>
 #include <cmath>
 #include <string>
 
-namespace test_measured_table {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_measured_table {
 
 ReadMeasured readAs(std::string_view text, const MeasuredContext& context = {}) {
     return readMeasured(text, proposeTable(text), context);
@@ -41,28 +34,22 @@ QString placesOf(const ReadMeasured& read) {
     return text;
 }
 
-} // namespace
-
 class TestMeasuredTable : public QObject {
     Q_OBJECT
 
 private slots:
     void dialects_data() {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<char>("delimiter");
-        QTest::addColumn<char>("decimal");
-        QTest::newRow("comma, point") << QByteArray("t,d\n0.1,29.9\n0.2,29.8\n") << ',' << '.';
-        QTest::newRow("comma, whole numbers") << QByteArray("t,d\n1,30\n2,31\n") << ',' << '.';
-        QTest::newRow("semicolon, comma")
-            << QByteArray("t, s;d, mm\n0,1;29,9\n0,2;29,8\n") << ';' << ',';
-        QTest::newRow("semicolon, point") << QByteArray("t;d\n0.1;29.9\n") << ';' << '.';
-        QTest::newRow("tab, comma") << QByteArray("t, s\td, mm\n0,1\t29,9\n") << '\t' << ',';
-        QTest::newRow("tab, point") << QByteArray("t, s\td, mm\n0.1\t29.9\n") << '\t' << '.';
-        QTest::newRow("quoted decimal commas")
-            << QByteArray("\"t, s\",\"d, mm\"\n\"0,1\",\"29,9\"\n\"0,2\",\"29,8\"\n") << ',' << ',';
-        QTest::newRow("one column") << QByteArray("Диаметр, мм\n29,991\n29,993\n") << ';' << ',';
-        QTest::newRow("key and value")
-            << QByteArray("0.1|power|3.2\n0.2|power|3.3\n") << '|' << '.';
+        addColumns<QByteArray, char, char>("text", "delimiter", "decimal");
+        addRow("comma, point", QByteArray("t,d\n0.1,29.9\n0.2,29.8\n"), ',', '.');
+        addRow("comma, whole numbers", QByteArray("t,d\n1,30\n2,31\n"), ',', '.');
+        addRow("semicolon, comma", QByteArray("t, s;d, mm\n0,1;29,9\n0,2;29,8\n"), ';', ',');
+        addRow("semicolon, point", QByteArray("t;d\n0.1;29.9\n"), ';', '.');
+        addRow("tab, comma", QByteArray("t, s\td, mm\n0,1\t29,9\n"), '\t', ',');
+        addRow("tab, point", QByteArray("t, s\td, mm\n0.1\t29.9\n"), '\t', '.');
+        addRow("quoted decimal commas",
+               QByteArray("\"t, s\",\"d, mm\"\n\"0,1\",\"29,9\"\n\"0,2\",\"29,8\"\n"), ',', ',');
+        addRow("one column", QByteArray("Диаметр, мм\n29,991\n29,993\n"), ';', ',');
+        addRow("key and value", QByteArray("0.1|power|3.2\n0.2|power|3.3\n"), '|', '.');
     }
     void dialects() {
         QFETCH(QByteArray, text);
@@ -74,14 +61,11 @@ private slots:
     }
 
     void headings_data() {
-        QTest::addColumn<QByteArray>("heading");
-        QTest::addColumn<int>("quantity");
-        QTest::addColumn<int>("unit");
-        QTest::addColumn<int>("place");
+        addColumns<QByteArray, int, int, int>("heading", "quantity", "unit", "place");
         const auto row = [](const char* heading, ColumnQuantity quantity, ColumnUnit unit,
                             int place = -1) {
-            QTest::newRow(heading) << QByteArray(heading) << static_cast<int>(quantity)
-                                   << static_cast<int>(unit) << place;
+            addRow(heading, QByteArray(heading), static_cast<int>(quantity), static_cast<int>(unit),
+                   place);
         };
         row("Diameter, mm", ColumnQuantity::diameter, ColumnUnit::mm);
         row("Диаметр, мм", ColumnQuantity::diameter, ColumnUnit::mm);
@@ -212,13 +196,10 @@ private slots:
     }
 
     void faultsSayWhere_data() {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<int>("line");
-        QTest::addColumn<int>("column");
-        QTest::addColumn<int>("code");
+        addColumns<QByteArray, int, int, int>("text", "line", "column", "code");
         const auto row = [](const char* name, const char* text, int line, int column,
                             IssueCode code) {
-            QTest::newRow(name) << QByteArray(text) << line << column << static_cast<int>(code);
+            addRow(name, QByteArray(text), line, column, static_cast<int>(code));
         };
         row("nothing", " \n", 0, 0, IssueCode::empty);
         row("headings alone", "Part,Diameter [mm]\n", 0, 0, IssueCode::empty);
@@ -311,8 +292,7 @@ private slots:
             text += std::to_string(i / 1000) + ',' + std::to_string(1000 + i % 1000).substr(1) + ';'
                     + std::to_string(2 + i % 7) + ",12345\n";
         }
-        QElapsedTimer timer;
-        timer.start();
+        RunningTimer timer;
         const ReadMeasured read = readAs(text);
         const double seconds = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
         QVERIFY2(read.faults.empty(), qPrintable(placesOf(read)));
@@ -324,7 +304,7 @@ private slots:
     }
 };
 
-} // namespace test_measured_table
+} // namespace sparkout::test_measured_table
 
 SPARKOUT_TEST(test_measured_table, TestMeasuredTable)
 #include "test_measured_table.moc"

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
-
 #include "tests/core/optimisation/search_cases.h"
 
-namespace search_cases {
+namespace sparkout::search_cases {
 
 /// Small cases under gauge control, each radius by its own balance.
 inline Project followable(Operation operation, unsigned seed) {
@@ -50,4 +44,4 @@ inline Project plunged(unsigned seed) {
     return followable(Operation::plunge, seed);
 }
 
-} // namespace search_cases
+} // namespace sparkout::search_cases

@@ -2,17 +2,14 @@
 #pragma once
 
 #include "core/optimisation/variants.h"
-#include "core/project/cycle.h"
-#include "core/project/part.h"
+#include "tests/whole_project.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 /// The cycles of a grid by the definition of the project file, written a second time.
-namespace plain_grid {
-
-using namespace sparkout;
+namespace sparkout::plain_grid {
 
 /// A cycle of a grid and the machine it is run with.
 struct PlainCycle {
@@ -166,4 +163,4 @@ inline bool sameCycle(const Cycle& a, const Cycle& b) {
                       });
 }
 
-} // namespace plain_grid
+} // namespace sparkout::plain_grid

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
@@ -16,9 +10,7 @@
 #include <vector>
 
 /// Small grids about random parts, for the tests of the searches.
-namespace search_cases {
-
-using namespace sparkout;
+namespace sparkout::search_cases {
 
 class Dice {
 public:
@@ -152,4 +144,4 @@ inline bool holds(const SimulationResult& result) {
            && std::all_of(all.begin(), all.end(), [](const auto& each) { return each.holds; });
 }
 
-} // namespace search_cases
+} // namespace sparkout::search_cases

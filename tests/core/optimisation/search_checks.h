@@ -2,11 +2,6 @@
 #pragma once
 
 #include "core/optimisation/optimise.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "tests/core/optimisation/plain_grid.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
@@ -17,9 +12,8 @@
 #include <optional>
 
 /// What the tests of the searches share.
-namespace search_checks {
+namespace sparkout::search_checks {
 
-using namespace sparkout;
 using plain_grid::PlainCycle;
 using plain_grid::PlainGrid;
 using plain_grid::sameCycle;
@@ -109,4 +103,4 @@ inline Project driven(double feed_mm_min) {
     return p;
 }
 
-} // namespace search_checks
+} // namespace sparkout::search_checks

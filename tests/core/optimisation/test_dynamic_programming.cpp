@@ -3,29 +3,16 @@
 // Dynamic programming for plunge cycles against the full search: what it finds holds and is never
 // quicker than the proven best, and how often it is wrong, as it says of itself.
 #include "core/optimisation/optimise.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
-#include <vector>
 
-namespace test_dynamic_programming {
+namespace sparkout::test_dynamic_programming {
 
 using namespace search_checks;
-
-namespace {
 
 constexpr std::array heuristics{SearchMethod::published, SearchMethod::labels};
 
@@ -53,8 +40,7 @@ std::vector<Project> plungeCases(int count) {
 
 /// The two-stage example in the thesis's grid: so many stages of equal stocks, any feed at each.
 Project example(int stages, std::vector<double> feeds) {
-    const auto file = samples::sourcePath("resources/examples/plunge-shaft-two-stage.sparkout");
-    Project p = readProject(samples::readText(file)).project.value();
+    Project p = samples::projectIn("resources/examples/plunge-shaft-two-stage.sparkout");
     p.part->radii_per_section = 12;
     p.optimisation->stages = {static_cast<double>(stages)};
     p.optimisation->stock_step_mm = p.part->stock_mm / stages;
@@ -96,8 +82,6 @@ struct Tally {
                     name, feasible, missed, slower, worst * 100);
     }
 };
-
-} // namespace
 
 class TestDynamicProgramming : public QObject {
     Q_OBJECT
@@ -211,7 +195,7 @@ private slots:
     }
 };
 
-} // namespace test_dynamic_programming
+} // namespace sparkout::test_dynamic_programming
 
 SPARKOUT_TEST(test_dynamic_programming, TestDynamicProgramming)
 #include "test_dynamic_programming.moc"

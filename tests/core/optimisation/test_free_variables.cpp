@@ -6,26 +6,16 @@
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <map>
-#include <string>
 
-namespace test_free_variables {
+namespace sparkout::test_free_variables {
 
 using namespace search_checks;
-
-namespace {
 
 /// Rows of least and most about the levels, of which some fix a stage.
 NumberRows rowsAbout(search_cases::Dice& dice, const Levels& levels) {
@@ -80,8 +70,6 @@ Project freeCase(unsigned seed) {
 unsigned cases() {
     return searches(125);
 }
-
-} // namespace
 
 class TestFreeVariables : public QObject {
     Q_OBJECT
@@ -352,7 +340,7 @@ private slots:
     }
 };
 
-} // namespace test_free_variables
+} // namespace sparkout::test_free_variables
 
 SPARKOUT_TEST(test_free_variables, TestFreeVariables)
 #include "test_free_variables.moc"

@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What three radii tell of a last stage is true of the whole part.
 #include "core/optimisation/last_stage_outlook.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/plunge.h"
 #include "core/simulation/traverse.h"
 
 #include "tests/core/optimisation/followed_cases.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_last_stage_outlook {
 
-#include <algorithm>
-#include <cmath>
-
-namespace test_last_stage_outlook {
-
-using namespace sparkout;
 using search_cases::plunged;
 using search_cases::traversed;
-
-namespace {
 
 struct CycleRun {
     explicit CycleRun(const Project& p)
@@ -65,8 +52,6 @@ bool diameterMisses(const SimulationResult& result, ConstraintKind kind) {
     return std::any_of(all.begin(), all.end(),
                        [kind](const auto& each) { return each.kind == kind && !each.holds; });
 }
-
-} // namespace
 
 class TestLastStageOutlook : public QObject {
     Q_OBJECT
@@ -194,7 +179,7 @@ private slots:
     }
 };
 
-} // namespace test_last_stage_outlook
+} // namespace sparkout::test_last_stage_outlook
 
 SPARKOUT_TEST(test_last_stage_outlook, TestLastStageOutlook)
 #include "test_last_stage_outlook.moc"

@@ -7,25 +7,15 @@
 #include "core/optimisation/phase_cases.h"
 #include "core/optimisation/robust.h"
 #include "core/optimisation/trade_off.h"
-#include "core/project/batch.h"
-#include "core/project/gauge.h"
-#include "core/project/wheel.h"
 #include "core/study/search.h"
 #include "core/units.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 #include "words/search_words.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <vector>
-
-namespace test_margin_within {
+namespace sparkout::test_margin_within {
 
 using namespace search_checks;
-
-namespace {
 
 /// A cycle of a grid that holds.
 struct Held {
@@ -148,8 +138,6 @@ int fewest(int usual) {
     return samples::sized(usual, usual / 4, usual);
 }
 
-} // namespace
-
 class TestMarginWithin : public QObject {
     Q_OBJECT
 
@@ -204,8 +192,7 @@ private slots:
 
     // Two cycles of a trial whose margins differ by 2e-11: the slower one takes 17 % longer.
     void marginsThatDifferInTheirLastBitsAreEqual() {
-        const auto path = samples::sourcePath("tests/data/trials/margin-tie.sparkout");
-        const Project project = readProject(samples::readText(path)).project.value();
+        const Project project = samples::projectIn("tests/data/trials/margin-tie.sparkout");
         const std::int64_t within_us = marginWithinOf(project).value();
         const std::vector<Held> all = allHeld(project);
         const Held* const best = bestWithin(all, within_us);
@@ -451,7 +438,7 @@ private:
     }
 };
 
-} // namespace test_margin_within
+} // namespace sparkout::test_margin_within
 
 SPARKOUT_TEST(test_margin_within, TestMarginWithin)
 #include "test_margin_within.moc"

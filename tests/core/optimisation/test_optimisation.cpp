@@ -1,32 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search for the quickest cycle: the pruned search and the full one against plain runs.
-#include "core/optimisation/optimise.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 
-#include "core/format/project_file.h"
 #include "tests/check_line.h"
 #include "tests/core/optimisation/search_checks.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/reference_simulation.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <array>
 #include <map>
-#include <string>
 
-namespace test_optimisation {
+namespace sparkout::test_optimisation {
 
 using namespace search_checks;
-
-namespace {
 
 unsigned caseCount() {
     return static_cast<unsigned>(samples::sized(500, 100, 3000));
@@ -58,8 +44,6 @@ bool holdsInReference(const Project& p, const SearchSummary& summary) {
     }
     return holds;
 }
-
-} // namespace
 
 class TestOptimisation : public QObject {
     Q_OBJECT
@@ -309,7 +293,7 @@ private slots:
     }
 };
 
-} // namespace test_optimisation
+} // namespace sparkout::test_optimisation
 
 SPARKOUT_TEST(test_optimisation, TestOptimisation)
 #include "test_optimisation.moc"

@@ -4,26 +4,19 @@
 #include "core/optimisation/phase_outlook.h"
 #include "core/optimisation/robust.h"
 #include "core/phases/failing_stock.h"
-#include "core/project/batch.h"
 #include "core/simulation/stage_control.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
-namespace test_phase_cases {
+namespace sparkout::test_phase_cases {
 
-using namespace sparkout;
 using search_cases::Dice;
 using search_cases::holds;
 using search_cases::smallCase;
-
-namespace {
 
 Factor between(double from, double to) {
     Factor factor;
@@ -59,8 +52,6 @@ bool isToldAtOnce(PhaseOutlook& outlook, const GridCycle& cycle) {
     outlook.keepHopeless(beforeLast, settings);
     return !settings.empty();
 }
-
-} // namespace
 
 class TestPhaseCases : public QObject {
     Q_OBJECT
@@ -217,13 +208,12 @@ private slots:
     }
 
     void aStopEndsItWithNothing() {
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(!failingCase(withCorners(1), stop.get_token()));
     }
 };
 
-} // namespace test_phase_cases
+} // namespace sparkout::test_phase_cases
 
 SPARKOUT_TEST(test_phase_cases, TestPhaseCases)
 #include "test_phase_cases.moc"

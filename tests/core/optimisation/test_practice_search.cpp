@@ -2,29 +2,18 @@
 // Labels: unsanitized
 // The searches with delays of gauge and machine and with limits of practice: as exact as without.
 #include "core/optimisation/cycle_runner.h"
-#include "core/optimisation/optimise.h"
 #include "core/optimisation/robust.h"
 #include "core/optimisation/time_bound.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/wheel.h"
 
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <array>
-#include <vector>
 
-namespace test_practice_search {
+namespace sparkout::test_practice_search {
 
 using namespace search_checks;
 using search_cases::Dice;
-
-namespace {
 
 /// Delays of up to some steps: of the gauge, of the change of feed, or both.
 Project late(Project p, Dice& dice) {
@@ -68,8 +57,6 @@ Project practical(unsigned seed) {
     }
     return seed % 4 != 1 ? limited(std::move(p), dice) : p;
 }
-
-} // namespace
 
 class TestPracticeSearch : public QObject {
     Q_OBJECT
@@ -157,7 +144,7 @@ private slots:
     }
 };
 
-} // namespace test_practice_search
+} // namespace sparkout::test_practice_search
 
 SPARKOUT_TEST(test_practice_search, TestPracticeSearch)
 #include "test_practice_search.moc"

@@ -5,25 +5,17 @@
 // the table prints feeds and stocks, not lengths, wheel or compliance, so what is held here is what
 // the program finds for ordinary ones, beside the gains that the table states.
 #include "core/optimisation/optimise.h"
-#include "core/project/cycle.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-namespace test_published_cycles {
+namespace sparkout::test_published_cycles {
 
 using namespace search_checks;
 using fixtures::strokeStage;
 
-namespace {
-
 Project example(const std::string& name) {
-    const auto file = samples::sourcePath("resources/examples/" + name + ".sparkout");
-    return readProject(samples::readText(file)).project.value();
+    return samples::projectIn("resources/examples/" + name + ".sparkout");
 }
 
 /// The time of the cycle if it holds every requirement.
@@ -56,8 +48,6 @@ bool isOf(const Grid& grid, const Cycle& cycle, double step_mm) {
     found.back().steps = 0;
     return grid.contains(found) && sameCycle(grid.cycle(found), cycle);
 }
-
-} // namespace
 
 class TestPublishedCycles : public QObject {
     Q_OBJECT
@@ -94,12 +84,8 @@ private slots:
     }
 
     void theProvenBestIsQuickerThanThePublishedCycleOfItsGrid_data() {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<double>("radial1");
-        QTest::addColumn<double>("axial1");
-        QTest::addColumn<double>("radial2");
-        QTest::addColumn<double>("axial2");
-        QTest::addColumn<double>("last");
+        addColumns<QString, double, double, double, double, double>("name", "radial1", "axial1",
+                                                                    "radial2", "axial2", "last");
         QTest::newRow("30h6") << "shaft-30h6-factory" << 0.005 << 2000.0 << 0.002 << 500.0 << 0.03;
         QTest::newRow("38.74h6") << "shaft-38-74h6" << 0.004 << 2500.0 << 0.002 << 900.0 << 0.02;
     }
@@ -123,7 +109,7 @@ private slots:
     }
 };
 
-} // namespace test_published_cycles
+} // namespace sparkout::test_published_cycles
 
 SPARKOUT_TEST(test_published_cycles, TestPublishedCycles)
 #include "test_published_cycles.moc"

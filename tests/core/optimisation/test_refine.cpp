@@ -3,28 +3,15 @@
 // Off the grid: what is found holds, can be set, lies between the levels and is never slower than
 // the best of the grid.
 #include "core/optimisation/refine.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 
 #include "core/quality/ranges.h"
 #include "tests/core/optimisation/search_checks.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
-
-namespace test_refine {
+namespace sparkout::test_refine {
 
 using namespace search_checks;
-
-namespace {
 
 using Feed = std::optional<double> Stage::*;
 
@@ -80,8 +67,6 @@ bool isOfTheGridsKind(const Project& p, const Cycle& cycle) {
                         || (last > bounds->front() - 1e-9 && last < bounds->back() + 1e-9);
     return within && last > 0 && std::abs(sum - p.part->stock_mm) < 1e-9;
 }
-
-} // namespace
 
 class TestRefine : public QObject {
     Q_OBJECT
@@ -213,8 +198,7 @@ private slots:
     void aStopKeepsWhatIsGiven() {
         const Project p = driven(0.87);
         const SearchSummary grid = optimise(p);
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         RefineOptions options;
         options.stop = stop.get_token();
         const RefineSummary refined = refine(p, grid.cycle, options);
@@ -225,7 +209,7 @@ private slots:
 private:
     static Project readExample(const std::string& name) {
         const std::string file = "resources/examples/" + name + ".sparkout";
-        return readProject(samples::readText(samples::sourcePath(file))).project.value();
+        return samples::projectIn(file);
     }
 
     static void checkNear(const Project& coarse, const Project& fine) {
@@ -237,7 +221,7 @@ private:
     }
 };
 
-} // namespace test_refine
+} // namespace sparkout::test_refine
 
 SPARKOUT_TEST(test_refine, TestRefine)
 #include "test_refine.moc"

@@ -3,29 +3,17 @@
 // What a robust answer states of the phases it was not tried on, and what a stop leaves unsaid.
 #include "core/optimisation/binding.h"
 #include "core/optimisation/robust.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QElapsedTimer>
-#include <QTest>
-
 #include <chrono>
-#include <cmath>
-#include <functional>
 #include <random>
 #include <stop_token>
 #include <thread>
 
-namespace test_robust_confidence {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_robust_confidence {
 
 /// Tries cycle after cycle, the k-th with a share(k) of failing phases, on 500 each until one meets
 /// none. The share of the runs in which what is stated of it is true; a run without one states
@@ -62,8 +50,6 @@ Project slow() {
     p.part->tolerance = {};
     return p;
 }
-
-} // namespace
 
 class TestRobustConfidence : public QObject {
     Q_OBJECT
@@ -107,8 +93,7 @@ private slots:
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
             stop.request_stop();
         });
-        QElapsedTimer took;
-        took.start();
+        RunningTimer took;
         const auto failing = failingPhase(p, 1, stop.get_token(), 100'000);
         QVERIFY(stop.stop_requested());
         qInfo("stopped after %lld ms", took.elapsed());
@@ -118,8 +103,7 @@ private slots:
     /// A search that is stopped anywhere keeps the best so far that came through all of its tests,
     /// and nothing that did not.
     void aStopKeepsTheBestThatCameThroughItsTests() {
-        const auto path = samples::sourcePath("resources/examples/plunge-shaft-two-stage.sparkout");
-        const Project p = readProject(samples::readText(path)).project.value();
+        const Project p = samples::projectIn("resources/examples/plunge-shaft-two-stage.sparkout");
         int calls = 0, kept = 0, stopped = 0;
         SearchOptions counted;
         counted.onProgress = [&calls](const SearchProgress&) { ++calls; };
@@ -161,14 +145,13 @@ private slots:
         const SearchSummary best = optimise(p);
         QVERIFY(best.best);
         QVERIFY(bindingRequirements(p, *best.best).has_value());
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(!bindingRequirements(p, *best.best, {}, stop.get_token()));
         QVERIFY(!bindingRequirements(p, best.cycle, best.best->time_us, {}, stop.get_token()));
     }
 };
 
-} // namespace test_robust_confidence
+} // namespace sparkout::test_robust_confidence
 
 SPARKOUT_TEST(test_robust_confidence, TestRobustConfidence)
 #include "test_robust_confidence.moc"

@@ -4,22 +4,17 @@
 #include "core/optimisation/search_journal.h"
 
 #include "core/batch/state_seal.h"
-#include "core/project/optimisation.h"
 #include "core/resume/search_state.h"
 #include "core/study/search.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <algorithm>
 #include <string>
 
-namespace test_search_journal {
+namespace sparkout::test_search_journal {
 
 using namespace search_checks;
-
-namespace {
 
 const SearchQuestion asked{"engine 1", "project 1", "--method full"};
 
@@ -76,8 +71,6 @@ bool isSame(const SearchOutcome& a, const SearchOutcome& b) {
                    && one.best->leastRelativeMargin == other.best->leastRelativeMargin
                    && one.machine == other.machine));
 }
-
-} // namespace
 
 class TestSearchJournal : public QObject {
     Q_OBJECT
@@ -289,7 +282,7 @@ private slots:
     }
 };
 
-} // namespace test_search_journal
+} // namespace sparkout::test_search_journal
 
 SPARKOUT_TEST(test_search_journal, TestSearchJournal)
 #include "test_search_journal.moc"

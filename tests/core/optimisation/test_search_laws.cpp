@@ -8,29 +8,17 @@
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/stage_control.h"
 
 #include "tests/check_line.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <numbers>
 #include <set>
 
-namespace test_search_laws {
+namespace sparkout::test_search_laws {
 
 using namespace search_checks;
-
-namespace {
 
 /// In half of the cases the work speed or a last spark-out is free, too.
 Project withVariants(Project p, unsigned seed) {
@@ -51,8 +39,6 @@ std::vector<Project> changingParts(const Project& best, int draw) {
     }
     return parts;
 }
-
-} // namespace
 
 class TestSearchLaws : public QObject {
     Q_OBJECT
@@ -476,7 +462,7 @@ private slots:
     }
 };
 
-} // namespace test_search_laws
+} // namespace sparkout::test_search_laws
 
 SPARKOUT_TEST(test_search_laws, TestSearchLaws)
 #include "test_search_laws.moc"

@@ -2,26 +2,20 @@
 // What comes before and after a search: it is short, and a stop ends it.
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/processor_time.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 #include <chrono>
-#include <limits>
 #include <stop_token>
 #include <thread>
 
-namespace test_search_preparation {
+namespace sparkout::test_search_preparation {
 
-using namespace sparkout;
 using namespace std::chrono_literals;
-
-namespace {
 
 std::vector<double> evenly(double from, double to, int count) {
     std::vector<double> values;
@@ -62,15 +56,12 @@ qint64 stoppedAfter(std::chrono::milliseconds delay, Work work) {
 
 constexpr double most_ms = 100 * under_sanitizers;
 
-} // namespace
-
 class TestSearchPreparation : public QObject {
     Q_OBJECT
 
 private slots:
     void itIsStoppedWithinATenthOfASecond_data() {
-        QTest::addColumn<int>("delay_ms");
-        QTest::addColumn<bool>("robust");
+        addColumns<int, bool>("delay_ms", "robust");
         for (const int delay_ms : {0, 20, 300, 1000}) {
             QTest::addRow("%d ms", delay_ms) << delay_ms << false;
         }
@@ -114,8 +105,7 @@ private slots:
 
     void theSizeOfTheGridIsCountedInNoTime() {
         Project p = large();
-        QElapsedTimer took;
-        took.start();
+        RunningTimer took;
         const std::int64_t size = gridSize(p);
         const qint64 took_ms = took.elapsed();
         qInfo("%lld ms", took_ms);
@@ -166,7 +156,7 @@ private slots:
     }
 };
 
-} // namespace test_search_preparation
+} // namespace sparkout::test_search_preparation
 
 SPARKOUT_TEST(test_search_preparation, TestSearchPreparation)
 #include "test_search_preparation.moc"

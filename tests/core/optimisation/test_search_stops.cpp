@@ -9,35 +9,22 @@
 #include "core/process/compliance.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/simulation/simulate.h"
 #include "core/study/search.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/processor_time.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
-#include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <functional>
-#include <limits>
-#include <random>
 #include <stop_token>
 #include <thread>
 
-namespace test_search_stops {
+namespace sparkout::test_search_stops {
 
-using namespace sparkout;
 using namespace std::chrono_literals;
-
-namespace {
 
 constexpr double most_ms = 100 * under_sanitizers;
 
@@ -92,29 +79,12 @@ double stoppedAfter_ms(const char* what, std::chrono::milliseconds delay,
     return least;
 }
 
-/// A shaft of a thousand segments on a thousand rests.
-Project restedShaft() {
-    Project p = fixtures::plunge();
-    p.part->length_mm = 400;
-    p.machine->compliance_mm_per_n = std::monostate{};
-    p.machine->stiffness_n_um = Stiffness{40, 20, 50};
-    for (int i = 0; i < 1000; ++i) {
-        p.part->shaft.segments.push_back({1.0, 20.0 + i % 7});
-        p.part->shaft.steady_rests.push_back({0.5 + i, 1.0 + i % 5});
-    }
-    p.part->shaft.ground_from_mm = 300;
-    return p;
-}
-
-} // namespace
-
 class TestSearchStops : public QObject {
     Q_OBJECT
 
 private slots:
     void everySearchStopsWithinACycle_data() {
-        QTest::addColumn<int>("method");
-        QTest::addColumn<bool>("robust");
+        addColumns<int, bool>("method", "robust");
         QTest::newRow("full") << int(SearchMethod::full) << false;
         QTest::newRow("pruned") << int(SearchMethod::pruned) << false;
         QTest::newRow("published") << int(SearchMethod::published) << false;
@@ -145,13 +115,11 @@ private slots:
     // cases, which report no progress. They end when their time is up, as long as the searches of
     // all numbers of stages took and two seconds, and a stop at any moment ends all.
     void aWholeSearchOfCornersKeepsItsTimeAndStops() {
-        const auto path = samples::sourcePath("resources/examples/shaft-30h6-factory.sparkout");
-        Project p = readProject(samples::readText(path)).project.value();
+        Project p = samples::projectIn("resources/examples/shaft-30h6-factory.sparkout");
         p.optimisation->scenarios = OptimisationScenarios::corners;
         const bool isLong = std::getenv("SPARKOUT_LONG") != nullptr;
         if (isLong) {
-            QElapsedTimer took;
-            took.start();
+            const RunningTimer took;
             const auto elapsed_s = [&took] { return static_cast<double>(took.elapsed()) / 1e3; };
             double answer_s = 0, margins_s = 0; // when they begin
             SearchEvents events;
@@ -212,10 +180,8 @@ private slots:
 
     // The moment's grace after a stop is counted from its begin and ends a run, too.
     void theGraceAfterAStopIsAMoment() {
-        std::stop_source stop;
-        stop.request_stop();
-        QElapsedTimer took;
-        took.start();
+        const StoppedSource stop;
+        RunningTimer took;
         const GraceStop grace(stop.get_token());
         QVERIFY(!grace.token().stop_requested());
         QVERIFY(simulateUnchecked(slow(), nullptr, grace.token()).status == RunStatus::stopped);
@@ -231,7 +197,7 @@ private slots:
     }
 
     void theComplianceAlongAShaftStops() {
-        const Project p = restedShaft();
+        const Project p = fixtures::restedShaft();
         std::vector<CompliantPlace> along;
         const double took_ms =
             stoppedAfter_ms("compliance", 20ms, [&](const std::stop_token& stop) {
@@ -259,8 +225,7 @@ private slots:
         }
         std::vector<double> other = root;
         QVERIFY(sections.solve(lag.data(), root.data()).iterations > 1);
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         const auto stopped = sections.solve(lag.data(), other.data(), stop.get_token());
         QVERIFY(!stopped.converged);
         QCOMPARE(stopped.iterations, 0);
@@ -348,7 +313,7 @@ private slots:
     }
 };
 
-} // namespace test_search_stops
+} // namespace sparkout::test_search_stops
 
 SPARKOUT_TEST(test_search_stops, TestSearchStops)
 #include "test_search_stops.moc"

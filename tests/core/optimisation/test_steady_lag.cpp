@@ -3,29 +3,17 @@
 #include "core/optimisation/steady_lag.h"
 #include "core/process/force.h"
 #include "core/process/system_compliance.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/plunge.h"
 #include "core/simulation/traverse.h"
 
 #include "tests/core/optimisation/followed_cases.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
 #include <utility>
-#include <vector>
 
-namespace test_steady_lag {
+namespace sparkout::test_steady_lag {
 
-using namespace sparkout;
 using search_cases::Dice;
-
-namespace {
 
 constexpr double rounding_mm = 1e-12;
 
@@ -58,8 +46,6 @@ struct Followed {
     const RadiusFollower& follower;
     std::vector<FollowedFeed> feeds;
 };
-
-} // namespace
 
 class TestSteadyLag : public QObject {
     Q_OBJECT
@@ -153,7 +139,7 @@ private slots:
     }
 };
 
-} // namespace test_steady_lag
+} // namespace sparkout::test_steady_lag
 
 SPARKOUT_TEST(test_steady_lag, TestSteadyLag)
 #include "test_steady_lag.moc"

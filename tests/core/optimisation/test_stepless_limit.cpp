@@ -4,44 +4,23 @@
 #include "core/optimisation/limit.h"
 
 #include "core/optimisation/levels.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 
 #include "core/limits/burn.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/force.h"
 #include "core/process/system_compliance.h"
-#include "core/project/gauge.h"
 #include "core/quality/accuracy_limit.h"
-#include "core/quality/constraints.h"
 #include "core/quality/power.h"
 #include "core/simulation/stage_control.h"
-#include "tests/core/optimisation/search_cases.h"
 #include "tests/core/optimisation/search_checks.h"
-#include "tests/core/support/project_fixtures.h"
-#include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
 #include <set>
-#include <string>
-#include <vector>
 
-namespace test_stepless_limit {
+namespace sparkout::test_stepless_limit {
 
-using namespace sparkout;
 using fixtures::close;
-
-namespace {
 
 /// Nothing limits a cut but the infeed: 1.8 mm/min at 180 rev/min, 10 µm a revolution.
 Project freePlunge() {
@@ -373,15 +352,12 @@ std::vector<NamedPiece> piecesOfRates(const Project& p, double stock_mm, double 
     return pieces;
 }
 
-} // namespace
-
 class TestSteplessLimit : public QObject {
     Q_OBJECT
 
 private slots:
     void infeedAloneIsCountedInWholeSteps_data() {
-        QTest::addColumn<double>("stock_mm");
-        QTest::addColumn<int>("steps");
+        addColumns<double, int>("stock_mm", "steps");
         QTest::newRow("whole") << 0.2 << 20;
         QTest::newRow("a trifle more") << 0.2001 << 21;
         QTest::newRow("a half") << 0.195 << 20;
@@ -455,8 +431,7 @@ private slots:
 
     // Whatever cycle is drawn: of those that hold every requirement none is quicker.
     void noCycleThatHoldsIsQuicker_data() {
-        QTest::addColumn<bool>("plunge");
-        QTest::addColumn<double>("nearest");
+        addColumns<bool, double>("plunge", "nearest");
         QTest::newRow("plunge") << true << 0.7;
         QTest::newRow("traverse") << false << 0.7;
     }
@@ -763,8 +738,7 @@ private slots:
     }
 
     void aStopLeavesNoPieces() {
-        std::stop_source source;
-        source.request_stop();
+        const StoppedSource source;
         QVERIFY(steplessLimitBounds(freePlunge(), source.get_token()).pieces.empty());
     }
 
@@ -802,7 +776,7 @@ private slots:
     }
 };
 
-} // namespace test_stepless_limit
+} // namespace sparkout::test_stepless_limit
 
 SPARKOUT_TEST(test_stepless_limit, TestSteplessLimit)
 #include "test_stepless_limit.moc"

@@ -7,18 +7,15 @@
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/robust.h"
 #include "tests/core/optimisation/search_checks.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <cstdio>
 #include <map>
 
-namespace test_trade_off {
+namespace sparkout::test_trade_off {
 
 using namespace search_checks;
-
-namespace {
 
 struct Point {
     std::int64_t time_us;
@@ -92,8 +89,6 @@ std::vector<Point> pointsOf(const TradeOff& found) {
     return points;
 }
 
-} // namespace
-
 class TestTradeOff : public QObject {
     Q_OBJECT
 
@@ -156,15 +151,14 @@ private slots:
         const TradeOff two = tradeOff(project, quickest, {}, 2);
         QVERIFY(two.cycles.size() == 2 && !two.isWhole);
         SearchOptions stopped;
-        std::stop_source source;
-        source.request_stop();
+        const StoppedSource source;
         stopped.stop = source.get_token();
         const TradeOff one = tradeOff(project, quickest, stopped, 1000);
         QVERIFY(one.cycles.size() == 1 && !one.isWhole);
     }
 };
 
-} // namespace test_trade_off
+} // namespace sparkout::test_trade_off
 
 SPARKOUT_TEST(test_trade_off, TestTradeOff)
 #include "test_trade_off.moc"

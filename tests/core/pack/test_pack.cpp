@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Packs: read strictly, every part as its own file would be.
-#include "core/catalogue/catalogue.h"
 #include "core/pack/pack_file.h"
 
 #include "tests/core/catalogue/shipped_catalogues.h"
@@ -9,16 +8,9 @@
 #include "tests/core/support/project_mutator.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_pack {
 
-#include <string>
-
-namespace test_pack {
-
-using namespace sparkout;
 using nlohmann::json;
-
-namespace {
 
 const char* const lessonName = "02-actual-feed.sparkout-lesson";
 
@@ -61,8 +53,6 @@ std::string faultOfPack(const ReadPack& read) {
     return {};
 }
 
-} // namespace
-
 class TestPack : public QObject {
     Q_OBJECT
 
@@ -102,14 +92,10 @@ private slots:
     }
 
     void faultsAreRefusedWithTheirPath_data() {
-        QTest::addColumn<QString>("pointer");
-        QTest::addColumn<QString>("value");
-        QTest::addColumn<int>("code");
-        QTest::addColumn<QString>("path");
+        addColumns<QString, QString, int, QString>("pointer", "value", "code", "path");
         const auto row = [](const char* name, const char* pointer, const char* value,
                             IssueCode code, const char* path) {
-            QTest::newRow(name) << QString::fromUtf8(pointer) << QString::fromUtf8(value)
-                                << static_cast<int>(code) << QString::fromUtf8(path);
+            addRow(name, pointer, value, static_cast<int>(code), path);
         };
         row("another format", "/format", "\"sparkout-lesson\"", IssueCode::notOneOf, "/format");
         row("a newer one", "/version", "2", IssueCode::newerVersion, "/version");
@@ -223,7 +209,7 @@ private slots:
     }
 };
 
-} // namespace test_pack
+} // namespace sparkout::test_pack
 
 SPARKOUT_TEST(test_pack, TestPack)
 #include "test_pack.moc"

@@ -1,40 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stocks of an interval by what their cycles do: a closed form, and stocks run one by one.
-#include "core/format/project_file.h"
 #include "core/phases/failing_share.h"
 #include "core/phases/failing_stock.h"
 #include "core/phases/phase_decision.h"
 #include "core/phases/phase_pieces.h"
 #include "core/phases/sampled_phases.h"
-#include "core/process/profile.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <optional>
 #include <random>
-#include <stop_token>
-#include <string>
 #include <utility>
-#include <vector>
 
-namespace test_phases {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_phases {
 
 constexpr double fine_mm = 1e-9;
 
@@ -115,8 +96,6 @@ Project rigidPlunge() {
     project.part->profile = ProfileForm::lobes;
     return project;
 }
-
-} // namespace
 
 class TestPhases : public QObject {
     Q_OBJECT
@@ -229,8 +208,7 @@ private slots:
     /// A last stage that comes to rest just where it would end: each of its steps splits the stocks
     /// that do so again, within rounding. The pieces were without end.
     void aStageThatComesToRestAtItsEndIsDecided() {
-        const auto path = samples::sourcePath("tests/data/trials/rest-at-size.sparkout");
-        Project project = readProject(samples::readText(path)).project.value();
+        Project project = samples::projectIn("tests/data/trials/rest-at-size.sparkout");
         for (const double stock_mm : {0.000204, 0.0001, 0.0003, 0.00018, 0.00025}) {
             project.cycle->stages.back().stock_mm = stock_mm;
             const StockRange range = usualPhases(project);
@@ -294,9 +272,7 @@ private slots:
     /// Be the stretch that fails at the end of a piece as short as can be, a stock of it is found:
     /// of a shaft the small diameters fail at the low end, of a bore the large ones.
     void aShortStretchThatFailsIsFound() {
-        Project bore = readProject(samples::readText(samples::sourcePath(
-                                       "resources/examples/internal-plunge.sparkout")))
-                           .project.value();
+        Project bore = samples::projectIn("resources/examples/internal-plunge.sparkout");
         for (Project project : {samples::project("smallest-plunge"), std::move(bore)}) {
             project.gauge->control = Control::gauge;
             const StockRange range = usualPhases(project);
@@ -375,8 +351,7 @@ private slots:
 
     void whatIsNotDecided() {
         Project project = samples::project("smallest-plunge");
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(!decidePhases(project, usualPhases(project), stop.get_token()).isDecided);
         project.gauge->control = Control::position;
         const PhaseDecision decision = decidePhases(project, usualPhases(project));
@@ -384,7 +359,7 @@ private slots:
     }
 };
 
-} // namespace test_phases
+} // namespace sparkout::test_phases
 
 SPARKOUT_TEST(test_phases, TestPhases)
 #include "test_phases.moc"

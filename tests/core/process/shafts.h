@@ -8,9 +8,7 @@
 #include <numbers>
 
 /// Shafts of steel on springs.
-namespace shafts {
-
-using namespace sparkout;
+namespace sparkout::shafts {
 
 inline constexpr double rigid = std::numeric_limits<double>::infinity();
 inline constexpr double E = 2.1e5;
@@ -23,4 +21,4 @@ inline ShaftModel uniform(double L, double d, Mounting mounting, double jh, doub
     return {{{L, d}}, E, mounting, jh, jt, jw, {}};
 }
 
-} // namespace shafts
+} // namespace sparkout::shafts

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The compliance of shafts whose numbers are published or have a closed form.
 #include "core/process/compliance.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 
 #include "core/process/system_compliance.h"
 #include "tests/check_line.h"
@@ -11,15 +8,8 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_compliance {
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-namespace test_compliance {
-
-using namespace sparkout;
 using namespace shafts;
 using fixtures::close;
 
@@ -38,12 +28,7 @@ private slots:
     }
 
     void alongTheShaftTheTermsAreThoseOfEachPlace() {
-        Project project = fixtures::traverse();
-        project.machine->compliance_mm_per_n = std::monostate();
-        project.machine->stiffness_n_um = Stiffness{60, 40, 50};
-        project.part->shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
-        project.part->shaft.ground_from_mm = 50;
-        project.part->shaft.steady_rests = {{100, 30}};
+        Project project = fixtures::steppedTraverse();
         const std::vector<CompliantPlace> along = complianceAlong(project, 41);
         QCOMPARE(along.size(), 41u);
         QCOMPARE(along.front().position_mm, -50.0);
@@ -101,8 +86,7 @@ private slots:
 
     // shared/vectors: shaft on centres
     void shaftOnCentresGivesThePublishedNumbers_data() {
-        QTest::addColumn<double>("x");
-        QTest::addColumn<double>("gamma");
+        addColumns<double, double>("x", "gamma");
         QTest::newRow("headstock") << 0.0 << 1.00000e-5;
         QTest::newRow("first quarter") << 50.0 << 1.81029e-5;
         QTest::newRow("middle") << 100.0 << 2.74606e-5;
@@ -127,10 +111,7 @@ private slots:
     }
 
     void uniformShaftEqualsTheClosedForm_data() {
-        QTest::addColumn<bool>("centres");
-        QTest::addColumn<double>("jh");
-        QTest::addColumn<double>("jt");
-        QTest::addColumn<double>("jw");
+        addColumns<bool, double, double, double>("centres", "jh", "jt", "jw");
         QTest::newRow("centres, all springs") << true << 6e4 << 4e4 << 5e4;
         QTest::newRow("centres, soft tailstock") << true << 1e6 << 1e3 << 5e4;
         QTest::newRow("centres, rigid") << true << rigid << rigid << rigid;
@@ -330,7 +311,7 @@ private slots:
     }
 };
 
-} // namespace test_compliance
+} // namespace sparkout::test_compliance
 
 SPARKOUT_TEST(test_compliance, TestCompliance)
 #include "test_compliance.moc"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The compliance of shafts drawn at random: its laws, and a second way to each number.
 #include "core/process/system_compliance.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "tests/core/process/shafts.h"
 #include "tests/core/support/dense.h"
 #include "tests/core/support/project_fixtures.h"
@@ -10,25 +8,17 @@
 #include "tests/processor_time.h"
 #include "tests/registry.h"
 
-#include <QTest>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
 #include <random>
 #include <stop_token>
 #include <utility>
-#include <vector>
 
-namespace test_compliance_any_shaft {
+namespace sparkout::test_compliance_any_shaft {
 
-using namespace sparkout;
 using fixtures::close;
 using shafts::E;
 using shafts::I;
-
-namespace {
 
 // pick(lo, hi) gives an integer lo <= i < hi
 template <class Pick>
@@ -94,8 +84,6 @@ dense::Matrix finiteElements(const ShaftModel& model, const std::vector<double>&
             G[i][j] = 1 / model.wheelHead_n_mm + inverse[2 * i][2 * j];
     return G;
 }
-
-} // namespace
 
 class TestComplianceAnyShaft : public QObject {
     Q_OBJECT
@@ -173,15 +161,7 @@ private slots:
     // 1,000 of each: what a run and the drawing ask for, within half a second (four times that on a
     // busy machine); a stop ends it at once.
     void aThousandSegmentsAndRestsTakeHalfASecond() {
-        Project p = fixtures::plunge();
-        p.part->length_mm = 400;
-        p.machine->compliance_mm_per_n = std::monostate{};
-        p.machine->stiffness_n_um = Stiffness{40, 20, 50};
-        for (int i = 0; i < 1000; ++i) {
-            p.part->shaft.segments.push_back({1.0, 20.0 + i % 7});
-            p.part->shaft.steady_rests.push_back({0.5 + i, 1.0 + i % 5});
-        }
-        p.part->shaft.ground_from_mm = 300;
+        Project p = fixtures::restedShaft();
         p.sections = 20;
         double start_ms = processorTime_ms();
         const auto took_ms = [&start_ms] {
@@ -284,7 +264,7 @@ private slots:
     }
 };
 
-} // namespace test_compliance_any_shaft
+} // namespace sparkout::test_compliance_any_shaft
 
 SPARKOUT_TEST(test_compliance_any_shaft, TestComplianceAnyShaft)
 #include "test_compliance_any_shaft.moc"

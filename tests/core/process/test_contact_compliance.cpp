@@ -6,20 +6,12 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <QTest>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
+namespace sparkout::test_contact_compliance {
 
-namespace test_contact_compliance {
-
-using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
-
-namespace {
 
 using Table = std::vector<std::vector<double>>;
 
@@ -92,8 +84,6 @@ double kernelRoot(double gamma, double ks, double kr, double h) {
                                 {.count = 1, .bks = ks, .bkr = kr});
 }
 
-} // namespace
-
 class TestContactCompliance : public QObject {
     Q_OBJECT
 
@@ -109,8 +99,7 @@ private slots:
     }
 
     void deflectionIsTheIntegralOfTheTable_data() {
-        QTest::addColumn<int>("table");
-        QTest::addColumn<double>("force");
+        addColumns<int, double>("table", "force");
         for (int table = 0; table < 3; ++table) {
             for (const double force : {0.5, 10.0, 37.0, 100.0, 250.0, 400.0, 900.0}) {
                 QTest::addRow("table %d, %g N", table, force) << table << force;
@@ -267,7 +256,7 @@ private slots:
     }
 };
 
-} // namespace test_contact_compliance
+} // namespace sparkout::test_contact_compliance
 
 SPARKOUT_TEST(test_contact_compliance, TestContactCompliance)
 #include "test_contact_compliance.moc"

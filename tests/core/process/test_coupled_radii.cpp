@@ -8,23 +8,17 @@
 #include "tests/core/process/shafts.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <random>
 #include <utility>
 #include <vector>
 
-namespace test_coupled_radii {
+namespace sparkout::test_coupled_radii {
 
-using namespace sparkout;
 using Row = CoupledRadii::Row;
 using Set = CoupledRadii::Set;
-
-namespace {
 
 constexpr std::size_t radii = CoupledRadii::sideBySide;
 constexpr ForceLaw usual{.ks = 30.7, .kr = 71.3, .kt = 45, .mu = 0.3};
@@ -101,17 +95,12 @@ bool sameBits(const std::vector<Row>& a, const std::vector<Row>& b) {
     return std::memcmp(a.data(), b.data(), a.size() * sizeof(Row)) == 0;
 }
 
-} // namespace
-
 class TestCoupledRadii : public QObject {
     Q_OBJECT
 
 private slots:
     void everyRadiusIsInBalance_data() {
-        QTest::addColumn<int>("sections");
-        QTest::addColumn<int>("rests");
-        QTest::addColumn<bool>("isSharp");
-        QTest::addColumn<double>("stiffness");
+        addColumns<int, int, bool, double>("sections", "rests", "isSharp", "stiffness");
         QTest::newRow("a soft shaft") << 20 << 0 << true << 0.003;
         for (const int sections : {8, 20, 200}) {
             for (const int rests : {0, 1, 3}) {
@@ -223,7 +212,7 @@ private slots:
     }
 };
 
-} // namespace test_coupled_radii
+} // namespace sparkout::test_coupled_radii
 
 SPARKOUT_TEST(test_coupled_radii, TestCoupledRadii)
 #include "test_coupled_radii.moc"

@@ -2,36 +2,20 @@
 // Random projects with coupled sections [MODEL-6]: every balance is solved. SPARKOUT_QUICK=1: 200
 // (sanitizers). SPARKOUT_LONG=1: 100,000.
 #include "core/process/compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
-#include "core/simulation/simulate.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <random>
-#include <vector>
 
-namespace test_coupled_random {
+namespace sparkout::test_coupled_random {
 
-using namespace sparkout;
 using fixtures::plungeStage;
 using fixtures::sparkStage;
 using fixtures::Traced;
-
-namespace {
 
 /// Draws the same numbers everywhere, which the distributions of <random> do not.
 class Draw {
@@ -202,8 +186,6 @@ double worstFault(const Project& p) {
     return worst;
 }
 
-} // namespace
-
 class TestCoupledRandom : public QObject {
     Q_OBJECT
 
@@ -265,7 +247,7 @@ private slots:
     }
 };
 
-} // namespace test_coupled_random
+} // namespace sparkout::test_coupled_random
 
 SPARKOUT_TEST(test_coupled_random, TestCoupledRandom)
 #include "test_coupled_random.moc"

@@ -8,23 +8,14 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <QTest>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
-namespace test_coupled_sections {
+namespace sparkout::test_coupled_sections {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
-
-namespace {
 
 /// A system of sections; the conditions are written out here a second time.
 struct System {
@@ -185,8 +176,6 @@ bool areSolved(const std::string& name, std::pair<int, int> sections,
     });
 }
 
-} // namespace
-
 class TestCoupledSections : public QObject {
     Q_OBJECT
 
@@ -194,9 +183,7 @@ private slots:
     void initTestCase() { setRapidcheckRuns(1000); }
 
     void oneSectionIsTheClosedForm_data() {
-        QTest::addColumn<double>("gamma");
-        QTest::addColumn<double>("kr");
-        QTest::addColumn<double>("lag");
+        addColumns<double, double, double>("gamma", "kr", "lag");
         for (const double gamma : {1e-9, 2e-5, 1e-2}) {
             for (const double kr : {0.0, 71.3, 700.0}) {
                 for (const double lag : {-1e-3, 0.0, 1e-7, 5e-3, 0.3}) {
@@ -285,8 +272,7 @@ private slots:
 
     // Revolution after revolution from the last one's roots, touch and spark-out included.
     void wholeCyclesConverge_data() {
-        QTest::addColumn<int>("sections");
-        QTest::addColumn<double>("kr");
+        addColumns<int, double>("sections", "kr");
         for (const int sections : {2, 4, 8, 20, 50, 100}) {
             for (const double kr : {0.0, 7.0, 71.3, 356.0, 2000.0}) {
                 QTest::addRow("%d sections, k_r %g", sections, kr) << sections << kr;
@@ -469,7 +455,7 @@ private slots:
     }
 };
 
-} // namespace test_coupled_sections
+} // namespace sparkout::test_coupled_sections
 
 SPARKOUT_TEST(test_coupled_sections, TestCoupledSections)
 #include "test_coupled_sections.moc"

@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/force.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_force {
 
-#include <cmath>
-#include <numbers>
-
-namespace test_force {
-
-using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
-
-namespace {
 
 // Ten roundings at most stand between the inputs and a coefficient.
 constexpr double roundings = 10 * fixtures::epsilon;
@@ -30,8 +18,6 @@ Project bore() {
     project.wheel->diameter_mm = 20;
     return project;
 }
-
-} // namespace
 
 class TestForce : public QObject {
     Q_OBJECT
@@ -145,7 +131,7 @@ private slots:
     }
 };
 
-} // namespace test_force
+} // namespace sparkout::test_force
 
 SPARKOUT_TEST(test_force, TestForce)
 #include "test_force.moc"

@@ -5,20 +5,10 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <random>
-#include <vector>
 
-namespace test_pass_kernel {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_pass_kernel {
 
 /// Random lanes at one width of cut, as wide as inputs can be: γ 1e-9…1 mm/N, b·k_s and b·k_r over
 /// six decades or zero, depths up to some mm, lanes in contact and lanes out of it.
@@ -73,8 +63,6 @@ struct RandomPass {
 bool sameBits(const std::vector<double>& a, const std::vector<double>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
-
-} // namespace
 
 class TestPassKernel : public QObject {
     Q_OBJECT
@@ -397,7 +385,7 @@ private:
     }
 };
 
-} // namespace test_pass_kernel
+} // namespace sparkout::test_pass_kernel
 
 SPARKOUT_TEST(test_pass_kernel, TestPassKernel)
 #include "test_pass_kernel.moc"

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/profile.h"
-#include "core/project/part.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_profile {
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace test_profile {
-
-using namespace sparkout;
 using fixtures::within;
-
-namespace {
 
 // A radius is some tens of mm and comes out of some ten operations.
 constexpr double radiusRounding = 10 * 64 * fixtures::epsilon;
@@ -44,8 +34,6 @@ double runout(const std::vector<double>& radii) {
     const auto [low, high] = std::minmax_element(radii.begin(), radii.end());
     return *high - *low;
 }
-
-} // namespace
 
 class TestProfile : public QObject {
     Q_OBJECT
@@ -189,8 +177,7 @@ private slots:
 
 private:
     static void everyForm() {
-        QTest::addColumn<ProfileForm>("form");
-        QTest::addColumn<Surface>("surface");
+        addColumns<ProfileForm, Surface>("form", "surface");
         const std::pair<const char*, ProfileForm> forms[] = {{"ellipse", ProfileForm::ellipse},
                                                              {"eccentric", ProfileForm::eccentric},
                                                              {"lobes", ProfileForm::lobes},
@@ -202,7 +189,7 @@ private:
     }
 };
 
-} // namespace test_profile
+} // namespace sparkout::test_profile
 
 SPARKOUT_TEST(test_profile, TestProfile)
 #include "test_profile.moc"

@@ -3,38 +3,21 @@
 // the law of the model with the shares that the recipe comes to.
 #include "core/process/recipe_force.h"
 
-#include "core/format/project_file.h"
 #include "core/limits/cutting.h"
 #include "core/process/force.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
 #include "core/project/number_input.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/support/formula_reader.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/random_cutting.h"
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
-#include "words/issue_words.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
 #include <variant>
 
-namespace test_recipe_force {
+namespace sparkout::test_recipe_force {
 
-using namespace sparkout;
 using fixtures::between;
 using fixtures::close;
-
-namespace {
 
 Project anyProject() {
     Project p = fixtures::plunge();
@@ -92,8 +75,6 @@ double published(const Project& p, double B, double a) {
 bool same(const ForceLaw& a, const ForceLaw& b) {
     return a.ks == b.ks && a.kr == b.kr && a.kt == b.kt && a.mu == b.mu;
 }
-
-} // namespace
 
 class TestRecipeForce : public QObject {
     Q_OBJECT
@@ -317,7 +298,7 @@ private slots:
     }
 };
 
-} // namespace test_recipe_force
+} // namespace sparkout::test_recipe_force
 
 SPARKOUT_TEST(test_recipe_force, TestRecipeForce)
 #include "test_recipe_force.moc"

@@ -5,21 +5,14 @@
 #include "tests/core/process/shafts.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
 
-namespace test_section_influence {
-
-using namespace sparkout;
-namespace {
+namespace sparkout::test_section_influence {
 
 /// G at the middles of `count` slices from `from` to `to` mm of a shaft.
 std::vector<double> influence(const ShaftModel& shaft, int count, double from, double to) {
@@ -88,15 +81,12 @@ std::pair<double, double> faults(const std::vector<double>& G, std::size_t size)
     return {productFault, solutionFault};
 }
 
-} // namespace
-
 class TestSectionInfluence : public QObject {
     Q_OBJECT
 
 private slots:
     void aShaftIsCountedInTimeProportionalToItsSectionsAsByTheWholeMatrix_data() {
-        QTest::addColumn<int>("sections");
-        QTest::addColumn<int>("shaft");
+        addColumns<int, int>("sections", "shaft");
         for (const int sections : {8, 20, 51, 200}) {
             for (int shaft = 0; shaft < 6; ++shaft) {
                 QTest::addRow("%d of %d", shaft, sections) << sections << shaft;
@@ -159,7 +149,7 @@ private slots:
     }
 };
 
-} // namespace test_section_influence
+} // namespace sparkout::test_section_influence
 
 SPARKOUT_TEST(test_section_influence, TestSectionInfluence)
 #include "test_section_influence.moc"

@@ -18,9 +18,8 @@
 #include <set>
 
 /// Every place of a project file, and values for it.
-namespace project_places {
+namespace sparkout::project_places {
 
-using namespace sparkout;
 using nlohmann::json;
 using samples::fromSeed;
 using samples::holds;
@@ -197,4 +196,4 @@ inline std::string pathInEverything(const samples::Place& place) {
     return path;
 }
 
-} // namespace project_places
+} // namespace sparkout::project_places

@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the operation card has beside the cycle: in the file, in a set-up, and the mass of a shaft.
-#include "core/format/project_file.h"
-#include "core/project/card_entries.h"
 #include "core/project/number_input.h"
-#include "core/project/part.h"
 #include "core/setup/setup_file.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
+#include "tests/whole_project.h"
 
-#include <QTest>
-#include <nlohmann/json.hpp>
+namespace sparkout::test_card_entries {
 
-#include <algorithm>
-
-namespace test_card_entries {
-
-using namespace sparkout;
 using nlohmann::json;
-
-namespace {
 
 json withEntries() {
     json project = samples::sample("complete");
@@ -29,8 +19,6 @@ json withEntries() {
                        {"blank", "Круг 50 ГОСТ 2590"}, {"blank_mass_kg", 4.9}};
     return project;
 }
-
-} // namespace
 
 class TestCardEntries : public QObject {
     Q_OBJECT
@@ -115,7 +103,7 @@ private slots:
     }
 };
 
-} // namespace test_card_entries
+} // namespace sparkout::test_card_entries
 
 SPARKOUT_TEST(test_card_entries, TestCardEntries)
 #include "test_card_entries.moc"

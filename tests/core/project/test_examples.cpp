@@ -3,12 +3,7 @@
 #include "core/adequacy/adequacy.h"
 #include "core/batch/batch_summary.h"
 #include "core/format/project_file.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
 #include "core/project/given_factors.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/accuracy_limit.h"
 #include "core/quality/constraints.h"
 #include "core/quality/limit_series.h"
@@ -17,10 +12,9 @@
 #include "core/simulation/cycle_steps.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/traverse.h"
+#include "tests/whole_project.h"
 
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <array>
@@ -32,12 +26,9 @@
 #include <string>
 #include <vector>
 
-namespace test_examples {
+namespace sparkout::test_examples {
 
-using namespace sparkout;
 namespace fs = std::filesystem;
-
-namespace {
 
 std::string contentOf(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
@@ -105,8 +96,6 @@ double spread(const SimulationResult& result) {
     }
     return high - low;
 }
-
-} // namespace
 
 class TestExamples : public QObject {
     Q_OBJECT
@@ -472,7 +461,7 @@ private slots:
     }
 };
 
-} // namespace test_examples
+} // namespace sparkout::test_examples
 
 SPARKOUT_TEST(test_examples, TestExamples)
 #include "test_examples.moc"

@@ -3,20 +3,13 @@
 
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <functional>
 #include <map>
 #include <string>
 #include <tuple>
-#include <vector>
 
-namespace test_iso286 {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_iso286 {
 
 constexpr double bounds[] = {0, 3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
 constexpr int ranges = 13;
@@ -43,16 +36,13 @@ double fundamental(char letter, int range, int grade = 6) {
     return letter <= 'h' ? found.upper_um : found.lower_um;
 }
 
-} // namespace
-
 class TestIso286 : public QObject {
     Q_OBJECT
 
 private slots:
     // Values of ISO 286-2 as they stand in every handbook.
     void knownFields_data() {
-        QTest::addColumn<double>("upper");
-        QTest::addColumn<double>("lower");
+        addColumns<double, double>("upper", "lower");
         const std::tuple<const char*, double, double> rows[] = {
             {"30h6", 0, -13},    {"30H7", 21, 0},    {"50k6", 18, 2},      {"25g6", -7, -20},
             {"40f7", -25, -50},  {"80H8", 46, 0},    {"20js6", 6.5, -6.5}, {"50p6", 42, 26},
@@ -228,9 +218,7 @@ private slots:
     }
 
     void designationsAreReadAsTheyAreWritten_data() {
-        QTest::addColumn<double>("nominal");
-        QTest::addColumn<QString>("letters");
-        QTest::addColumn<int>("grade");
+        addColumns<double, QString, int>("nominal", "letters", "grade");
         QTest::newRow("30h6") << 30.0 << "h" << 6;
         QTest::newRow("38.74h6") << 38.74 << "h" << 6;
         QTest::newRow("38,74h6") << 38.74 << "h" << 6;
@@ -281,7 +269,7 @@ private slots:
     }
 };
 
-} // namespace test_iso286
+} // namespace sparkout::test_iso286
 
 SPARKOUT_TEST(test_iso286, TestIso286)
 #include "test_iso286.moc"

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each code of a fault is produced by a file, and has its sentence.
-#include "core/format/table_reader.h"
 #include "tests/core/project/project_places.h"
 #include "tests/registry.h"
-#include "words/issue_words.h"
 
-namespace test_issue_codes {
+namespace sparkout::test_issue_codes {
 
-using namespace sparkout;
 using namespace project_places;
 
 class TestIssueCodes : public QObject {
@@ -19,10 +16,7 @@ private slots:
     // --- every code -----------------------------------------------------------------------------
 
     void everyCode_data() {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<int>("code");
-        QTest::addColumn<bool>("warning");
-        QTest::addColumn<QString>("path");
+        addColumns<QByteArray, int, bool, QString>("text", "code", "warning", "path");
         fileRows();
         partRows();
         cycleRows();
@@ -80,11 +74,9 @@ private slots:
     }
 
     void detailsAreWrittenWithUnitAndOrigin_data() {
-        QTest::addColumn<QString>("written");
-        QTest::addColumn<QString>("expected");
+        addColumns<QString, QString>("written", "expected");
         const auto row = [](const char* name, const Detail& detail, const char* expected) {
-            QTest::newRow(name) << QString::fromStdString(Wording().detail(detail))
-                                << QString::fromUtf8(expected);
+            addRow(name, QString::fromStdString(Wording().detail(detail)), expected);
         };
         row("nothing", {}, "");
         row("number", Amount{1e-5}, "1e-05");
@@ -122,8 +114,8 @@ private:
 
     static void row(const char* name, IssueCode code, const std::string& path,
                     const std::string& text, Severity severity = Severity::error) {
-        QTest::newRow(name) << QByteArray::fromStdString(text) << static_cast<int>(code)
-                            << (severity == Severity::warning) << QString::fromStdString(path);
+        addRow(name, QByteArray::fromStdString(text), static_cast<int>(code),
+               (severity == Severity::warning), QString::fromStdString(path));
     }
 
     /// A row that changes a sample; a null value stands as null.
@@ -376,7 +368,7 @@ private:
     std::set<IssueCode> m_produced;
 };
 
-} // namespace test_issue_codes
+} // namespace sparkout::test_issue_codes
 
 SPARKOUT_TEST(test_issue_codes, TestIssueCodes)
 #include "test_issue_codes.moc"

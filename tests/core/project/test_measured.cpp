@@ -12,16 +12,11 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <numeric>
 
-namespace test_measured {
+namespace sparkout::test_measured {
 
-using namespace sparkout;
 using nlohmann::json;
-
-namespace {
 
 Project everything() {
     return samples::project("everything");
@@ -41,8 +36,6 @@ MeasuredTrace longTrace() {
     trace.time_s = Samples(std::move(times));
     return trace;
 }
-
-} // namespace
 
 class TestMeasured : public QObject {
     Q_OBJECT
@@ -117,14 +110,10 @@ private slots:
     }
 
     void faults_data() {
-        QTest::addColumn<QByteArray>("measured");
-        QTest::addColumn<int>("code");
-        QTest::addColumn<QByteArray>("path");
-        QTest::addColumn<bool>("refused");
+        addColumns<QByteArray, int, QByteArray, bool>("measured", "code", "path", "refused");
         const auto row = [](const char* name, const char* measured, IssueCode code,
                             const char* path, bool refused) {
-            QTest::newRow(name) << QByteArray(measured) << static_cast<int>(code)
-                                << QByteArray(path) << refused;
+            addRow(name, QByteArray(measured), static_cast<int>(code), QByteArray(path), refused);
         };
         row("unknown key", R"({"part": []})", IssueCode::unknownKey, "/measured/part", true);
         row("unknown quantity",
@@ -198,7 +187,7 @@ private slots:
     }
 };
 
-} // namespace test_measured
+} // namespace sparkout::test_measured
 
 SPARKOUT_TEST(test_measured, TestMeasured)
 #include "test_measured.moc"

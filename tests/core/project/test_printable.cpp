@@ -4,24 +4,18 @@
 #include "core/printable.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <string>
 #ifdef __GLIBC__
 #include <gnu/libc-version.h>
 #endif
 
-namespace test_printable {
-
-using namespace sparkout;
+namespace sparkout::test_printable {
 
 class TestPrintable : public QObject {
     Q_OBJECT
 
 private slots:
     void whatSteersTheDisplayIsShownAsItsCode_data() {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("shown");
+        addColumns<QByteArray, QByteArray>("text", "shown");
         const auto row = [](const char* name, const QByteArray& text, const QByteArray& shown) {
             QTest::newRow(name) << text << shown;
         };
@@ -63,7 +57,7 @@ private slots:
     }
 };
 
-} // namespace test_printable
+} // namespace sparkout::test_printable
 
 SPARKOUT_TEST(test_printable, TestPrintable)
 #include "test_printable.moc"

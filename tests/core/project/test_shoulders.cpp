@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The room that a shaft's shoulders leave the wheel beside the ground length.
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/project.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
+#include "tests/whole_project.h"
 
-#include <algorithm>
+namespace sparkout::test_shoulders {
 
-namespace test_shoulders {
-
-using namespace sparkout;
 using samples::holds;
 
 constexpr double blank_mm = 30 + 2 * (0.15 + 0.02);
@@ -101,7 +95,7 @@ private slots:
     }
 };
 
-} // namespace test_shoulders
+} // namespace sparkout::test_shoulders
 
 SPARKOUT_TEST(test_shoulders, TestShoulders)
 #include "test_shoulders.moc"

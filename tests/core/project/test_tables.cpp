@@ -6,18 +6,12 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <regex>
 #include <set>
 #include <utility>
 
-namespace test_tables {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_tables {
 
 /// Units of the keys' endings, longer endings first.
 const std::vector<std::pair<std::string, std::string>>& unitsOfEndings() {
@@ -77,8 +71,6 @@ std::set<std::string> sourceKeys() {
     }
     return keys;
 }
-
-} // namespace
 
 class TestTables : public QObject {
     Q_OBJECT
@@ -208,7 +200,7 @@ private:
     }
 };
 
-} // namespace test_tables
+} // namespace sparkout::test_tables
 
 SPARKOUT_TEST(test_tables, TestTables)
 #include "test_tables.moc"

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/wheel.h"
 #include "core/project/wheel_marking.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <QTest>
 #include <rapidcheck.h>
 
-namespace test_wheel_marking {
+namespace sparkout::test_wheel_marking {
 
-using namespace sparkout;
 using fixtures::close;
 
 class TestWheelMarking : public QObject {
@@ -21,11 +18,8 @@ private slots:
     void initTestCase() { setRapidcheckRuns(2000); }
 
     void markingIsReadHoweverItIsWritten_data() {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("spelled");
-        const auto row = [](const char* text, const char* spelled) {
-            QTest::newRow(text) << QString::fromUtf8(text) << QString::fromUtf8(spelled);
-        };
+        addColumns<QString, QString>("text", "spelled");
+        const auto row = [](const char* text, const char* spelled) { addRow(text, text, spelled); };
         row("25А F60 L 6 V", "25А F60 L 6 V");
         row("25A F60 L 6 V", "25А F60 L 6 V"); // Latin A
         row("25АF60L6V", "25А F60 L 6 V");     // as on the wheel
@@ -58,9 +52,9 @@ private slots:
               "25А F60 6 V", "25А F60 L 6 W", "25А F60 L 66 V", "25А F60 L 6 V и ещё",
               "2500А F60 L 6 V", "25Б F60 L 6 V", "25А P60 L 6 V", "500х 25А F60 L 6 V",
               "25А F99999999999999999999 L 6 V", "25А F60 L 6 V 35 м/с хорошо"}) {
-            QTest::newRow(text) << QString::fromUtf8(text);
+            addRow(text, text);
         }
-        QTest::newRow("endless") << QString(100000, QLatin1Char('2'));
+        addRow("endless", QString(100000, QLatin1Char('2')));
     }
     void whatIsNoMarkingIsNotRead() {
         QFETCH(QString, text);
@@ -167,7 +161,7 @@ private slots:
     }
 };
 
-} // namespace test_wheel_marking
+} // namespace sparkout::test_wheel_marking
 
 SPARKOUT_TEST(test_wheel_marking, TestWheelMarking)
 #include "test_wheel_marking.moc"

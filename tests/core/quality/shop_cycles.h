@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/quality/shop_numbers.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/random_project.h"
@@ -16,9 +12,7 @@
 #include <vector>
 
 /// Cycles whose numbers for the shop are known otherwise.
-namespace shop_cycles {
-
-using namespace sparkout;
+namespace sparkout::shop_cycles {
 
 /// Random cycles of every kind; fewer under the sanitizers.
 inline int seeds() {
@@ -44,4 +38,4 @@ inline Project rigidPlunge() {
     return p;
 }
 
-} // namespace shop_cycles
+} // namespace sparkout::shop_cycles

@@ -3,76 +3,26 @@
 // against every cut of random plunge cycles.
 #include "core/quality/accuracy_limit.h"
 
-#include "core/process/profile.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
-#include "core/simulation/simulate.h"
-#include "tests/core/support/project_fixtures.h"
+#include "tests/core/quality/limit_curves.h"
 #include "tests/core/support/random_cutting.h"
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <numeric>
 #include <random>
-#include <vector>
 
-namespace test_accuracy_limit {
+namespace sparkout::test_accuracy_limit {
 
-using namespace sparkout;
+using namespace limit_curves;
 using fixtures::between;
 using fixtures::close;
+using fixtures::holds;
 using fixtures::pick;
-
-namespace {
-
-bool holds(const char* law, const std::function<void()>& check) {
-    return rc::check(law, check);
-}
-
-struct Drawn {
-    explicit Drawn(const Project& project)
-        : result(simulateUnchecked(project, &trajectory))
-        , series(makeLimitSeries(result, trajectory)) {}
-    Trajectory trajectory;
-    SimulationResult result;
-    LimitSeries series;
-};
-
-Project plungeOfThree() {
-    Project p = fixtures::plunge();
-    p.part->radii_per_section = 24;
-    p.part->initial_runout_mm = 0.03;
-    p.part->upper_deviation_um = 0;
-    p.part->lower_deviation_um = -16;
-    p.sections = 3;
-    p.machine->compliance_mm_per_n = std::vector<double>{4e-5, 2e-5, 7e-5};
-    p.cycle->stages = {fixtures::plungeStage(1.2, 0.15), fixtures::plungeStage(0.3, 0.05),
-                       fixtures::sparkStage(fixtures::count(7))};
-    return p;
-}
-
-double valueAt(const LimitPoints& curve, double stock) {
-    const auto after = std::ranges::upper_bound(curve, stock, {}, &LimitPoint::stock_mm);
-    if (after == curve.begin() || after == curve.end()) {
-        return after == curve.begin() ? curve.front().depth_mm : curve.back().depth_mm;
-    }
-    const LimitPoint &a = *(after - 1), &b = *after;
-    return a.depth_mm
-           + (stock - a.stock_mm) / (b.stock_mm - a.stock_mm) * (b.depth_mm - a.depth_mm);
-}
+using fixtures::plungeOfThree;
 
 double force(const ForceLaw& law, double b, double a) {
     return b * (law.ks * a + law.kr * std::sqrt(a));
 }
-
-} // namespace
 
 class TestAccuracyLimit : public QObject {
     Q_OBJECT
@@ -304,7 +254,7 @@ private slots:
     }
 };
 
-} // namespace test_accuracy_limit
+} // namespace sparkout::test_accuracy_limit
 
 SPARKOUT_TEST(test_accuracy_limit, TestAccuracyLimit)
 #include "test_accuracy_limit.moc"

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a requirement says of itself, and the depths of cut that the requirements allow.
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/constraint_sheet.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/depth_limits.h"
@@ -12,20 +8,13 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
 #include <map>
-#include <string>
 
-namespace test_constraint_sheet {
+namespace sparkout::test_constraint_sheet {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::plungeStage;
 using fixtures::Traced;
-
-namespace {
 
 Project asking(const Project& of) {
     Project p = fixtures::demanding(of);
@@ -49,8 +38,6 @@ void bothOperations() {
     QTest::newRow("traverse") << asking(fixtures::traverse());
     QTest::newRow("plunge") << plunge();
 }
-
-} // namespace
 
 class TestConstraintSheet : public QObject {
     Q_OBJECT
@@ -152,7 +139,7 @@ private slots:
     }
 };
 
-} // namespace test_constraint_sheet
+} // namespace sparkout::test_constraint_sheet
 
 SPARKOUT_TEST(test_constraint_sheet, TestConstraintSheet)
 #include "test_constraint_sheet.moc"

@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/quality/drawing_constraints.h"
-#include "core/simulation/simulate.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_constraints {
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
-namespace test_constraints {
-
-using namespace sparkout;
 using fixtures::within;
-
-namespace {
 
 // Values are some µm and come out of two or three operations.
 constexpr double um = 1e-13;
@@ -59,8 +43,6 @@ const ConstraintResult& find(const std::vector<ConstraintResult>& all, Constrain
     static const ConstraintResult none{};
     return none;
 }
-
-} // namespace
 
 class TestConstraints : public QObject {
     Q_OBJECT
@@ -108,24 +90,14 @@ private slots:
 
     // A margin is the way to the limit, positive inside, in µm.
     void marginIsTheDistanceToTheLimitFromInside_data() {
-        QTest::addColumn<ConstraintKind>("kind");
-        QTest::addColumn<int>("section");
-        QTest::addColumn<double>("limit");
-        QTest::addColumn<double>("value");
-        QTest::addColumn<double>("margin");
-        QTest::addColumn<double>("relative");
-        QTest::newRow("min 0") << ConstraintKind::diameterMin << 0 << -16.0 << -10.0 << 6.0
-                               << 6.0 / 16;
-        QTest::newRow("min 1") << ConstraintKind::diameterMin << 1 << -16.0 << -12.0 << 4.0
-                               << 4.0 / 16;
-        QTest::newRow("max 0") << ConstraintKind::diameterMax << 0 << 0.0 << -4.0 << 4.0
-                               << 4.0 / 16;
-        QTest::newRow("max 1") << ConstraintKind::diameterMax << 1 << 0.0 << -7.0 << 7.0
-                               << 7.0 / 16;
-        QTest::newRow("runout 0") << ConstraintKind::radialRunout << 0 << 6.0 << 3.0 << 3.0
-                                  << 3.0 / 6;
-        QTest::newRow("runout 1") << ConstraintKind::radialRunout << 1 << 6.0 << 5.0 << 1.0
-                                  << 1.0 / 6;
+        addColumns<ConstraintKind, int, double, double, double, double>(
+            "kind", "section", "limit", "value", "margin", "relative");
+        addRow("min 0", ConstraintKind::diameterMin, 0, -16.0, -10.0, 6.0, 6.0 / 16);
+        addRow("min 1", ConstraintKind::diameterMin, 1, -16.0, -12.0, 4.0, 4.0 / 16);
+        addRow("max 0", ConstraintKind::diameterMax, 0, 0.0, -4.0, 4.0, 4.0 / 16);
+        addRow("max 1", ConstraintKind::diameterMax, 1, 0.0, -7.0, 7.0, 7.0 / 16);
+        addRow("runout 0", ConstraintKind::radialRunout, 0, 6.0, 3.0, 3.0, 3.0 / 6);
+        addRow("runout 1", ConstraintKind::radialRunout, 1, 6.0, 5.0, 1.0, 1.0 / 6);
     }
     void marginIsTheDistanceToTheLimitFromInside() {
         QFETCH(ConstraintKind, kind);
@@ -160,11 +132,10 @@ private slots:
 
     // MODEL-8: each diameter within [lower, upper] + 1e-9 mm
     void slackOfAMillionthOfAMicrometreFailsNobody_data() {
-        QTest::addColumn<double>("beyond_mm");
-        QTest::addColumn<bool>("holds");
-        QTest::newRow("on the limit") << 0.0 << true;
-        QTest::newRow("inside the slack") << 0.9e-9 << true;
-        QTest::newRow("outside the slack") << 1.1e-9 << false;
+        addColumns<double, bool>("beyond_mm", "holds");
+        addRow("on the limit", 0.0, true);
+        addRow("inside the slack", 0.9e-9, true);
+        addRow("outside the slack", 1.1e-9, false);
     }
     void slackOfAMillionthOfAMicrometreFailsNobody() {
         QFETCH(double, beyond_mm);
@@ -213,31 +184,15 @@ private slots:
     }
 
     void namesAreThoseOfTheFile() {
-        const char* const names[] = {"diameter_min",
-                                     "diameter_max",
-                                     "radial_runout",
-                                     "roundness",
-                                     "cylindricity",
-                                     "total_runout",
-                                     "roughness",
-                                     "burn",
-                                     "self_sharpening",
-                                     "wheel_power",
-                                     "work_power",
-                                     "range_radial_feed",
-                                     "range_axial_feed",
-                                     "range_plunge_feed",
-                                     "range_continuous_feed",
-                                     "range_work_speed",
-                                     "gauge_commands",
-                                     "overlap",
-                                     "least_overlap",
-                                     "least_overlap_last",
-                                     "least_steps"};
-        QCOMPARE(std::size(names), static_cast<std::size_t>(constraintKinds));
+        const std::vector<std::string> names = samples::listOf(
+            "diameter_min|diameter_max|radial_runout|roundness|cylindricity|total_runout|"
+            "roughness|burn|self_sharpening|wheel_power|work_power|range_radial_feed|"
+            "range_axial_feed|range_plunge_feed|range_continuous_feed|range_work_speed|"
+            "gauge_commands|overlap|least_overlap|least_overlap_last|least_steps");
+        QCOMPARE(names.size(), static_cast<std::size_t>(constraintKinds));
         for (int kind = 0; kind < constraintKinds; ++kind) {
             QCOMPARE(std::string(requirementOf(static_cast<ConstraintKind>(kind)).key),
-                     std::string(names[kind]));
+                     names[static_cast<std::size_t>(kind)]);
         }
     }
 
@@ -413,15 +368,13 @@ private slots:
     }
 
     void aSettingIsHeldAgainstItsNearerEnd_data() {
-        QTest::addColumn<double>("speed");
-        QTest::addColumn<double>("limit");
-        QTest::addColumn<bool>("isLeast");
-        QTest::newRow("below") << 40.0 << 50.0 << true;
-        QTest::newRow("at the bottom") << 50.0 << 50.0 << true;
-        QTest::newRow("near the bottom") << 90.0 << 50.0 << true;
-        QTest::newRow("near the top") << 450.0 << 500.0 << false;
-        QTest::newRow("at the top") << 500.0 << 500.0 << false;
-        QTest::newRow("above") << 600.0 << 500.0 << false;
+        addColumns<double, double, bool>("speed", "limit", "isLeast");
+        addRow("below", 40.0, 50.0, true);
+        addRow("at the bottom", 50.0, 50.0, true);
+        addRow("near the bottom", 90.0, 50.0, true);
+        addRow("near the top", 450.0, 500.0, false);
+        addRow("at the top", 500.0, 500.0, false);
+        addRow("above", 600.0, 500.0, false);
     }
     void aSettingIsHeldAgainstItsNearerEnd() {
         QFETCH(double, speed);
@@ -457,7 +410,7 @@ private slots:
     }
 };
 
-} // namespace test_constraints
+} // namespace sparkout::test_constraints
 
 SPARKOUT_TEST(test_constraints, TestConstraints)
 #include "test_constraints.moc"

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Roughness, self-sharpening and power: what limits the depth of cut beside burn [MODEL-8].
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/depth_limits.h"
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"
@@ -12,27 +8,15 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_depth_limits {
 
-#include <cmath>
-#include <functional>
-#include <numbers>
-
-namespace test_depth_limits {
-
-using namespace sparkout;
 using fixtures::anyCutting;
 using fixtures::between;
 using fixtures::close;
 using fixtures::decades;
+using fixtures::holds;
 using fixtures::Law;
 using fixtures::within;
-
-namespace {
-
-bool holds(const char* law, const std::function<void()>& check) {
-    return rc::check(law, check);
-}
 
 /// Strengths like those of the handbooks (MODEL-8).
 void giveStrengths(Wheel& wheel) {
@@ -65,8 +49,6 @@ double isakov(const Project& p, double a) {
                           * std::sqrt(p.wheel->dressing_chipping_mm / (4 * Ns)) * opened,
                       2.0 / 3);
 }
-
-} // namespace
 
 class TestDepthLimits : public QObject {
     Q_OBJECT
@@ -399,7 +381,7 @@ private slots:
     }
 };
 
-} // namespace test_depth_limits
+} // namespace sparkout::test_depth_limits
 
 SPARKOUT_TEST(test_depth_limits, TestDepthLimits)
 #include "test_depth_limits.moc"

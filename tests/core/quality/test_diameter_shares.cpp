@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/quality/diameter_shares.h"
 
 #include "core/project/validate.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-
-namespace test_diameter_shares {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_diameter_shares {
 
 /// Radii of some 15 mm differ by their last bits: 2·15 mm·ε in µm, a few times.
 constexpr double rounding_um = 8 * 30 * fixtures::epsilon * 1e3;
-
-} // namespace
 
 class TestDiameterShares : public QObject {
     Q_OBJECT
@@ -83,7 +67,7 @@ private slots:
     }
 };
 
-} // namespace test_diameter_shares
+} // namespace sparkout::test_diameter_shares
 
 SPARKOUT_TEST(test_diameter_shares, TestDiameterShares)
 #include "test_diameter_shares.moc"

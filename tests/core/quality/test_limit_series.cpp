@@ -1,57 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cuts of a run against the limits of its feed, as the view "Constraints" draws them.
-#include "core/process/profile.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
 #include "core/quality/cycle_constraints.h"
-#include "core/quality/limit_series.h"
-#include "core/simulation/simulate.h"
-#include "tests/core/support/project_fixtures.h"
+#include "tests/core/quality/limit_curves.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <random>
 
-namespace test_limit_series {
+namespace sparkout::test_limit_series {
 
-using namespace sparkout;
+using namespace limit_curves;
 using fixtures::close;
-
-namespace {
+using fixtures::plungeOfThree;
 
 /// Of BurnTable's limiting depth, twice that of √a.
 constexpr double tableError = 4e-6;
-
-struct Drawn {
-    explicit Drawn(const Project& project)
-        : result(simulateUnchecked(project, &trajectory))
-        , series(makeLimitSeries(result, trajectory)) {}
-    Trajectory trajectory;
-    SimulationResult result;
-    LimitSeries series;
-};
 
 Project limited(Project project) {
     project.material->burn_rise_k = 500;
     project.machine->wheel_drive_kw = 3;
     return project;
-}
-
-Project plungeOfThree() {
-    Project p = fixtures::plunge();
-    p.part->radii_per_section = 24;
-    p.part->initial_runout_mm = 0.03;
-    p.sections = 3;
-    p.machine->compliance_mm_per_n = std::vector<double>{4e-5, 2e-5, 7e-5};
-    p.cycle->stages = {fixtures::plungeStage(1.2, 0.15), fixtures::plungeStage(0.3, 0.05),
-                       fixtures::sparkStage(fixtures::count(7))};
-    return p;
 }
 
 /// Of a curve with steps; infinite beyond its ends.
@@ -76,18 +43,6 @@ double leastAt(const Project& project, double width, double stock) {
     }
     return least;
 }
-
-double valueAt(const LimitPoints& curve, double stock) {
-    const auto after = std::ranges::upper_bound(curve, stock, {}, &LimitPoint::stock_mm);
-    if (after == curve.begin() || after == curve.end()) {
-        return after == curve.begin() ? curve.front().depth_mm : curve.back().depth_mm;
-    }
-    const LimitPoint &a = *(after - 1), &b = *after;
-    return a.depth_mm
-           + (stock - a.stock_mm) / (b.stock_mm - a.stock_mm) * (b.depth_mm - a.depth_mm);
-}
-
-} // namespace
 
 class TestLimitSeries : public QObject {
     Q_OBJECT
@@ -355,7 +310,7 @@ private slots:
     }
 };
 
-} // namespace test_limit_series
+} // namespace sparkout::test_limit_series
 
 SPARKOUT_TEST(test_limit_series, TestLimitSeries)
 #include "test_limit_series.moc"

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
 #include "core/quality/ranges.h"
 
 #include "core/quality/constraints.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_ranges {
 
-#include <vector>
-
-namespace test_ranges {
-
-using namespace sparkout;
 using fixtures::within;
-
-namespace {
 
 std::vector<MachineRange> ofKind(const Project& project, ConstraintKind kind) {
     std::vector<MachineRange> found;
@@ -45,8 +35,6 @@ void limit(Project& project) {
     project.machine->limits.plunge_feed_mm_min = {0.02, 5, 0.01};
     project.machine->limits.work_speed_rpm = {50, 500, 5};
 }
-
-} // namespace
 
 class TestRanges : public QObject {
     Q_OBJECT
@@ -138,9 +126,7 @@ private slots:
     }
 
     void marginIsTheDistanceToTheNearerEnd_data() {
-        QTest::addColumn<double>("speed");
-        QTest::addColumn<double>("margin");
-        QTest::addColumn<bool>("holds");
+        addColumns<double, double, bool>("speed", "margin", "holds");
         QTest::newRow("inside") << 180.0 << 130.0 << true;
         QTest::newRow("near the top") << 450.0 << 50.0 << true;
         QTest::newRow("at the bottom") << 50.0 << 0.0 << true;
@@ -162,9 +148,7 @@ private slots:
     }
 
     void nearestSettingIsOnTheStepsFromTheLowestOn_data() {
-        QTest::addColumn<double>("feed");
-        QTest::addColumn<double>("nearest");
-        QTest::addColumn<bool>("onStep");
+        addColumns<double, double, bool>("feed", "nearest", "onStep");
         QTest::newRow("on a step") << 0.0035 << 0.0035 << true; // seven steps of a rounded 0.0005
         QTest::newRow("between") << 0.0033 << 0.0035 << false;
         QTest::newRow("a trifle off") << 0.0035 + 4e-10 << 0.0035 << true;
@@ -215,7 +199,7 @@ private slots:
     }
 };
 
-} // namespace test_ranges
+} // namespace sparkout::test_ranges
 
 SPARKOUT_TEST(test_ranges, TestRanges)
 #include "test_ranges.moc"

@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What only a run shows to be amiss in the inputs.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
 #include "core/quality/remarks.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <cmath>
-#include <limits>
-
-namespace test_remarks {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_remarks {
 
 Project example(const char* name) {
     const ReadResult read = readProject(
@@ -28,8 +17,6 @@ double millimetres(const Detail& detail) {
     const auto& amount = std::get<Amount>(detail);
     return amount.unit == "mm" ? amount.number : std::numeric_limits<double>::quiet_NaN();
 }
-
-} // namespace
 
 class TestRemarks : public QObject {
     Q_OBJECT
@@ -121,7 +108,7 @@ private slots:
     }
 };
 
-} // namespace test_remarks
+} // namespace sparkout::test_remarks
 
 SPARKOUT_TEST(test_remarks, TestRemarks)
 #include "test_remarks.moc"

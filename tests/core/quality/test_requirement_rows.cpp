@@ -1,33 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/requirement.h"
 
 #include "core/project/member.h"
 #include "core/quality/constraints.h"
 #include "core/quality/depth_limits.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
 #include <set>
-#include <string>
-#include <vector>
 
-namespace test_requirement_rows {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_requirement_rows {
 
 /// With everything required.
 Project demanding(Project project) {
@@ -72,8 +56,6 @@ std::set<ConstraintKind> kindsOf(const std::vector<ConstraintResult>& results) {
     }
     return kinds;
 }
-
-} // namespace
 
 class TestRequirementRows : public QObject {
     Q_OBJECT
@@ -176,7 +158,7 @@ private slots:
     }
 };
 
-} // namespace test_requirement_rows
+} // namespace sparkout::test_requirement_rows
 
 SPARKOUT_TEST(test_requirement_rows, TestRequirementRows)
 #include "test_requirement_rows.moc"

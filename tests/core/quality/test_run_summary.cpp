@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The summary of a kept run: what it holds is the result, it goes through the file unchanged, and
 // what comes out otherwise later is named.
-#include "core/project/part.h"
 #include "core/quality/run_summary.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-
-namespace test_run_summary {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_run_summary {
 
 struct Ran {
     explicit Ran(const Project& project) : result(simulateUnchecked(project)) {
@@ -45,8 +35,6 @@ std::vector<std::string> pathsOf(const std::vector<ChangedValue>& changes) {
     }
     return paths;
 }
-
-} // namespace
 
 class TestRunSummary : public QObject {
     Q_OBJECT
@@ -178,7 +166,7 @@ private:
     }
 };
 
-} // namespace test_run_summary
+} // namespace sparkout::test_run_summary
 
 SPARKOUT_TEST(test_run_summary, TestRunSummary)
 #include "test_run_summary.moc"

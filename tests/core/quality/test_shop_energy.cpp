@@ -1,38 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the shop's numbers tell of volume, energy and time, against closed forms, conservation and
 // the trace.
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/result_json.h"
 #include "tests/core/quality/shop_cycles.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_shop_energy {
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <numbers>
-#include <vector>
-
-namespace test_shop_energy {
-
-using namespace sparkout;
 using namespace shop_cycles;
 using fixtures::close;
 using fixtures::Traced;
 using fixtures::within;
 using nlohmann::json;
 using std::numbers::pi;
-
-namespace {
 
 /// The length of surface a pass stands for, from MODEL-5 and 6.
 double lengthOf(const Project& p, const Place& place) {
@@ -62,10 +43,6 @@ double volumeOf(const ShopNumbers& shop) {
     return sum;
 }
 
-} // namespace
-
-namespace {
-
 /// How much more energy a stroke takes than its largest power would give in its time: it grinds all
 /// of L_p while the table travels less.
 double strokeEnergyShare(const Project& p) {
@@ -89,8 +66,6 @@ std::vector<Project> examples() {
     }
     return all;
 }
-
-} // namespace
 
 class TestShopEnergy : public QObject {
     Q_OBJECT
@@ -362,7 +337,7 @@ private slots:
     }
 };
 
-} // namespace test_shop_energy
+} // namespace sparkout::test_shop_energy
 
 SPARKOUT_TEST(test_shop_energy, TestShopEnergy)
 #include "test_shop_energy.moc"

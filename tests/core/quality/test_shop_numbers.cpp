@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shop's own numbers: at the largest depth, of the settings, their bands.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
 
 #include "tests/core/quality/shop_cycles.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_shop_numbers {
 
-#include <algorithm>
-#include <cmath>
-
-namespace test_shop_numbers {
-
-using namespace sparkout;
 using namespace shop_cycles;
 using fixtures::close;
 using fixtures::Traced;
@@ -84,9 +74,7 @@ private slots:
     // BADGER2010: 40 m/s, work 200 rev/min, wheel worn from 500 to 350 mm: 1528…2182 rev/min,
     // ratio 7.63…10.91 (the article cuts the last digits off).
     void rotationRatioIsAsPublished_data() {
-        QTest::addColumn<double>("diameter");
-        QTest::addColumn<double>("rpm");
-        QTest::addColumn<double>("ratio");
+        addColumns<double, double, double>("diameter", "rpm", "ratio");
         QTest::newRow("new") << 500.0 << 1528.0 << 7.635;
         QTest::newRow("worn") << 350.0 << 2182.5 << 10.91;
     }
@@ -104,8 +92,7 @@ private slots:
     }
 
     void ratiosNearAWholeNumberAreFlagged_data() {
-        QTest::addColumn<double>("ratio");
-        QTest::addColumn<bool>("flagged");
+        addColumns<double, bool>("ratio", "flagged");
         QTest::newRow("whole") << 8.0 << true;
         QTest::newRow("just above") << 8.049 << true;
         QTest::newRow("just below") << 7.951 << true;
@@ -126,8 +113,7 @@ private slots:
     // --- bands and stages that do nothing -------------------------------------------------------
 
     void specificEnergyBandIsTwentyToAHundredAndTwenty_data() {
-        QTest::addColumn<double>("energy");
-        QTest::addColumn<BandSide>("band");
+        addColumns<double, BandSide>("energy", "band");
         QTest::newRow("below") << 19.99 << BandSide::below;
         QTest::newRow("at the least") << 20.0 << BandSide::inside;
         QTest::newRow("at the most") << 120.0 << BandSide::inside;
@@ -178,7 +164,7 @@ private:
     }
 };
 
-} // namespace test_shop_numbers
+} // namespace sparkout::test_shop_numbers
 
 SPARKOUT_TEST(test_shop_numbers, TestShopNumbers)
 #include "test_shop_numbers.moc"

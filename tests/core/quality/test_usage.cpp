@@ -7,14 +7,9 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
 #include <cmath>
 
-namespace test_usage {
-
-using namespace sparkout;
+namespace sparkout::test_usage {
 
 class TestUsage : public QObject {
     Q_OBJECT
@@ -61,7 +56,7 @@ private slots:
     }
 };
 
-} // namespace test_usage
+} // namespace sparkout::test_usage
 
 SPARKOUT_TEST(test_usage, TestUsage)
 #include "test_usage.moc"

@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the sheet of a visit says is what the engine cut, for every radius of every pass.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/visit_sheet.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/support/formula_reader.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_visit_sheet {
 
-#include <cmath>
-#include <string>
-
-namespace test_visit_sheet {
-
-using namespace sparkout;
 using fixtures::within;
-
-namespace {
 
 const FormulaTerm* termOf(const FormulaSheet& sheet, const std::string& symbol) {
     const FormulaTerm* found = nullptr;
@@ -48,8 +35,6 @@ std::vector<Project> samples() {
     soft.machine->wheel_contact = WheelContact{{{{0, 20}, {200, 60}}}};
     return {fixtures::traverse(), sections(3), bore, soft};
 }
-
-} // namespace
 
 class TestVisitSheet : public QObject {
     Q_OBJECT
@@ -108,7 +93,7 @@ private slots:
     }
 };
 
-} // namespace test_visit_sheet
+} // namespace sparkout::test_visit_sheet
 
 SPARKOUT_TEST(test_visit_sheet, TestVisitSheet)
 #include "test_visit_sheet.moc"

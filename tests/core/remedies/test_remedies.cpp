@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: unsanitized
 // Changes of one setting after which all holds: each one is run again by itself.
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/remedies/remedies.h"
 
-#include "core/format/project_file.h"
 #include "core/phases/cycle_trial.h"
 #include "core/phases/failing_stock.h"
 #include "core/phases/phase_decision.h"
@@ -29,31 +23,19 @@
 #include "tests/tries.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <ctime>
-#include <filesystem>
-#include <limits>
-#include <optional>
 #include <regex>
 #include <stop_token>
-#include <string>
 #include <thread>
 #include <utility>
-#include <vector>
 
-namespace test_remedies {
+namespace sparkout::test_remedies {
 
-using namespace sparkout;
 using namespace std::chrono_literals;
-
-namespace {
 
 /// Of this thread: what others do beside it does not count.
 double processorTime_ms() {
@@ -464,7 +446,7 @@ std::vector<Project> failingProjects(int count) {
 
 Project example(const char* name) {
     const std::string path = "resources/examples/" + std::string(name) + ".sparkout";
-    return readProject(samples::readText(samples::sourcePath(path))).project.value();
+    return samples::projectIn(path);
 }
 
 const Remedy* remedyOf(const RemedyResult& found, RemedyKind kind) {
@@ -485,8 +467,6 @@ Project slowProject() {
     p.part->lower_deviation_um = -0.1;
     return p;
 }
-
-} // namespace
 
 class TestRemedies : public QObject {
     Q_OBJECT
@@ -946,7 +926,7 @@ private slots:
     }
 };
 
-} // namespace test_remedies
+} // namespace sparkout::test_remedies
 
 SPARKOUT_TEST(test_remedies, TestRemedies)
 #include "test_remedies.moc"

@@ -5,18 +5,11 @@
 #include "core/project/validate.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <cstdint>
 #include <string>
-#include <utility>
 
-namespace test_setting_scale {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_setting_scale {
 
 const SettingScale scales[] = {SettingScale::digits(), SettingScale::steps(0.0005, 0.0005),
                                SettingScale::steps(0, 1), SettingScale::revolutions(180),
@@ -35,8 +28,6 @@ std::size_t significantDigits(double value) {
     }
     return digits.find_last_not_of('0') + 1;
 }
-
-} // namespace
 
 class TestSettingScale : public QObject {
     Q_OBJECT
@@ -94,7 +85,7 @@ private slots:
     }
 };
 
-} // namespace test_setting_scale
+} // namespace sparkout::test_setting_scale
 
 SPARKOUT_TEST(test_setting_scale, TestSettingScale)
 #include "test_setting_scale.moc"

@@ -11,7 +11,7 @@
 #include <string>
 
 /// Files of set-ups put together by hand from files of single surfaces.
-namespace setup_samples {
+namespace sparkout::setup_samples {
 
 /// Where the file of several surfaces has what they share: once, at its top.
 inline const char* const sharedPlaces[] = {"/title",
@@ -74,4 +74,4 @@ inline std::optional<sparkout::Setup> randomSetup(std::uint64_t seed) {
     return sparkout::readSetup(setupOf(projects).dump()).setup;
 }
 
-} // namespace setup_samples
+} // namespace sparkout::setup_samples

@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lines of an operation card against the set-up and its run.
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/setup/operation_card.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
+#include "tests/whole_project.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace test_operation_card {
+namespace sparkout::test_operation_card {
 
-using namespace sparkout;
 using namespace setup_samples;
-
-namespace {
 
 bool isNear(double a, double b) {
     return std::abs(a - b) <= 1e-12 * std::max(1.0, std::max(std::abs(a), std::abs(b)));
@@ -61,8 +53,6 @@ void compareStage(const CardRegime& regime, const SimulationResult& result, std:
     }
     QCOMPARE(regime.axialFeed_mm_min, traverse ? stage.axial_feed_mm_min : std::nullopt);
 }
-
-} // namespace
 
 class TestOperationCard : public QObject {
     Q_OBJECT
@@ -183,7 +173,7 @@ private slots:
     }
 };
 
-} // namespace test_operation_card
+} // namespace sparkout::test_operation_card
 
 SPARKOUT_TEST(test_operation_card, TestOperationCard)
 #include "test_operation_card.moc"

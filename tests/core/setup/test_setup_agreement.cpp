@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Set-ups of several surfaces against the second implementation: the wheel that goes on from one to
 // the next, and the times. SPARKOUT_QUICK=1: 20 of them (sanitizers). SPARKOUT_LONG=1: 1,000.
-#include "core/project/wheel.h"
 #include "core/setup/setup_run.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/reference_difference.h"
 #include "tests/core/support/reference_setup.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <map>
-#include <string>
-#include <tuple>
-#include <utility>
 
-namespace test_setup_agreement {
+namespace sparkout::test_setup_agreement {
 
-using namespace sparkout;
 using namespace setup_samples;
 using nlohmann::json;
-
-namespace {
 
 int setups() {
     return qEnvironmentVariableIsSet("SPARKOUT_QUICK")  ? 20
@@ -120,8 +108,6 @@ QString difference(const Setup& setup, const SetupRun& engine,
     return second.completed ? timeDifference(engine.time, second) : QString();
 }
 
-} // namespace
-
 class TestSetupAgreement : public QObject {
     Q_OBJECT
 
@@ -185,7 +171,7 @@ private:
     std::map<std::string, int> m_kinds;
 };
 
-} // namespace test_setup_agreement
+} // namespace sparkout::test_setup_agreement
 
 SPARKOUT_TEST(test_setup_agreement, TestSetupAgreement)
 #include "test_setup_agreement.moc"

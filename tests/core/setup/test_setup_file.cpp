@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of one surface and of several.
-#include "core/format/project_file.h"
 #include "core/format/project_json.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/setup/shared_members.h"
 #include "core/setup/split_project.h"
 #include "tests/check_line.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
+#include "tests/whole_project.h"
 
-#include <algorithm>
+namespace sparkout::test_setup_file {
 
-namespace test_setup_file {
-
-using namespace sparkout;
 using namespace setup_samples;
 using nlohmann::json;
-
-namespace {
 
 json twoSurfaces() {
     return setupOf({samples::sample("complete"), samples::sample("complete")});
@@ -41,8 +33,6 @@ bool isRefused(const json& file, IssueCode code, const std::string& path) {
         return issue.code == code && issue.path == path;
     });
 }
-
-} // namespace
 
 class TestSetupFile : public QObject {
     Q_OBJECT
@@ -288,7 +278,7 @@ private slots:
     }
 };
 
-} // namespace test_setup_file
+} // namespace sparkout::test_setup_file
 
 SPARKOUT_TEST(test_setup_file, TestSetupFile)
 #include "test_setup_file.moc"

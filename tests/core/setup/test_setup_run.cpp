@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The surfaces of a set-up one after the other: wheel, times, verdict.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/result_json.h"
 #include "core/quality/shop_numbers.h"
 #include "core/setup/removed_volumes.h"
@@ -13,25 +9,21 @@
 #include "core/simulation/simulate.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
-
-#include <QTest>
+#include "tests/whole_project.h"
 
 #include <chrono>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <stop_token>
 #include <thread>
 #include <utility>
 
-namespace test_setup_run {
+namespace sparkout::test_setup_run {
 
-using namespace sparkout;
 using namespace setup_samples;
 using nlohmann::json;
-
-namespace {
 
 Setup threeSurfaces() {
     const json one = samples::sample("complete");
@@ -46,8 +38,6 @@ std::string resultOf(const Project& project) {
 bool isNear(double a, double b) {
     return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
 }
-
-} // namespace
 
 class TestSetupRun : public QObject {
     Q_OBJECT
@@ -238,13 +228,12 @@ private slots:
 
     void aStopLeavesWhatWasRun() {
         const Setup setup = threeSurfaces();
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(runSetup(setup, stop.get_token()).surfaces.empty());
     }
 };
 
-} // namespace test_setup_run
+} // namespace sparkout::test_setup_run
 
 SPARKOUT_TEST(test_setup_run, TestSetupRun)
 #include "test_setup_run.moc"

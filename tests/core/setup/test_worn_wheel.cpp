@@ -3,9 +3,6 @@
 // 12].
 #include "core/batch/scenario_source.h"
 #include "core/dressing/dressing_interval.h"
-#include "core/project/batch.h"
-#include "core/project/gauge.h"
-#include "core/project/sweep.h"
 #include "core/quality/shop_numbers.h"
 #include "core/setup/setup_run.h"
 #include "core/setup/surface_wear.h"
@@ -13,26 +10,13 @@
 #include "core/sweep/sweep_run.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/batch_fixtures.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_worn_wheel {
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <numbers>
-#include <vector>
-
-namespace test_worn_wheel {
-
-using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
-
-namespace {
 
 constexpr double rigid = 1e-15; ///< [mm/N]
 
@@ -98,8 +82,6 @@ std::vector<SimulationResult> partsOf(const Setup& setup, std::int64_t count) {
     }
     return parts;
 }
-
-} // namespace
 
 class TestWornWheel : public QObject {
     Q_OBJECT
@@ -329,7 +311,7 @@ private slots:
     }
 };
 
-} // namespace test_worn_wheel
+} // namespace sparkout::test_worn_wheel
 
 SPARKOUT_TEST(test_worn_wheel, TestWornWheel)
 #include "test_worn_wheel.moc"

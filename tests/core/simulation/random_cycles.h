@@ -3,12 +3,6 @@
 
 #include "core/process/force.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/random_cutting.h"
@@ -23,9 +17,8 @@
 #include <vector>
 
 /// Random cycles, small and varied, that shrink when a law fails, and what the laws of them share.
-namespace random_cycles {
+namespace sparkout::random_cycles {
 
-using namespace sparkout;
 using fixtures::between;
 using fixtures::close;
 using fixtures::decades;
@@ -93,9 +86,9 @@ inline void anyStages(Project& p) {
     p.gauge->control = oneIn(3) ? Control::position : Control::gauge;
 }
 
-inline Project anyPlunge(int leastSections = 1) {
+inline Project anyContact(Operation operation) {
     Project p;
-    p.operation = Operation::plunge;
+    p.operation = operation;
     p.part->surface = oneIn(3) ? Surface::internal : Surface::external;
     p.part->diameter_mm = between(25, 130);
     anyBlank(*p.part);
@@ -104,6 +97,11 @@ inline Project anyPlunge(int leastSections = 1) {
     p.wheel->diameter_mm = p.part->surface == Surface::internal
                                ? between(0.3, 0.9) * p.part->diameter_mm
                                : between(250, 750);
+    return p;
+}
+
+inline Project anyPlunge(int leastSections = 1) {
+    Project p = anyContact(Operation::plunge);
     p.part->length_mm = between(0.3, 1) * p.wheel->width_mm;
     p.sections = pick(leastSections, 6);
     std::vector<double> gammas;
@@ -117,16 +115,7 @@ inline Project anyPlunge(int leastSections = 1) {
 }
 
 inline Project anyTraverse() {
-    Project p;
-    p.operation = Operation::traverse;
-    p.part->surface = oneIn(3) ? Surface::internal : Surface::external;
-    p.part->diameter_mm = between(25, 130);
-    anyBlank(*p.part);
-    anyForce(p);
-    p.wheel->width_mm = between(15, 70);
-    p.wheel->diameter_mm = p.part->surface == Surface::internal
-                               ? between(0.3, 0.9) * p.part->diameter_mm
-                               : between(250, 750);
+    Project p = anyContact(Operation::traverse);
     p.machine->overrun_entry_mm = between(0, 0.7) * p.wheel->width_mm;
     p.machine->overrun_exit_mm = between(0, 0.7) * p.wheel->width_mm;
     p.part->length_mm = 2 * p.wheel->width_mm - p.machine->overrun_entry_mm
@@ -187,4 +176,4 @@ bool holds(const char* law, Check check) {
     return rc::check(law, check);
 }
 
-} // namespace random_cycles
+} // namespace sparkout::random_cycles

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/project.h"
-#include "core/project/wheel.h"
 #include "core/simulation/trajectory.h"
 
 #include "tests/core/support/project_fixtures.h"
@@ -17,9 +11,7 @@
 #include <vector>
 
 /// Double strokes whose every pass is computed by hand.
-namespace strokes_by_hand {
-
-using namespace sparkout;
+namespace sparkout::strokes_by_hand {
 
 inline constexpr double um = 1e-3; // [mm]
 
@@ -95,4 +87,4 @@ inline QString difference(const fixtures::Traced& run, const std::vector<Cut>& t
     return {};
 }
 
-} // namespace strokes_by_hand
+} // namespace sparkout::strokes_by_hand

@@ -2,49 +2,23 @@
 // The plunge cycle with coupled sections [MODEL-6].
 #include "core/process/compliance.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
-#include "core/simulation/simulate.h"
 
 #include "tests/check_line.h"
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/processor_time.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_coupled_plunge {
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <stop_token>
-#include <vector>
-
-namespace test_coupled_plunge {
-
-using namespace sparkout;
 using fixtures::close;
 using fixtures::plungeStage;
+using fixtures::slender;
 using fixtures::sparkStage;
 using fixtures::Traced;
 using fixtures::within;
-
-namespace {
-
-Project slender(int sections, bool coupled = true) {
-    Project p = fixtures::plunge();
-    p.part->radii_per_section = 12;
-    p.part->initial_runout_mm = 0.02;
-    fixtures::putOnSlenderShaft(p);
-    p.sections = sections;
-    p.sections_coupled = coupled;
-    return p;
-}
 
 /// G of such a project at places along the ground length.
 double influence(const Project& p, double x, double s) {
@@ -77,16 +51,12 @@ const Visit& visitOf(const Traced& run, int revolution, int section, int k) {
     return run.visit(run.trajectory.passes[std::size_t(revolution * sections + section)], k);
 }
 
-} // namespace
-
 class TestCoupledPlunge : public QObject {
     Q_OBJECT
 
 private slots:
     void everyRevolutionSatisfiesTheConditions_data() {
-        QTest::addColumn<int>("sections");
-        QTest::addColumn<double>("dullness");
-        QTest::addColumn<bool>("bore");
+        addColumns<int, double, bool>("sections", "dullness", "bore");
         QTest::newRow("usual") << 4 << 0.02 << false;
         QTest::newRow("many sections") << 25 << 0.02 << false;
         QTest::newRow("sharp") << 6 << 0.0 << false;
@@ -406,8 +376,7 @@ private slots:
     }
 
     void stopIsHeededWithinARevolution() {
-        std::stop_source source;
-        source.request_stop();
+        const StoppedSource source;
         QCOMPARE(simulateUnchecked(slender(4), nullptr, source.get_token()).status,
                  RunStatus::stopped);
     }
@@ -458,7 +427,7 @@ private slots:
     }
 };
 
-} // namespace test_coupled_plunge
+} // namespace sparkout::test_coupled_plunge
 
 SPARKOUT_TEST(test_coupled_plunge, TestCoupledPlunge)
 #include "test_coupled_plunge.moc"

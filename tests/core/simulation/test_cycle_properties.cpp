@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws of MODEL-2…7 and 11 on whole cycles: what each radius, section and stage does by itself,
 // when stages end, and how results add up; held against 10,000 random cycles each.
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/core/simulation/random_cycles.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_cycle_properties {
 
-namespace test_cycle_properties {
-
-using namespace sparkout;
 using namespace random_cycles;
 
 class TestCycleProperties : public QObject {
@@ -312,7 +304,7 @@ private slots:
     }
 };
 
-} // namespace test_cycle_properties
+} // namespace sparkout::test_cycle_properties
 
 SPARKOUT_TEST(test_cycle_properties, TestCycleProperties)
 #include "test_cycle_properties.moc"

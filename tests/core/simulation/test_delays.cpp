@@ -6,16 +6,9 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <cmath>
-#include <string>
-
-namespace test_delays {
+namespace sparkout::test_delays {
 
 using namespace random_cycles;
-
-namespace {
 
 Project delayed(Project p, double gauge_s, double change_s) {
     p.gauge->delay_s = gauge_s;
@@ -57,8 +50,6 @@ Project longCycle(bool traverse) {
 double stepTime_s(const SimulationResult& run, std::size_t stage) {
     return run.timeByStage_s[stage] / run.countsByStage[stage];
 }
-
-} // namespace
 
 class TestDelays : public QObject {
     Q_OBJECT
@@ -289,7 +280,7 @@ private slots:
     }
 };
 
-} // namespace test_delays
+} // namespace sparkout::test_delays
 
 SPARKOUT_TEST(test_delays, TestDelays)
 #include "test_delays.moc"

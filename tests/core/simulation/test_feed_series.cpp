@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
 #include "core/project/validate.h"
 #include "core/simulation/feed_curves.h"
 #include "core/simulation/simulate.h"
@@ -10,17 +7,11 @@
 #include "tests/registry.h"
 #include "tests/two_stage_projects.h"
 
-#include <QTest>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace test_feed_series {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_feed_series {
 
 struct Run {
     SimulationResult result;
@@ -49,8 +40,6 @@ Project plungeProject(int sections) {
 FeedPoints allPasses(const Run& run, const FeedColumn& column) {
     return passPoints(run.series, column, run.trajectory, 0, run.series.end_s);
 }
-
-} // namespace
 
 class TestFeedSeries : public QObject {
     Q_OBJECT
@@ -215,8 +204,7 @@ private slots:
     }
 
     void evenlyChosenSectionsHoldEndsAndGauge_data() {
-        QTest::addColumn<int>("count");
-        QTest::addColumn<int>("gauge");
+        addColumns<int, int>("count", "gauge");
         for (int count : {1, 2, 3, 4, 5, 20, 200}) {
             for (int gauge : {0, count / 2, count - 1}) {
                 QTest::addRow("%d sections, gauge at %d", count, gauge) << count << gauge;
@@ -295,7 +283,7 @@ private:
     Run m_traverse, m_plunge;
 };
 
-} // namespace test_feed_series
+} // namespace sparkout::test_feed_series
 
 SPARKOUT_TEST(test_feed_series, TestFeedSeries)
 #include "test_feed_series.moc"

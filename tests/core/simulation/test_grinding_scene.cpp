@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wheel and part from the side: what is cut touches the wheel, and gives way by γ·P_y.
-#include "core/process/profile.h"
 #include "core/process/system_compliance.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/grinding_scene.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_grinding_scene {
 
-#include <cmath>
-
-namespace test_grinding_scene {
-
-using namespace sparkout;
 using fixtures::within;
-
-namespace {
 
 Project plungeOf(int sections) {
     Project p = fixtures::plunge();
@@ -61,8 +49,6 @@ void throughTheCycle(const Project& project, Check check) {
         }
     }
 }
-
-} // namespace
 
 class TestGrindingScene : public QObject {
     Q_OBJECT
@@ -150,7 +136,7 @@ private slots:
     }
 };
 
-} // namespace test_grinding_scene
+} // namespace sparkout::test_grinding_scene
 
 SPARKOUT_TEST(test_grinding_scene, TestGrindingScene)
 #include "test_grinding_scene.moc"

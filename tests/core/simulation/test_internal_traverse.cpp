@@ -1,38 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Traverse grinding of a bore, through or blind [MODEL-3, 5].
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
-#include "core/simulation/simulate.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 
 #include "tests/core/simulation/random_cycles.h"
 #include "tests/core/simulation/strokes_by_hand.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <cstddef>
-#include <numbers>
-#include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
-namespace test_internal_traverse {
+namespace sparkout::test_internal_traverse {
 
-using namespace sparkout;
 using fixtures::Traced;
 using fixtures::within;
 using strokes_by_hand::Cut;
-
-namespace {
 
 // 8 µm at the entry as in the table of a through bore, with a wall there, before which the wheel
 // stands with its whole width: A = 5 (b = 40 mm) in РЗ1's plunge passes.
@@ -98,8 +82,6 @@ Project boreOf(Project p) {
     }
     return p;
 }
-
-} // namespace
 
 class TestInternalTraverse : public QObject {
     Q_OBJECT
@@ -268,7 +250,7 @@ private slots:
     }
 };
 
-} // namespace test_internal_traverse
+} // namespace sparkout::test_internal_traverse
 
 SPARKOUT_TEST(test_internal_traverse, TestInternalTraverse)
 #include "test_internal_traverse.moc"

@@ -2,47 +2,27 @@
 // Interrupted surfaces: keyways and splines [MODEL-4, 7].
 #include "core/form/accuracy.h"
 #include "core/form/harmonics.h"
-#include "core/format/project_file.h"
-#include "core/process/profile.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/quality/diameter_shares.h"
 #include "core/quality/drawing_constraints.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/feed_series.h"
 #include "core/simulation/progress.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/stock_layers.h"
 #include "core/study/length_lines.h"
 #include "core/study/profile_series.h"
 
 #include "tests/core/simulation/random_cycles.h"
 #include "tests/core/simulation/strokes_by_hand.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <cstring>
-#include <numbers>
-#include <string>
-#include <vector>
 
-namespace test_interrupted {
+namespace sparkout::test_interrupted {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::Traced;
 using fixtures::within;
-
-namespace {
 
 /// Two opposite quarters of sixteen radii: the gaps of one are the surface of the other.
 std::vector<SurfaceGap> quarters(bool odd) {
@@ -80,8 +60,6 @@ Project lobed() {
     p.machine->compliance_mm_per_n = std::vector<double>{2e-5, 3e-5, 4e-5};
     return p;
 }
-
-} // namespace
 
 class TestInterrupted : public QObject {
     Q_OBJECT
@@ -395,7 +373,7 @@ private slots:
     }
 };
 
-} // namespace test_interrupted
+} // namespace sparkout::test_interrupted
 
 SPARKOUT_TEST(test_interrupted, TestInterrupted)
 #include "test_interrupted.moc"

@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws of MODEL-2…7 and 11 on the balance, the forces and their limits, held against random
 // cycles: 10,000 each, see rapidcheck_runs.h.
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/core/simulation/random_cycles.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_model_properties {
 
-namespace test_model_properties {
-
-using namespace sparkout;
 using namespace random_cycles;
 
 class TestModelProperties : public QObject {
@@ -338,7 +330,7 @@ private slots:
     }
 };
 
-} // namespace test_model_properties
+} // namespace sparkout::test_model_properties
 
 SPARKOUT_TEST(test_model_properties, TestModelProperties)
 #include "test_model_properties.moc"

@@ -1,32 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/project_fixtures.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_plunge_cycle {
 
-#include <algorithm>
-#include <cmath>
-#include <stop_token>
-#include <vector>
-
-namespace test_plunge_cycle {
-
-using namespace sparkout;
 using fixtures::close;
 using fixtures::plungeStage;
 using fixtures::sparkStage;
 using fixtures::Traced;
 using fixtures::within;
-
-namespace {
 
 /// So many revolutions at 5 µm; position control, so that the stock sets their number.
 Project revolutions(int count) {
@@ -50,8 +36,6 @@ double smallestDiameter(const std::vector<double>& R) {
     }
     return smallest;
 }
-
-} // namespace
 
 class TestPlungeCycle : public QObject {
     Q_OBJECT
@@ -328,8 +312,7 @@ private slots:
     }
 
     void stopRequestedBeforehandEndsBeforeTheFirstRevolution() {
-        std::stop_source source;
-        source.request_stop();
+        const StoppedSource source;
         const SimulationResult r =
             simulateUnchecked(fixtures::plunge(), nullptr, source.get_token());
         QCOMPARE(r.status, RunStatus::stopped);
@@ -349,7 +332,7 @@ private slots:
     }
 };
 
-} // namespace test_plunge_cycle
+} // namespace sparkout::test_plunge_cycle
 
 SPARKOUT_TEST(test_plunge_cycle, TestPlungeCycle)
 #include "test_plunge_cycle.moc"

@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far a recorded cycle has run: what its last visits left, held against going through all.
-#include "core/process/profile.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/simulation/progress.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/stock_layers.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_progress {
 
-#include <algorithm>
-#include <cmath>
-
-namespace test_progress {
-
-using namespace sparkout;
 using fixtures::within;
-
-namespace {
 
 constexpr double allowed_mm = 1e-12;
 
@@ -59,8 +47,6 @@ std::vector<Progress> moments(const Trajectory& trajectory) {
     }
     return all;
 }
-
-} // namespace
 
 class TestProgress : public QObject {
     Q_OBJECT
@@ -150,7 +136,7 @@ private slots:
     }
 };
 
-} // namespace test_progress
+} // namespace sparkout::test_progress
 
 SPARKOUT_TEST(test_progress, TestProgress)
 #include "test_progress.moc"

@@ -4,27 +4,17 @@
 #include "core/simulation/simulate.h"
 
 #include "tests/check_line.h"
-#include "tests/core/support/project_fixtures.h"
+#include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"
 #include "tests/core/support/reference_difference.h"
-#include "tests/core/support/reference_simulation.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <map>
 #include <set>
-#include <string>
 
-namespace test_reference_agreement {
+namespace sparkout::test_reference_agreement {
 
-using namespace sparkout;
 using nlohmann::json;
-
-namespace {
 
 constexpr int rowLength = 100;
 
@@ -118,8 +108,6 @@ std::set<std::string> features(const json& p) {
     return found;
 }
 
-} // namespace
-
 class TestReferenceAgreement : public QObject {
     Q_OBJECT
 
@@ -132,84 +120,32 @@ private slots:
                 ++counts[feature];
             }
         }
-        const char* const options[] = {"traverse, external",
-                                       "traverse, internal",
-                                       "odd number of sections in a zone",
-                                       "even number of sections in a zone",
-                                       "traverse, interrupted",
-                                       "plunge, interrupted",
-                                       "gauge spans the gaps",
-                                       "gauge drops into the gaps",
-                                       "wall at the entry",
-                                       "wall at the exit",
-                                       "turns before the wall",
-                                       "turns at the wall",
-                                       "plunge, external",
-                                       "plunge, internal",
-                                       "external, profile ellipse",
-                                       "external, profile eccentric",
-                                       "external, profile lobes",
-                                       "external, profile measured",
-                                       "internal, profile ellipse",
-                                       "internal, profile eccentric",
-                                       "internal, profile lobes",
-                                       "internal, profile measured",
-                                       "external, rule min",
-                                       "external, rule mean",
-                                       "external, rule max",
-                                       "internal, rule min",
-                                       "internal, rule mean",
-                                       "internal, rule max",
-                                       "traverse, control gauge",
-                                       "traverse, control position",
-                                       "plunge, control gauge",
-                                       "plunge, control position",
-                                       "target given",
-                                       "target by the field",
-                                       "sharp wheel",
-                                       "dull wheel",
-                                       "round blank",
-                                       "blank with runout",
-                                       "machine runout",
-                                       "no machine runout",
-                                       "reversal infeed, entry",
-                                       "reversal infeed, exit",
-                                       "reversal infeed, both",
-                                       "continuous infeed, entry",
-                                       "continuous infeed, exit",
-                                       "continuous infeed, both",
-                                       "continuous infeed, control gauge",
-                                       "continuous infeed, control position",
-                                       "continuous beside reversal infeed",
-                                       "continuous infeed alone",
-                                       "free gauge, own compliance",
-                                       "free gauge, interpolated",
-                                       "gauge in a section",
-                                       "gauge in the middle",
-                                       "1 stages",
-                                       "2 stages",
-                                       "3 stages",
-                                       "4 stages",
-                                       "5 stages",
-                                       "stocks that do not sum up",
-                                       "stocks that sum up",
-                                       "traverse, no spark-out",
-                                       "traverse, spark-out until size",
-                                       "traverse, spark-out by count",
-                                       "plunge, no spark-out",
-                                       "plunge, spark-out until size",
-                                       "plunge, spark-out by count",
-                                       "no delay",
-                                       "gauge delay",
-                                       "feed change delay",
-                                       "both delays",
-                                       "traverse, least_overlap",
-                                       "traverse, least_overlap_last",
-                                       "traverse, least_steps",
-                                       "plunge, least_steps"};
-        for (const char* const option : options) {
+        for (const std::string& option : samples::listOf(
+                 "traverse, external|traverse, internal|odd number of sections in a zone|"
+                 "even number of sections in a zone|traverse, interrupted|plunge, interrupted|"
+                 "gauge spans the gaps|gauge drops into the gaps|wall at the entry|"
+                 "wall at the exit|turns before the wall|turns at the wall|plunge, external|"
+                 "plunge, internal|external, profile ellipse|external, profile eccentric|"
+                 "external, profile lobes|external, profile measured|internal, profile ellipse|"
+                 "internal, profile eccentric|internal, profile lobes|"
+                 "internal, profile measured|external, rule min|external, rule mean|"
+                 "external, rule max|internal, rule min|internal, rule mean|internal, rule max|"
+                 "traverse, control gauge|traverse, control position|plunge, control gauge|"
+                 "plunge, control position|target given|target by the field|sharp wheel|"
+                 "dull wheel|round blank|blank with runout|machine runout|no machine runout|"
+                 "reversal infeed, entry|reversal infeed, exit|reversal infeed, both|"
+                 "continuous infeed, entry|continuous infeed, exit|continuous infeed, both|"
+                 "continuous infeed, control gauge|continuous infeed, control position|"
+                 "continuous beside reversal infeed|continuous infeed alone|"
+                 "free gauge, own compliance|free gauge, interpolated|gauge in a section|"
+                 "gauge in the middle|1 stages|2 stages|3 stages|4 stages|5 stages|"
+                 "stocks that do not sum up|stocks that sum up|traverse, no spark-out|"
+                 "traverse, spark-out until size|traverse, spark-out by count|"
+                 "plunge, no spark-out|plunge, spark-out until size|plunge, spark-out by count|"
+                 "no delay|gauge delay|feed change delay|both delays|traverse, least_overlap|"
+                 "traverse, least_overlap_last|traverse, least_steps|plunge, least_steps")) {
             QVERIFY2(counts[option] >= 10,
-                     qPrintable(QString("%1: %2").arg(option).arg(counts[option])));
+                     qPrintable(QString("%1: %2").arg(option.c_str()).arg(counts[option])));
         }
     }
 
@@ -259,7 +195,7 @@ private:
     int m_skippedStages = 0; ///< cycles in which several stages ended at one reading
 };
 
-} // namespace test_reference_agreement
+} // namespace sparkout::test_reference_agreement
 
 SPARKOUT_TEST(test_reference_agreement, TestReferenceAgreement)
 #include "test_reference_agreement.moc"

@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stages with a negative feed: the wheel head is drawn back so that the stored deflection is let go
 // sooner. An option beyond the sources [MODEL-7].
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
 #include "core/project/validate.h"
-#include "core/simulation/simulate.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_retraction {
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-namespace test_retraction {
-
-using namespace sparkout;
 using fixtures::plungeStage;
 using fixtures::sparkStage;
 using fixtures::Traced;
 using fixtures::within;
-
-namespace {
 
 /// A soft system, so that there is much to let go: roughing, retraction, finishing.
 Project retracting(double feed_mm_min = -0.6, double stock_mm = 0.01) {
@@ -44,8 +31,6 @@ std::vector<Pass> stagePasses(const Traced& run, int stage) {
     }
     return passes;
 }
-
-} // namespace
 
 class TestRetraction : public QObject {
     Q_OBJECT
@@ -120,9 +105,7 @@ private slots:
     }
 
     void onlyAStageBetweenOthersMayRetract_data() {
-        QTest::addColumn<int>("place");
-        QTest::addColumn<bool>("position");
-        QTest::addColumn<bool>("allowed");
+        addColumns<int, bool, bool>("place", "position", "allowed");
         QTest::newRow("first") << 0 << false << false;
         QTest::newRow("between") << 1 << false << true;
         QTest::newRow("last") << 2 << false << false;
@@ -151,7 +134,7 @@ private slots:
     }
 };
 
-} // namespace test_retraction
+} // namespace sparkout::test_retraction
 
 SPARKOUT_TEST(test_retraction, TestRetraction)
 #include "test_retraction.moc"

@@ -2,12 +2,6 @@
 // What a run keeps of its passes for the requirements: held against a search through everything
 // that was recorded, with the formulas written a second time.
 #include "core/limits/burn.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/roughness.h"
@@ -18,25 +12,17 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <numbers>
-#include <vector>
 
-namespace test_run_limits {
+namespace sparkout::test_run_limits {
 
-using namespace sparkout;
 using fixtures::close;
+using fixtures::plungeOfThree;
 using fixtures::plungeStage;
 using fixtures::sparkStage;
 using fixtures::strokeStage;
 using fixtures::Traced;
 using fixtures::within;
-
-namespace {
 
 /// The table of limiting depths is true to a millionth of √a; two of them meet in a comparison.
 constexpr double tableError = 4e-6;
@@ -60,17 +46,6 @@ Project silent(Project p) {
     p.wheel->grain_surface_energy_j_m2.reset();
     p.machine->limits = {};
     p.gauge->control = Control::gauge;
-    return p;
-}
-
-Project plungeOfThree() {
-    Project p = fixtures::plunge();
-    p.part->radii_per_section = 24;
-    p.part->initial_runout_mm = 0.03;
-    p.sections = 3;
-    p.machine->compliance_mm_per_n = std::vector<double>{4e-5, 2e-5, 7e-5};
-    p.cycle->stages = {plungeStage(1.2, 0.15), plungeStage(0.3, 0.05),
-                       sparkStage(fixtures::count(7))};
     return p;
 }
 
@@ -139,8 +114,6 @@ bool samePlace(const Place& a, const Place& b) {
     return a.zone == b.zone && a.section == b.section && a.step == b.step && a.stage == b.stage
            && a.cycleCount == b.cycleCount && a.revolution == b.revolution;
 }
-
-} // namespace
 
 class TestRunLimits : public QObject {
     Q_OBJECT
@@ -307,8 +280,7 @@ private slots:
     }
 
     void passesAllocateNothing_data() {
-        QTest::addColumn<bool>("contact");
-        QTest::addColumn<bool>("isCoupled");
+        addColumns<bool, bool>("contact", "isCoupled");
         QTest::newRow("plain") << false << false;
         QTest::newRow("contact") << true << false;
         QTest::newRow("coupled") << false << true;
@@ -401,7 +373,7 @@ private slots:
     }
 };
 
-} // namespace test_run_limits
+} // namespace sparkout::test_run_limits
 
 SPARKOUT_TEST(test_run_limits, TestRunLimits)
 #include "test_run_limits.moc"

@@ -4,48 +4,25 @@
 #include "core/form/harmonics.h"
 #include "core/process/contact_compliance.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/plunge.h"
 #include "core/simulation/traverse.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_run_options {
 
-#include <cmath>
-#include <memory>
-#include <vector>
-
-namespace test_run_options {
-
-using namespace sparkout;
 using fixtures::close;
 using fixtures::plungeStage;
+using fixtures::slender;
 using fixtures::sparkStage;
 using fixtures::Traced;
 using fixtures::within;
-
-namespace {
 
 const std::vector<std::vector<double>> rising{{10, 5}, {100, 20}, {400, 60}};
 
 Project contacting(Project p, std::vector<std::vector<double>> rows = rising) {
     p.machine->wheel_contact = WheelContact{NumberRows{std::move(rows)}};
-    return p;
-}
-
-Project slender(int sections) {
-    Project p = fixtures::plunge();
-    p.part->radii_per_section = 12;
-    p.part->initial_runout_mm = 0.02;
-    fixtures::putOnSlenderShaft(p);
-    p.sections = sections;
-    p.sections_coupled = true;
     return p;
 }
 
@@ -58,8 +35,6 @@ double depthBefore(const Project& p, const Visit& visit, int k) {
 double amplitude(const std::vector<double>& radii, int lobes) {
     return harmonics(radii, Directions(radii.size()))[static_cast<std::size_t>(lobes)].amplitude_mm;
 }
-
-} // namespace
 
 class TestRunOptions : public QObject {
     Q_OBJECT
@@ -229,8 +204,7 @@ private slots:
     // η = 0, every radius in contact: all that is left of a blank's form shrinks by
     // r = γ·b·k_s/(1 + γ·b·k_s) in a revolution, lobe number by lobe number.
     void lobesOfTheBlankDecayByTheLinearLaw_data() {
-        QTest::addColumn<ProfileForm>("form");
-        QTest::addColumn<int>("lobes");
+        addColumns<ProfileForm, int>("form", "lobes");
         QTest::newRow("ellipse") << ProfileForm::ellipse << 2;
         QTest::newRow("eccentric") << ProfileForm::eccentric << 1;
         QTest::newRow("5 lobes") << ProfileForm::lobes << 5;
@@ -291,7 +265,7 @@ private slots:
     }
 };
 
-} // namespace test_run_options
+} // namespace sparkout::test_run_options
 
 SPARKOUT_TEST(test_run_options, TestRunOptions)
 #include "test_run_options.moc"

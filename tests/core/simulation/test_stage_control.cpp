@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/stage_control.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_stage_control {
 
-#include <vector>
-
-namespace test_stage_control {
-
-using namespace sparkout;
 using fixtures::within;
-
-namespace {
 
 constexpr double total = 0.25; ///< |R_first − R_t| [mm]
 
@@ -37,8 +26,6 @@ StageControl controlOf(const Project& p) {
 }
 
 using Counts = std::vector<int>;
-
-} // namespace
 
 class TestStageControl : public QObject {
     Q_OBJECT
@@ -173,8 +160,7 @@ private slots:
 
     // Six radii: diameters pair k with k + 3. Depths 1, 2, 3 and 5, 4, 9 µm: sums 6, 6, 12.
     void gaugeReadsDiametersByItsRule_data() {
-        QTest::addColumn<GaugeRule>("rule");
-        QTest::addColumn<double>("depth_um");
+        addColumns<GaugeRule, double>("rule", "depth_um");
         QTest::newRow("min: the deepest") << GaugeRule::min << 6.0;
         QTest::newRow("mean") << GaugeRule::mean << 4.0;
         QTest::newRow("max: the shallowest") << GaugeRule::max << 3.0;
@@ -216,7 +202,7 @@ private slots:
     }
 };
 
-} // namespace test_stage_control
+} // namespace sparkout::test_stage_control
 
 SPARKOUT_TEST(test_stage_control, TestStageControl)
 #include "test_stage_control.moc"

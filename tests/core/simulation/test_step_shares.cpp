@@ -1,32 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stages and steps take and take off: both add up, and a double stroke takes what the model
 // says [MODEL-5].
-#include "core/process/profile.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/step_shares.h"
 #include "core/simulation/traverse.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <cmath>
 #include <numeric>
-#include <vector>
 
-namespace test_step_shares {
+namespace sparkout::test_step_shares {
 
-using namespace sparkout;
 using fixtures::within;
-
-namespace {
 
 struct Shared {
     explicit Shared(const Project& project)
@@ -65,8 +52,6 @@ std::vector<Project> samplesOfAll() {
     all.push_back(tailstock);
     return all;
 }
-
-} // namespace
 
 class TestStepShares : public QObject {
     Q_OBJECT
@@ -175,7 +160,7 @@ private slots:
     }
 };
 
-} // namespace test_step_shares
+} // namespace sparkout::test_step_shares
 
 SPARKOUT_TEST(test_step_shares, TestStepShares)
 #include "test_step_shares.moc"

@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layers the stock comes off in: they add up to it, and merged ones add up the same.
-#include "core/process/profile.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/stock_layers.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_stock_layers {
 
-#include <algorithm>
-#include <cmath>
-
-namespace test_stock_layers {
-
-using namespace sparkout;
 using fixtures::within;
-
-namespace {
 
 constexpr double allowed_mm = 1e-12;
 
@@ -64,8 +50,6 @@ double meanOf(const std::vector<double>& values) {
     }
     return sum / static_cast<double>(values.size());
 }
-
-} // namespace
 
 class TestStockLayers : public QObject {
     Q_OBJECT
@@ -193,7 +177,7 @@ private slots:
     }
 };
 
-} // namespace test_stock_layers
+} // namespace sparkout::test_stock_layers
 
 SPARKOUT_TEST(test_stock_layers, TestStockLayers)
 #include "test_stock_layers.moc"

@@ -1,35 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/project_fixtures.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QElapsedTimer>
-#include <QTest>
-
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <stop_token>
 #include <thread>
-#include <vector>
 
-namespace test_traverse_cycle {
+namespace sparkout::test_traverse_cycle {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::sparkStage;
 using fixtures::strokeStage;
 using fixtures::Traced;
 using fixtures::within;
-
-namespace {
 
 /// One line of MODEL-5's table, for one zone.
 struct Line {
@@ -93,20 +80,15 @@ Project endless() {
     return p;
 }
 
-} // namespace
-
 class TestTraverseCycle : public QObject {
     Q_OBJECT
 
 private slots:
     void doubleStrokeGoesThroughTheStepsInTheOrderOfTheTable_data() {
         QTest::addColumn<double>("dwellEntry_s"); // n = 180: a revolution takes a third of a second
-        QTest::addColumn<double>("dwellExit_s");
-        QTest::addColumn<double>("radialFeed_mm");
-        QTest::addColumn<double>("axialFeed_mm_min");
+        addColumns<double, double, double>("dwellExit_s", "radialFeed_mm", "axialFeed_mm_min");
         QTest::addColumn<int>("plungeIn"); // 180·S_t/0.5
-        QTest::addColumn<int>("n1");
-        QTest::addColumn<int>("n2");
+        addColumns<int, int>("n1", "n2");
         QTest::newRow("dwells") << 1.0 << 0.667 << 0.004 << 1800.0 << 2 << 3 << 2;
         QTest::newRow("no dwell") << 0.0 << 0.0 << 0.001 << 300.0 << 1 << 0 << 0;
         QTest::newRow("entry dwell only") << 0.334 << 0.0 << 0.01 << 1800.0 << 4 << 1 << 0;
@@ -176,8 +158,7 @@ private slots:
 
     // ⌊x + 0.5 + 1e-9⌋, at least 1 when there is a dwell; n = 60, so seconds are revolutions.
     void dwellIsRoundedToWholeRevolutions_data() {
-        QTest::addColumn<double>("dwell_s");
-        QTest::addColumn<int>("revolutions");
+        addColumns<double, int>("dwell_s", "revolutions");
         QTest::newRow("none") << 0.0 << 0;
         QTest::newRow("a little") << 0.001 << 1;
         QTest::newRow("less than a half") << 0.49 << 1;
@@ -382,8 +363,7 @@ private slots:
     }
 
     void stopRequestedBeforehandEndsBeforeTheFirstStroke() {
-        std::stop_source source;
-        source.request_stop();
+        const StoppedSource source;
         const SimulationResult r =
             simulateUnchecked(fixtures::traverse(), nullptr, source.get_token());
         QCOMPARE(r.status, RunStatus::stopped);
@@ -434,7 +414,7 @@ private slots:
     }
 };
 
-} // namespace test_traverse_cycle
+} // namespace sparkout::test_traverse_cycle
 
 SPARKOUT_TEST(test_traverse_cycle, TestTraverseCycle)
 #include "test_traverse_cycle.moc"

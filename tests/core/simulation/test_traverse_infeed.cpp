@@ -1,33 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Infeed at either or both reversals, and continuous infeed while the table travels [MODEL-5].
-#include "core/format/project_file.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/quality/ranges.h"
 #include "core/simulation/feed_series.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/step_shares.h"
 #include "core/simulation/traverse.h"
 
 #include "tests/core/simulation/strokes_by_hand.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
 #include <cstring>
-#include <string>
-#include <vector>
 
-namespace test_traverse_infeed {
+namespace sparkout::test_traverse_infeed {
 
-using namespace sparkout;
 using fixtures::sparkStage;
 using fixtures::strokeStage;
 using fixtures::Traced;
@@ -36,8 +22,6 @@ using strokes_by_hand::byHand;
 using strokes_by_hand::Cut;
 using strokes_by_hand::feed;
 using strokes_by_hand::um;
-
-namespace {
 
 // Two double strokes each. S_t = 8 µm, all at the exit.
 const std::vector<Cut> exitInfeed{
@@ -123,18 +107,14 @@ double removed(const Traced& run, Zone zone, int doubleStroke) {
     return sum;
 }
 
-} // namespace
-
 class TestTraverseInfeed : public QObject {
     Q_OBJECT
 
 private slots:
     void twoDoubleStrokesAreAsByHand_data() {
-        QTest::addColumn<ReversalInfeed>("at");
-        QTest::addColumn<double>("reversal_um");
+        addColumns<ReversalInfeed, double>("at", "reversal_um");
         QTest::addColumn<double>("continuous_mm_min"); // 2 µm a turn
-        QTest::addColumn<double>("all_um");
-        QTest::addColumn<std::vector<Cut>>("table");
+        addColumns<double, std::vector<Cut>>("all_um", "table");
         QTest::newRow("at the exit") << ReversalInfeed::exit << 8.0 << 0.0 << 16.0 << exitInfeed;
         QTest::newRow("half at each") << ReversalInfeed::both << 8.0 << 0.0 << 16.0 << halfAtEach;
         QTest::newRow("continuous") << ReversalInfeed::entry << 0.0 << 0.12 << 92.0 << continuous;
@@ -375,7 +355,7 @@ private:
     }
 };
 
-} // namespace test_traverse_infeed
+} // namespace sparkout::test_traverse_infeed
 
 SPARKOUT_TEST(test_traverse_infeed, TestTraverseInfeed)
 #include "test_traverse_infeed.moc"

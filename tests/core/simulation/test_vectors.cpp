@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // tests/data/vectors: whole cycles computed by a separate program, and the closed forms of its page
 // (those of MODEL-2…7; the table's lengths are µm).
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 
 #include "core/process/force.h"
@@ -15,20 +10,14 @@
 
 #include <QDir>
 #include <QFile>
-#include <QTest>
 
-#include <cmath>
 #include <map>
-#include <vector>
 
-namespace test_vectors {
+namespace sparkout::test_vectors {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
 using nlohmann::json;
-
-namespace {
 
 constexpr double umPerMm = 1000;
 
@@ -91,8 +80,6 @@ struct ClosedForm {
 
 /// Enough revolutions for any transient to be gone: the slowest one here falls by 0.6 each.
 constexpr int steady = 400;
-
-} // namespace
 
 class TestVectors : public QObject {
     Q_OBJECT
@@ -203,11 +190,8 @@ private slots:
 
     // its spark-out after 1, 2, 5, 10, 20, 50, 100, 200 revolutions, from the steady state
     void fullLawSparksOutAsInTheTable_data() {
-        QTest::addColumn<int>("revolutions");
-        QTest::addColumn<double>("depth");
-        QTest::addColumn<double>("depthDigit");
-        QTest::addColumn<double>("deflection");
-        QTest::addColumn<double>("deflectionDigit");
+        addColumns<int, double, double, double, double>("revolutions", "depth", "depthDigit",
+                                                        "deflection", "deflectionDigit");
         QTest::newRow("1") << 1 << 1.73612 << 1e-5 << 2.41830 << 1e-5;
         QTest::newRow("2") << 2 << .793119 << 1e-6 << 1.62518 << 1e-5;
         QTest::newRow("5") << 5 << .174254 << 1e-6 << .756917 << 1e-6;
@@ -286,7 +270,7 @@ private:
     }
 };
 
-} // namespace test_vectors
+} // namespace sparkout::test_vectors
 
 SPARKOUT_TEST(test_vectors, TestVectors)
 #include "test_vectors.moc"

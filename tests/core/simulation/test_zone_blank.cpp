@@ -3,41 +3,23 @@
 // the balance of every pass, the first touch, limits in which it is the plain blank; searches and
 // phases of the stock of such parts against running every cycle.
 #include "core/phases/phase_decision.h"
-#include "core/process/profile.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/core/support/random_project.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numeric>
-#include <random>
 #include <set>
 
-namespace test_zone_blank {
+namespace sparkout::test_zone_blank {
 
 using namespace search_checks;
 using fixtures::within;
 
-namespace {
-
-Project example(const char* name) {
-    return readProject(samples::readText(samples::sourcePath(name))).project.value();
-}
-
 Project shaft() {
-    return example("resources/examples/shaft-30h6-factory.sparkout");
+    return samples::projectIn("resources/examples/shaft-30h6-factory.sparkout");
 }
 
 bool sameRadii(const SimulationResult& a, const SimulationResult& b) {
@@ -64,8 +46,6 @@ Project scattered(Project p, std::mt19937_64& random) {
     return p;
 }
 
-} // namespace
-
 class TestZoneBlank : public QObject {
     Q_OBJECT
 
@@ -74,7 +54,7 @@ private slots:
         for (const char* name : {"resources/examples/shaft-30h6-factory.sparkout",
                                  "resources/examples/plunge-shaft-two-stage.sparkout",
                                  "resources/examples/internal-plunge.sparkout"}) {
-            const Project plain = example(name);
+            const Project plain = samples::projectIn(name);
             Project same = plain;
             const auto places = static_cast<std::size_t>(placeCount(plain));
             same.part->zone_stock_mm = std::vector<double>(places, 0.0);
@@ -128,12 +108,12 @@ private slots:
         std::mt19937_64 random(8);
         for (const char* name : {"resources/examples/shaft-30h6-factory.sparkout",
                                  "resources/examples/plunge-shaft-two-stage.sparkout"}) {
-            const Project p = scattered(example(name), random);
+            const Project p = scattered(samples::projectIn(name), random);
             const Blank blank = makeBlank(*p.part);
             Trajectory trajectory;
             const SimulationResult result = simulate(p, &trajectory);
             QVERIFY(!trajectory.passes.empty());
-            const Project plain = example(name);
+            const Project plain = samples::projectIn(name);
             const std::vector<CompliantPoint> gammas = compliantPoints(plain);
             std::set<std::size_t> seen;
             for (const Pass& pass : trajectory.passes) {
@@ -176,7 +156,7 @@ private slots:
         QVERIFY(within(scaled[0].gamma_mm_n, 2 * plain[0].gamma_mm_n, 1e-18));
         QVERIFY(scaled[1].gamma_mm_n == plain[1].gamma_mm_n);
         QVERIFY(within(scaled[2].gamma_mm_n, plain[2].gamma_mm_n / 2, 1e-18));
-        Project computed = example("resources/examples/slender-shaft.sparkout");
+        Project computed = samples::projectIn("resources/examples/slender-shaft.sparkout");
         const auto before = compliantPoints(computed);
         computed.machine->zone_compliance = std::vector<double>(before.size(), 3.0);
         const auto after = compliantPoints(computed);
@@ -231,7 +211,7 @@ private slots:
         QVERIFY(paths(p).empty());
         p.machine->zone_compliance = {{1, 1, 0}};
         QVERIFY(paths(p) == std::set<std::string>{"/machine/zone_compliance/2"});
-        Project coupled = example("resources/examples/slender-shaft.sparkout");
+        Project coupled = samples::projectIn("resources/examples/slender-shaft.sparkout");
         if (!coupled.operation->hasZones) {
             coupled.sections_coupled = true;
             coupled.machine->zone_compliance =
@@ -293,7 +273,7 @@ private slots:
     }
 };
 
-} // namespace test_zone_blank
+} // namespace sparkout::test_zone_blank
 
 SPARKOUT_TEST(test_zone_blank, TestZoneBlank)
 #include "test_zone_blank.moc"

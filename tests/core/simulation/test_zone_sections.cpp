@@ -1,44 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several sections in each zone of traverse grinding [MODEL-5].
-#include "core/format/project_file.h"
 #include "core/process/ground_stretch.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/quality/drawing_constraints.h"
 #include "core/quality/shop_numbers.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/traverse.h"
 #include "core/study/length_lines.h"
 #include "core/study/profile_series.h"
 
 #include "tests/core/simulation/strokes_by_hand.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cstddef>
 #include <cstring>
-#include <string>
-#include <vector>
 
-namespace test_zone_sections {
+namespace sparkout::test_zone_sections {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::Traced;
 using fixtures::within;
 using strokes_by_hand::um;
-
-namespace {
 
 Project with(Project p, int sections) {
     p.zone_sections = sections;
@@ -63,8 +45,6 @@ bool sameTrajectory(const Traced& a, const Traced& b) {
     return a.trajectory.passes.size() == b.trajectory.passes.size() && x.size() == y.size()
            && std::memcmp(x.data(), y.data(), x.size() * sizeof(Visit)) == 0;
 }
-
-} // namespace
 
 class TestZoneSections : public QObject {
     Q_OBJECT
@@ -308,7 +288,7 @@ private slots:
     }
 };
 
-} // namespace test_zone_sections
+} // namespace sparkout::test_zone_sections
 
 SPARKOUT_TEST(test_zone_sections, TestZoneSections)
 #include "test_zone_sections.moc"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "core/study/profile_series.h"
 #include "tests/two_stage_projects.h"
@@ -13,9 +10,8 @@
 #include <optional>
 
 /// The profiles of cycles run for it.
-namespace profile_series_bench {
+namespace sparkout::profile_series_bench {
 
-using namespace sparkout;
 using fixtures::traverseProject;
 
 inline Project plungeProject(int sections) {
@@ -59,4 +55,4 @@ inline bool close(double a, double b, double within = 1e-12) {
     return std::abs(a - b) <= within;
 }
 
-} // namespace profile_series_bench
+} // namespace sparkout::profile_series_bench

@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: unsanitized
 // The same cycle with coupled and with independent sections [MODEL-6].
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
 #include "core/study/coupling_comparison.h"
 
-#include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-
-namespace test_coupling_comparison {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_coupling_comparison {
 
 Project onShaft(int sections) {
     Project p = fixtures::plunge();
@@ -35,8 +24,6 @@ double largest(const CouplingComparison& both) {
     }
     return most;
 }
-
-} // namespace
 
 class TestCouplingComparison : public QObject {
     Q_OBJECT
@@ -90,13 +77,12 @@ private slots:
     }
 
     void aStopRequestEndsIt() {
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(compareCoupling(onShaft(5), stop.get_token()).stopped());
     }
 };
 
-} // namespace test_coupling_comparison
+} // namespace sparkout::test_coupling_comparison
 
 SPARKOUT_TEST(test_coupling_comparison, TestCouplingComparison)
 #include "test_coupling_comparison.moc"

@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where to put the gauge [AKINTSEVA2020, section 3].
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/gauge_placement.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_gauge_placement {
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-namespace test_gauge_placement {
-
-using namespace sparkout;
 using fixtures::plungeStage;
 using fixtures::within;
-
-namespace {
 
 /// Sections ever softer towards the tailstock, as in the article's figure 2.
 Project article() {
@@ -41,8 +27,6 @@ constexpr double middles[] = {5, 15, 25, 35}; // of the four sections
 double deviation(const GaugePlacement& placement, std::size_t g, std::size_t j) {
     return placement.positions[g].meanDeviations_mm[j];
 }
-
-} // namespace
 
 class TestGaugePlacement : public QObject {
     Q_OBJECT
@@ -233,7 +217,7 @@ private slots:
     }
 };
 
-} // namespace test_gauge_placement
+} // namespace sparkout::test_gauge_placement
 
 SPARKOUT_TEST(test_gauge_placement, TestGaugePlacement)
 #include "test_gauge_placement.moc"

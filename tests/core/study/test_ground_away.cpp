@@ -6,11 +6,8 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
+namespace sparkout::test_ground_away {
 
-namespace test_ground_away {
-
-using namespace sparkout;
 using nlohmann::json;
 
 class TestGroundAway : public QObject {
@@ -57,7 +54,7 @@ private:
     }
 };
 
-} // namespace test_ground_away
+} // namespace sparkout::test_ground_away
 
 SPARKOUT_TEST(test_ground_away, TestGroundAway)
 #include "test_ground_away.moc"

@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The file of all parts of a batch: what it holds, and that there is none unless it is whole.
-#include "core/project/batch.h"
 #include "core/study/part_rows_file.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <QTemporaryDir>
-#include <QTest>
 
-#include <algorithm>
-#include <filesystem>
-#include <stop_token>
-#include <string>
-#include <vector>
+namespace sparkout::test_part_rows_file {
 
-namespace test_part_rows_file {
-
-using namespace sparkout;
 using Existing = SafeFileWriter::Existing;
-
-namespace {
 
 constexpr int parts = 7;
 
@@ -36,8 +26,6 @@ std::string writtenBy(const PartTable& table, const std::vector<std::string>& he
     (void)runBatch(project, options);
     return text;
 }
-
-} // namespace
 
 class TestPartRowsFile : public QObject {
     Q_OBJECT
@@ -90,8 +78,7 @@ private slots:
         QCOMPARE(done, 3);
         QVERIFY(!file.error()); // nothing went wrong
         QVERIFY(!std::filesystem::exists(m_path));
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         BatchOptions options;
         options.stop = stop.get_token();
         PartRowsFile other(m_path, Existing::refused, {});
@@ -119,7 +106,7 @@ private:
     std::filesystem::path m_path;
 };
 
-} // namespace test_part_rows_file
+} // namespace sparkout::test_part_rows_file
 
 SPARKOUT_TEST(test_part_rows_file, TestPartRowsFile)
 #include "test_part_rows_file.moc"

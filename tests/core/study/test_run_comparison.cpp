@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs held against each other: what they differ in is named by its place and nothing else is.
-#include "core/project/cycle.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/run_comparison.h"
 
 #include "core/digits.h"
@@ -12,20 +9,7 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
-namespace test_run_comparison {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_run_comparison {
 
 struct Ran {
     explicit Ran(const Project& of) : project(of) {
@@ -75,8 +59,6 @@ double& numberAt(RunSummary& summary, const std::string& path) {
     }
     throw std::runtime_error(path);
 }
-
-} // namespace
 
 class TestRunComparison : public QObject {
     Q_OBJECT
@@ -336,7 +318,7 @@ private slots:
     }
 };
 
-} // namespace test_run_comparison
+} // namespace sparkout::test_run_comparison
 
 SPARKOUT_TEST(test_run_comparison, TestRunComparison)
 #include "test_run_comparison.moc"

@@ -2,9 +2,7 @@
 // A search whose levels follow its answer, and where an answer stands at the edge of its grid.
 #include "core/study/search_levels.h"
 
-#include "core/format/project_file.h"
 #include "core/optimisation/levels.h"
-#include "core/project/optimisation.h"
 #include "core/study/new_project.h"
 #include "core/study/search.h"
 #include "core/study/search_edits.h"
@@ -12,21 +10,12 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <set>
-#include <vector>
 
-namespace test_search_levels {
+namespace sparkout::test_search_levels {
 
-using namespace sparkout;
 using search_cases::holds;
 using search_cases::smallCase;
-
-namespace {
 
 /// A small grid on a machine with ranges that reach far beyond it.
 Project wideMachine(unsigned seed) {
@@ -50,8 +39,6 @@ bool isStepOf(double value, const std::vector<double>& range) {
     return value >= range[0] - 1e-9 && value <= range[1] + 1e-9
            && (std::abs(steps - std::round(steps)) < 1e-6 || value == range[1]);
 }
-
-} // namespace
 
 class TestSearchLevels : public QObject {
     Q_OBJECT
@@ -249,7 +236,7 @@ private slots:
     }
 };
 
-} // namespace test_search_levels
+} // namespace sparkout::test_search_levels
 
 SPARKOUT_TEST(test_search_levels, TestSearchLevels)
 #include "test_search_levels.moc"

@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/study/stage_edits.h"
 #include "core/study/stock_edits.h"
+#include "tests/whole_project.h"
 
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-namespace test_stock_edits {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_stock_edits {
 
 double sum(const Project& project) {
     double sum = 0;
@@ -37,15 +30,12 @@ bool remarked(const Project& project) {
     });
 }
 
-} // namespace
-
 class TestStockEdits : public QObject {
     Q_OBJECT
 
 private slots:
     void theFirstStageTakesWhatTheLaterOnesLeave_data() {
-        QTest::addColumn<bool>("plunge");
-        QTest::addColumn<double>("stock");
+        addColumns<bool, double>("plunge", "stock");
         for (const bool plunge : {false, true}) {
             for (const double stock : {0.07, 0.2, 0.3}) {
                 QTest::addRow("%s %g", plunge ? "plunge" : "traverse", stock) << plunge << stock;
@@ -126,7 +116,7 @@ private slots:
     }
 };
 
-} // namespace test_stock_edits
+} // namespace sparkout::test_stock_edits
 
 SPARKOUT_TEST(test_stock_edits, TestStockEdits)
 #include "test_stock_edits.moc"

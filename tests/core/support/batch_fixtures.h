@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/batch.h"
-#include "core/project/machine.h"
 #include "tests/core/support/project_fixtures.h"
 
-namespace fixtures {
+namespace sparkout::fixtures {
 
 inline Factor uniform(double low, double high) {
     Factor factor;
@@ -52,4 +50,4 @@ inline Project stiffBatch(int parts) {
     return project;
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

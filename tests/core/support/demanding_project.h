@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/project.h"
-#include "core/project/wheel.h"
+#include "tests/whole_project.h"
 
-namespace fixtures {
+namespace sparkout::fixtures {
 
 /// The project held to every requirement of the drawing and of the process: form and roughness,
 /// burn, both drives, the strengths of grain and bond.
@@ -23,4 +19,4 @@ inline sparkout::Project demanding(sparkout::Project p) {
     return p;
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

@@ -11,7 +11,7 @@
 #include <set>
 #include <string_view>
 
-namespace fixtures {
+namespace sparkout::fixtures {
 
 namespace {
 
@@ -277,4 +277,4 @@ Quantity workOut(const FormulaStep& step) {
     return Reader(step).read();
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

@@ -9,7 +9,7 @@
 
 /// Reads the text of a formula as a person would: works it out from the numbers of its terms, and
 /// its unit from theirs.
-namespace fixtures {
+namespace sparkout::fixtures {
 
 /// A value with the exponents of mm, N, s and K, and how far roundings of the numbers on the way
 /// may have carried it: what cancels in the printed form is not held against it.
@@ -31,4 +31,4 @@ std::array<double, 4> dimensionOf(const std::string& unit);
 /// term is not used, or units do not go together.
 Quantity workOut(const sparkout::FormulaStep& step);
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

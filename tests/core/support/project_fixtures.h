@@ -3,13 +3,8 @@
 
 #include "core/format/project_file.h"
 #include "core/process/profile.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/project.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
+#include "tests/whole_project.h"
 #include "words/issue_words.h"
 
 #include <nlohmann/json.hpp>
@@ -26,9 +21,7 @@
 
 /// Projects and small measures that the engine's tests share. The formulas here are written a
 /// second time on purpose: a test must not ask the engine for the law it holds the engine against.
-namespace fixtures {
-
-using namespace sparkout;
+namespace sparkout::fixtures {
 
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -134,6 +127,52 @@ inline Project traverse() {
     return project;
 }
 
+inline Project plungeOfThree() {
+    Project p = plunge();
+    p.part->radii_per_section = 24;
+    p.part->initial_runout_mm = 0.03;
+    p.sections = 3;
+    p.machine->compliance_mm_per_n = std::vector<double>{4e-5, 2e-5, 7e-5};
+    p.cycle->stages = {plungeStage(1.2, 0.15), plungeStage(0.3, 0.05), sparkStage(count(7))};
+    return p;
+}
+
+/// On a slender shaft, of which no two sections are alike.
+inline Project slender(int sections, bool coupled = true) {
+    Project p = plunge();
+    p.part->radii_per_section = 12;
+    p.part->initial_runout_mm = 0.02;
+    putOnSlenderShaft(p);
+    p.sections = sections;
+    p.sections_coupled = coupled;
+    return p;
+}
+
+/// A shaft of a thousand segments on a thousand rests.
+inline Project restedShaft() {
+    Project p = plunge();
+    p.part->length_mm = 400;
+    p.machine->compliance_mm_per_n = std::monostate{};
+    p.machine->stiffness_n_um = Stiffness{40, 20, 50};
+    for (int i = 0; i < 1000; ++i) {
+        p.part->shaft.segments.push_back({1.0, 20.0 + i % 7});
+        p.part->shaft.steady_rests.push_back({0.5 + i, 1.0 + i % 5});
+    }
+    p.part->shaft.ground_from_mm = 300;
+    return p;
+}
+
+/// The shaft 30h6 with its steps between yielding centres, on one rest.
+inline Project steppedTraverse() {
+    Project project = traverse();
+    project.machine->compliance_mm_per_n = std::monostate();
+    project.machine->stiffness_n_um = Stiffness{60, 40, 50};
+    project.part->shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
+    project.part->shaft.ground_from_mm = 50;
+    project.part->shaft.steady_rests = {{100, 30}};
+    return project;
+}
+
 /// The coefficients of P_y(a) = b·(k_s·a + k_r·√a), MODEL-2 written out.
 struct Law {
     double ks = 0, kr = 0;
@@ -206,4 +245,4 @@ inline bool sameBits(const SimulationResult& a, const SimulationResult& b) {
     return same;
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

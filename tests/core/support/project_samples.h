@@ -32,6 +32,16 @@ inline std::string readText(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// What stands between bars.
+inline std::vector<std::string> listOf(const std::string& text) {
+    std::vector<std::string> list;
+    std::istringstream stream(text);
+    for (std::string one; std::getline(stream, one, '|');) {
+        list.push_back(one);
+    }
+    return list;
+}
+
 inline std::filesystem::path sourcePath(const std::string& path) {
     return std::filesystem::path(SPARKOUT_SOURCE_DIR) / path;
 }
@@ -46,6 +56,11 @@ inline const std::vector<std::string>& names() {
 
 inline std::string text(const std::string& name) {
     return readText(sourcePath("tests/data/projects/" + name + ".sparkout"));
+}
+
+/// Of a file of the sources.
+inline Project projectIn(const std::string& path) {
+    return readProject(readText(sourcePath(path))).project.value();
 }
 
 inline json sample(const std::string& name) {
@@ -64,6 +79,17 @@ inline const Issue* find(const Issues& issues, const std::string& path) {
     const auto found = std::find_if(issues.begin(), issues.end(),
                                     [&](const Issue& issue) { return issue.path == path; });
     return found == issues.end() ? nullptr : &*found;
+}
+
+/// The file with another value, as JSON, at a place; without a value the place is taken out.
+inline json changedAt(json file, const std::string& pointer, const std::string& value) {
+    const json::json_pointer at(pointer);
+    if (value.empty()) {
+        file.at(at.parent_pointer()).erase(at.back());
+    } else {
+        file[at] = json::parse(value);
+    }
+    return file;
 }
 
 inline bool holds(const Issues& issues, IssueCode code, const std::string& path) {

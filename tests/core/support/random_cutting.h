@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/core/support/project_fixtures.h"
 
 #include <rapidcheck.h>
@@ -12,7 +8,7 @@
 #include <cmath>
 
 /// Random contacts of wheel and part for the laws of the depth's limits. Call within rc::check.
-namespace fixtures {
+namespace sparkout::fixtures {
 
 inline int pick(int low, int high) {
     return *rc::gen::inRange(low, high);
@@ -55,4 +51,4 @@ inline Project anyCutting() {
     return p;
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

@@ -4,7 +4,10 @@
 #include <QByteArray>
 #include <QtGlobal>
 
+#include <rapidcheck.h>
+
 #include <algorithm>
+#include <functional>
 
 /// How many random inputs a law is held against: `ordinary`, a twentieth of it but at least 20
 /// under the sanitizers (SPARKOUT_QUICK). They are the same inputs in every run, so that a red test
@@ -23,3 +26,11 @@ inline void setRapidcheckRuns(int ordinary) {
     qputenv("RC_PARAMS", "seed=20261121 max_success="
                              + QByteArray::number(quick ? std::max(ordinary / 20, 20) : ordinary));
 }
+
+namespace sparkout::fixtures {
+
+inline bool holds(const char* law, const std::function<void()>& check) {
+    return rc::check(law, check);
+}
+
+} // namespace sparkout::fixtures

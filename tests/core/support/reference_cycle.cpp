@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <string>
 #include <utility>
 
-namespace reference {
+namespace sparkout::reference {
 
 using nlohmann::json;
 
@@ -280,4 +278,4 @@ Cycle readCycle(const json& project) {
     return c;
 }
 
-} // namespace reference
+} // namespace sparkout::reference

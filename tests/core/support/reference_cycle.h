@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What the reference simulation reads from a project, and carries from pass to pass.
-namespace reference {
+namespace sparkout::reference {
 
 using Real = long double;
 
@@ -95,4 +95,4 @@ struct Cycle {
 /// The cycle of a project before its first pass.
 Cycle readCycle(const nlohmann::json& project);
 
-} // namespace reference
+} // namespace sparkout::reference

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/setting_constraints.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
@@ -20,9 +17,7 @@
 #include <utility>
 
 /// What differs between the engine and the second implementation, in words.
-namespace reference {
-
-using namespace sparkout;
+namespace sparkout::reference {
 
 inline std::string statusName(RunStatus status) {
     switch (status) {
@@ -172,4 +167,4 @@ inline QString difference(const SimulationResult& engine, const Result& second,
     return {};
 }
 
-} // namespace reference
+} // namespace sparkout::reference

@@ -3,9 +3,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <string>
 
-namespace reference {
+namespace sparkout::reference {
 
 using nlohmann::json;
 
@@ -115,4 +114,4 @@ SetupResult simulateSetup(const json& file) {
     return setup;
 }
 
-} // namespace reference
+} // namespace sparkout::reference

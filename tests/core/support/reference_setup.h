@@ -9,7 +9,7 @@
 
 /// The second implementation of a set-up: its surfaces one after the other, from the text of a file
 /// of version 2. It shares no code with core/.
-namespace reference {
+namespace sparkout::reference {
 
 struct SurfaceResult {
     nlohmann::json project; ///< with the wheel as it came to the surface
@@ -27,4 +27,4 @@ struct SetupResult {
 /// Runs every surface of a valid file, in its order.
 SetupResult simulateSetup(const nlohmann::json& file);
 
-} // namespace reference
+} // namespace sparkout::reference

@@ -7,9 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <vector>
 
-namespace reference {
+namespace sparkout::reference {
 namespace {
 
 constexpr Real sizeTolerance = 1e-9L; // [mm] a threshold counts as reached this much early
@@ -441,4 +440,4 @@ Result simulate(const nlohmann::json& project) {
     return result;
 }
 
-} // namespace reference
+} // namespace sparkout::reference

@@ -10,7 +10,7 @@
 /// no code with core/, finds every depth of cut by bisection in long double and visits every radius
 /// one after the other. Where the engine and this code differ, one of them misreads the process
 /// model.
-namespace reference {
+namespace sparkout::reference {
 
 /// The state of one zone (traverse) or one section (plunge) when the cycle ended.
 struct Place {
@@ -65,4 +65,4 @@ long double depthOfCut(long double h, long double gamma, long double b, long dou
 /// Missing and null keys take the file's defaults.
 Result simulate(const nlohmann::json& project);
 
-} // namespace reference
+} // namespace sparkout::reference

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A sweep: every point is the run of the project with its values, whatever the threads; what cannot
 // be run is told and has no numbers; paths and ranges that are refused are named.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/sweep.h"
-#include "core/project/wheel.h"
 #include "core/sweep/sweep_run.h"
 
 #include "core/project/number_input.h"
@@ -14,22 +9,14 @@
 #include "tests/check_line.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-#include "words/issue_words.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <set>
 #include <thread>
 
-namespace test_sweep {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_sweep {
 
 SweepAxis axis(std::string input, double from, double to, int points = 9,
                SweepSpacing spacing = SweepSpacing::linear) {
@@ -74,24 +61,21 @@ bool sameBits(const SweepResult& a, const SweepResult& b) {
               });
 }
 
-} // namespace
-
 class TestSweep : public QObject {
     Q_OBJECT
 
 private slots:
     void everyPointIsTheRunOfTheProjectWithItsValues_data() {
         QTest::addColumn<Project>("project");
-        QTest::newRow("traverse, dullness")
-            << swept(shaft(), {axis("/wheel/dullness", 0.01, 0.05)});
-        QTest::newRow("traverse, compliance over ratios") << swept(
-            shaft(),
-            {axis("/machine/compliance_mm_per_n/nz", 2e-5, 4e-4, 7, SweepSpacing::logarithmic)});
-        QTest::newRow("traverse, a map")
-            << swept(shaft(), {axis("/cycle/stages/0/radial_feed_mm", 0.002, 0.01, 4),
-                               axis("/machine/dwell_entry_s", 0, 1, 3)});
-        QTest::newRow("plunge, feed")
-            << swept(fixtures::plunge(), {axis("/cycle/stages/0/radial_feed_mm_min", 0.2, 1)});
+        addRow("traverse, dullness", swept(shaft(), {axis("/wheel/dullness", 0.01, 0.05)}));
+        addRow("traverse, compliance over ratios",
+               swept(shaft(), {axis("/machine/compliance_mm_per_n/nz", 2e-5, 4e-4, 7,
+                                    SweepSpacing::logarithmic)}));
+        addRow("traverse, a map",
+               swept(shaft(), {axis("/cycle/stages/0/radial_feed_mm", 0.002, 0.01, 4),
+                               axis("/machine/dwell_entry_s", 0, 1, 3)}));
+        addRow("plunge, feed",
+               swept(fixtures::plunge(), {axis("/cycle/stages/0/radial_feed_mm_min", 0.2, 1)}));
     }
     void everyPointIsTheRunOfTheProjectWithItsValues() {
         QFETCH(Project, project);
@@ -284,15 +268,10 @@ private slots:
     }
 
     void refusedPathsAndRangesAreNamed_data() {
-        QTest::addColumn<SweepAxis>("axis");
-        QTest::addColumn<QString>("path");
-        QTest::addColumn<QString>("value");
-        QTest::addColumn<QString>("limit");
+        addColumns<SweepAxis, QString, QString, QString>("axis", "path", "value", "limit");
         const auto row = [](const char* name, const SweepAxis& axis, const char* path,
-                            const char* value, const char* limit) {
-            QTest::newRow(name) << axis << QString::fromUtf8(path) << QString::fromUtf8(value)
-                                << QString::fromUtf8(limit);
-        };
+                            const char* value,
+                            const char* limit) { addRow(name, axis, path, value, limit); };
         row("no such input", axis("/wheel/sharpness", 0, 1), "/sweep/inputs/0/input",
             "\"/wheel/sharpness\"", "the path of an input, as /wheel/dullness");
         row("no number", axis("/wheel/marking", 0, 1), "/sweep/inputs/0/input",
@@ -386,7 +365,7 @@ private slots:
     }
 };
 
-} // namespace test_sweep
+} // namespace sparkout::test_sweep
 
 SPARKOUT_TEST(test_sweep, TestSweep)
 #include "test_sweep.moc"

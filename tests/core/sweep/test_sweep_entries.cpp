@@ -6,17 +6,9 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
-#include <algorithm>
 #include <set>
-#include <string>
 
-namespace test_sweep_entries {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_sweep_entries {
 
 SweepQuantity quantity(const std::string& name, int section = -1) {
     return {name, "µm", section < 0 ? Zone::section : static_cast<Zone>(section), section};
@@ -53,8 +45,6 @@ SweepResult ran(const std::string& input) {
     project.sweep->inputs = {axis};
     return runSweep(project);
 }
-
-} // namespace
 
 class TestSweepEntries : public QObject {
     Q_OBJECT
@@ -115,7 +105,7 @@ private slots:
     }
 };
 
-} // namespace test_sweep_entries
+} // namespace sparkout::test_sweep_entries
 
 SPARKOUT_TEST(test_sweep_entries, TestSweepEntries)
 #include "test_sweep_entries.moc"

@@ -8,16 +8,10 @@
 #include "core/measured/stiffness_table.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <random>
 
-namespace test_extreme_numbers {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_extreme_numbers {
 
 /// Texts that are numbers somewhere, and usual ones among them.
 class Numbers {
@@ -54,8 +48,6 @@ private:
 bool areFinite(const std::vector<double>& values) {
     return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
-
-} // namespace
 
 class TestExtremeNumbers : public QObject {
     Q_OBJECT
@@ -171,7 +163,7 @@ private slots:
     }
 };
 
-} // namespace test_extreme_numbers
+} // namespace sparkout::test_extreme_numbers
 
 SPARKOUT_TEST(test_extreme_numbers, TestExtremeNumbers)
 #include "test_extreme_numbers.moc"

@@ -9,16 +9,10 @@
 #include "tests/processor_time.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <random>
 
-namespace test_table_reader {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_table_reader {
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -62,15 +56,12 @@ private:
     std::mt19937 m_random;
 };
 
-} // namespace
-
 class TestTableReader : public QObject {
     Q_OBJECT
 
 private slots:
     void tenThousandCellsComeBackEqual_data() {
-        QTest::addColumn<char>("delimiter");
-        QTest::addColumn<char>("decimal");
+        addColumns<char, char>("delimiter", "decimal");
         QTest::newRow("comma, point") << ',' << '.';
         QTest::newRow("semicolon, decimal comma") << ';' << ',';
         QTest::newRow("tab, decimal comma") << '\t' << ',';
@@ -120,8 +111,7 @@ private slots:
     }
 
     void cellsOfTexts_data() {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("cell");
+        addColumns<QByteArray, QByteArray>("text", "cell");
         const auto row = [](const char* name, const QByteArray& text, const QByteArray& cell) {
             QTest::newRow(name) << text << cell;
         };
@@ -233,7 +223,7 @@ private slots:
     }
 };
 
-} // namespace test_table_reader
+} // namespace sparkout::test_table_reader
 
 SPARKOUT_TEST(test_table_reader, TestTableReader)
 #include "test_table_reader.moc"

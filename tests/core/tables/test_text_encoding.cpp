@@ -7,15 +7,10 @@
 #include "tests/registry.h"
 
 #include <QStringConverter>
-#include <QTest>
 
 #include <random>
 
-namespace test_text_encoding {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_text_encoding {
 
 /// А…я of Windows-1251 and what else Russian tables have.
 QByteArray windows1251(const QString& text) {
@@ -42,23 +37,18 @@ std::string textOf(const QByteArray& bytes) {
     return std::string(TableText(bytes.toStdString()).utf8());
 }
 
-} // namespace
-
 class TestTextEncoding : public QObject {
     Q_OBJECT
 
 private slots:
     void textIsReadInEveryEncoding_data() {
         QTest::addColumn<QString>("text");
-        const auto row = [](const char* name, const char* text) {
-            QTest::newRow(name) << QString::fromUtf8(text);
-        };
-        row("list of students", "ФИО;Группа\r\nИванов Пётр;ТМ-31\r\nЁлкина Анна;ТМ-31\r\n");
-        row("names alone", "Иванов\nПетров\nСидоров\n");
-        row("one word", "Иванов");
-        row("measured values", "№ детали;Диаметр, мм\n1;29,991\n2;29,993\n");
-        row("tabs", "t, с\tРазмер, мм\n0,1\t0,4001\n");
-        row("one letter", "я");
+        addRow("list of students", "ФИО;Группа\r\nИванов Пётр;ТМ-31\r\nЁлкина Анна;ТМ-31\r\n");
+        addRow("names alone", "Иванов\nПетров\nСидоров\n");
+        addRow("one word", "Иванов");
+        addRow("measured values", "№ детали;Диаметр, мм\n1;29,991\n2;29,993\n");
+        addRow("tabs", "t, с\tРазмер, мм\n0,1\t0,4001\n");
+        addRow("one letter", "я");
     }
     void textIsReadInEveryEncoding() {
         QFETCH(QString, text);
@@ -116,7 +106,7 @@ private slots:
     }
 };
 
-} // namespace test_text_encoding
+} // namespace sparkout::test_text_encoding
 
 SPARKOUT_TEST(test_text_encoding, TestTextEncoding)
 #include "test_text_encoding.moc"

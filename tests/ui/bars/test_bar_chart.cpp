@@ -14,7 +14,6 @@
 #include <QGraphicsScene>
 #include <QImage>
 #include <QPainter>
-#include <QTest>
 #include <QXmlStreamReader>
 
 #include <algorithm>
@@ -23,11 +22,7 @@
 #include <set>
 #include <utility>
 
-namespace test_bar_chart {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_bar_chart {
 
 using Shape = BarChart::Shape;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -84,18 +79,12 @@ std::vector<QRectF> rectsOf(const BarDrawing& drawing) {
     return rects;
 }
 
-} // namespace
-
 class TestBarChart : public QObject {
     Q_OBJECT
 
 private slots:
     void everyBarStandsWhereQtChartsDrawsIt_data() {
-        QTest::addColumn<int>("shape");
-        QTest::addColumn<bool>("lying");
-        QTest::addColumn<int>("categories");
-        QTest::addColumn<int>("series");
-        QTest::addColumn<bool>("second");
+        addColumns<int, bool, int, int, bool>("shape", "lying", "categories", "series", "second");
         for (const bool lying : {false, true}) {
             for (const int series : {1, 2, 5}) {
                 QTest::addRow("stacked %d %d", lying, series)
@@ -332,8 +321,7 @@ private slots:
     }
 
     void noNumberStandsOnTheLineOfALimit_data() {
-        QTest::addColumn<bool>("lying");
-        QTest::addColumn<bool>("totals");
+        addColumns<bool, bool>("lying", "totals");
         for (const bool lying : {false, true}) {
             for (const bool totals : {false, true}) {
                 QTest::addRow("%s, %s", lying ? "lying" : "standing", totals ? "sums" : "values")
@@ -494,7 +482,7 @@ private slots:
     }
 };
 
-} // namespace test_bar_chart
+} // namespace sparkout::test_bar_chart
 
 SPARKOUT_TEST(test_bar_chart, TestBarChart)
 #include "test_bar_chart.moc"

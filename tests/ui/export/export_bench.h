@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/part.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/xlsx_reader.h"
 #include "ui/export/export_file.h"
@@ -19,9 +18,7 @@
 #include <vector>
 
 /// Results on their way to other programs.
-namespace export_bench {
-
-using namespace sparkout;
+namespace sparkout::export_bench {
 
 /// Few radii: another program reads every row.
 inline Project smallProject(Operation operation) {
@@ -71,4 +68,4 @@ inline void checkNoFormula(const XlsxReader& read) {
     }
 }
 
-} // namespace export_bench
+} // namespace sparkout::export_bench

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dialog of an export: what it says, how it is stopped, what it leaves behind.
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/export/export_bench.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -19,29 +18,19 @@
 #include <QComboBox>
 #include <QDeadlineTimer>
 #include <QDesktopServices>
-#include <QDir>
 #include <QElapsedTimer>
-#include <QFile>
 #include <QFileInfo>
 #include <QFrame>
-#include <QLabel>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QThread>
-#include <QTimer>
 #include <QUrl>
 
 #include <algorithm>
 #include <atomic>
-#include <memory>
 #include <utility>
 
-namespace test_export_dialog {
+namespace sparkout::test_export_dialog {
 
-using namespace sparkout;
 using namespace export_bench;
-
-namespace {
 
 /// An outcome whose middle zone has more rows than a sheet takes.
 OutcomePtr longOutcome() {
@@ -87,8 +76,6 @@ void click(QPushButton* button) {
     QTest::mouseClick(button, Qt::LeftButton);
 }
 
-} // namespace
-
 class TestExportDialog : public ExportTest {
     Q_OBJECT
 
@@ -119,8 +106,7 @@ private slots:
     void theWindowExportsInItsLanguage_data() { languageRows(); }
     void theWindowExportsInItsLanguage() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         const QString path = m_folder.filePath(language + QStringLiteral(".xlsx"));
         DialogAnswers answers({QStringLiteral("exportGo"), QStringLiteral("file:") + path});
         QStringList english, cut;
@@ -153,8 +139,7 @@ private slots:
     void everyExportSaysWhereTheFileIs_data() { languageRows(); }
     void everyExportSaysWhereTheFileIs() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         const auto* bar = bench.window->findChild<NoticeBar*>();
         auto* feeds = bench.window->findChild<FeedsView*>();
         bench.window->viewTabs().detach(feeds); // a window of its own has no status bar
@@ -184,8 +169,7 @@ private slots:
     }
 
     void anExportThatIsGivenUpConfirmsNothing() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const auto* bar = bench.window->findChild<NoticeBar*>();
         const DialogAnswers answers({QStringLiteral("Escape")});
         bench.action("pdf-card")->trigger();
@@ -194,21 +178,16 @@ private slots:
     }
 
     void theFileAndItsFolderAreOpenedByTheSystem_data() {
-        QTest::addColumn<QString>("folder");
-        QTest::addColumn<QString>("name");
-        const auto row = [](const char* what, const char* folder, const char* name) {
-            QTest::newRow(what) << QString::fromUtf8(folder) << QString::fromUtf8(name);
-        };
-        row("Cyrillic and spaces", "Карты цеха 2", "Карта 1.pdf");
-        row("number sign", "line #3", "part #12 a.pdf");
-        row("per cent", "50% done", "100%25 %41.pdf");
-        row("others of URLs", "a&b;c", "what? yes: [1]+~'2'.pdf");
+        addColumns<QString, QString>("folder", "name");
+        addRow("Cyrillic and spaces", "Карты цеха 2", "Карта 1.pdf");
+        addRow("number sign", "line #3", "part #12 a.pdf");
+        addRow("per cent", "50% done", "100%25 %41.pdf");
+        addRow("others of URLs", "a&b;c", "what? yes: [1]+~'2'.pdf");
     }
     void theFileAndItsFolderAreOpenedByTheSystem() {
         QFETCH(QString, folder);
         QFETCH(QString, name);
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const QDir place(m_folder.filePath(folder));
         QVERIFY(place.mkpath(QStringLiteral(".")));
         const QString path = place.filePath(name);
@@ -236,8 +215,7 @@ private slots:
 
     /// The platform of the tests has no programs to open files with.
     void withoutADesktopOneLineSaysSo() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const QString path = m_folder.filePath(QStringLiteral("alone.pdf"));
         const auto* bar = bench.window->findChild<NoticeBar*>();
         const auto said = [bar] { return bar->textOf(QString::fromLatin1(SavedFile::noticeKey)); };
@@ -257,8 +235,7 @@ private slots:
     }
 
     void aFullDiskLeavesTheOldFileWithAMessage() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const QString path = m_folder.filePath(QStringLiteral("old.xlsx"));
         trouble::write(path, "what was there");
         const DialogAnswers answers({QStringLiteral("exportGo"), QStringLiteral("file:") + path,
@@ -355,7 +332,7 @@ private slots:
     }
 };
 
-} // namespace test_export_dialog
+} // namespace sparkout::test_export_dialog
 
 SPARKOUT_TEST(test_export_dialog, TestExportDialog)
 #include "test_export_dialog.moc"

@@ -2,20 +2,14 @@
 // Labels: numbers
 // Results and traces on their way to other programs: the numbers of the engine, to the last bit.
 #include "core/format/project_file.h"
-#include "core/project/part.h"
 #include "core/simulation/progress.h"
 #include "tests/registry.h"
 #include "tests/ui/export/export_bench.h"
 #include "tests/ui/support/file_trouble.h"
 
-#include <QProcess>
+namespace sparkout::test_export_results {
 
-namespace test_export_results {
-
-using namespace sparkout;
 using namespace export_bench;
-
-namespace {
 
 QList<QStringList> linesOf(QByteArray csv, QChar separator) {
     QList<QStringList> lines;
@@ -33,8 +27,6 @@ QByteArray fromCommandLine(const QStringList& arguments) {
     program.waitForFinished(60'000);
     return program.readAllStandardOutput();
 }
-
-} // namespace
 
 class TestExportResults : public ExportTest {
     Q_OBJECT
@@ -219,7 +211,7 @@ private:
     }
 };
 
-} // namespace test_export_results
+} // namespace sparkout::test_export_results
 
 SPARKOUT_TEST(test_export_results, TestExportResults)
 #include "test_export_results.moc"

@@ -3,16 +3,11 @@
 // Batch, sweep and search as workbooks, all parts as rows: by the window's own ways and by
 // sparkout --export.
 #include "core/batch/batch_verdict.h"
-#include "core/format/project_file.h"
-#include "core/project/batch.h"
-#include "core/project/part.h"
-#include "core/project/sweep.h"
-#include "core/project/wheel.h"
 #include "core/quality/result_json.h"
 #include "core/setup/setup_run.h"
-#include "core/study/evaluate.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/search_fixtures.h"
 #include "tests/ui/support/setup_fixtures.h"
 #include "tests/ui/support/view_fixtures.h"
@@ -25,20 +20,12 @@
 #include "ui/views/optimise/optimise_text.h"
 #include "ui/window/studies_shown.h"
 
-#include <QApplication>
 #include <QComboBox>
-#include <QFile>
-#include <QLabel>
-#include <QProcess>
-#include <QPushButton>
 #include <QTemporaryDir>
-#include <QTest>
 
-#include <algorithm>
 #include <bit>
 #include <clocale>
 #include <csignal>
-#include <memory>
 
 using namespace sparkout;
 
@@ -321,7 +308,7 @@ private slots:
         DialogAnswers answers({QStringLiteral("file:") + file});
         QVERIFY(savePartRows(nullptr, nullptr, project, TableFormat::csvRussian));
         QCOMPARE(answers.fault(), QString());
-        const QByteArray bytes = read(file);
+        const QByteArray bytes = on_disk::bytesOf(file);
         QVERIFY(bytes.startsWith("\xEF\xBB\xBFPart;State;Good;"));
         QCOMPARE(bytes.count("\r\n"), qsizetype(41));
         QVERIFY(!bytes.contains("0."));
@@ -359,7 +346,7 @@ private slots:
             QCOMPARE(reader.names().value(0), QLatin1String(first));
             const QString csv = m_folder.filePath(QLatin1String(part) + QStringLiteral(".csv"));
             QCOMPARE(exported(QLatin1String(part), csv, file).status, 0);
-            QVERIFY(read(csv).count('\n') > 1);
+            QVERIFY(on_disk::bytesOf(csv).count('\n') > 1);
         }
     }
 
@@ -444,17 +431,9 @@ private:
     }
     QString saved(const Project& project, const char* name) {
         const QString path = m_folder.filePath(QLatin1String(name));
-        QFile file(path);
-        if (file.open(QIODevice::WriteOnly)) {
-            file.write(QByteArray::fromStdString(writeProject(project)));
-        }
+        on_disk::write(path, QByteArray::fromStdString(writeProject(project)));
         return path;
     }
-    static QByteArray read(const QString& path) {
-        QFile file(path);
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    }
-
     QTemporaryDir m_folder;
     Language m_english;
 };

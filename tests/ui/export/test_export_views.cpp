@@ -10,26 +10,19 @@
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/plot/plot_tools.h"
-#include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QContextMenuEvent>
-#include <QFile>
 #include <QMenu>
 #include <QRegularExpression>
 
-namespace test_export_views {
+namespace sparkout::test_export_views {
 
-using namespace sparkout;
 using namespace export_bench;
-
-namespace {
 
 QString traverseExample() {
     return examplePaths().filter(QStringLiteral("30h6-factory")).value(0);
 }
-
-} // namespace
 
 class TestExportViews : public ExportTest {
     Q_OBJECT
@@ -59,8 +52,7 @@ private slots:
     void everyPlotIsSavedAsAWorkbookWithItsUnitsApart_data() { languageRows(); }
     void everyPlotIsSavedAsAWorkbookWithItsUnitsApart() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(traverseExample()));
+        OpenBench bench(language, traverseExample());
         int saved = 0, units = 0;
         for (View* view : bench.window->views()) {
             bench.window->viewTabs().showView(view);
@@ -93,8 +85,7 @@ private slots:
     }
 
     void tablesAreSavedFromTheirMenu() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         QVERIFY(bench.window->showView(QStringLiteral("constraints")));
         bench.settle();
         for (const char* name : {"requirements", "shop", "margins"}) {
@@ -183,7 +174,7 @@ private:
     }
 };
 
-} // namespace test_export_views
+} // namespace sparkout::test_export_views
 
 SPARKOUT_TEST(test_export_views, TestExportViews)
 #include "test_export_views.moc"

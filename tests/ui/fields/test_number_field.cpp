@@ -10,17 +10,11 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QSignalSpy>
-#include <QTest>
 #include <QToolTip>
 
-#include <clocale>
 #include <random>
 
-namespace test_number_field {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_number_field {
 
 NumberSpec spec(Range hard = {}) {
     NumberSpec made;
@@ -36,8 +30,6 @@ void typeOver(NumberField& field, const QString& text) {
     QTest::keyClicks(&field, text);
 }
 
-} // namespace
-
 class TestNumberField : public QObject {
     Q_OBJECT
 
@@ -45,9 +37,7 @@ private slots:
     void init() { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); }
 
     void typedNumbersAreTakenAsTypedInEveryLocale_data() {
-        QTest::addColumn<QLocale>("locale");
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<double>("value");
+        addColumns<QLocale, QString, double>("locale", "text", "value");
         const QList<QLocale> locales{QLocale(QStringLiteral("en_US")),
                                      QLocale(QStringLiteral("ru_RU")),
                                      QLocale(QStringLiteral("de_DE"))};
@@ -307,7 +297,7 @@ private slots:
     }
 };
 
-} // namespace test_number_field
+} // namespace sparkout::test_number_field
 
 SPARKOUT_TEST(test_number_field, TestNumberField)
 #include "test_number_field.moc"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/new_project.h"
+#include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/value_slider.h"
 #include "ui/inputs/forms/row_sliders.h"
@@ -22,17 +19,10 @@
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
-#include <QTest>
 #include <QWheelEvent>
 #include <QtTest/qtestspontaneevent.h>
 
-#include <clocale>
-
-namespace test_sliders {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_sliders {
 
 enum PageIndex { partPage = 0, wheelPage = 2, machinePage = 3, cyclePage = 5 };
 
@@ -75,8 +65,6 @@ void dragTo(ValueSlider& slider, int x) {
 void release(ValueSlider& slider) {
     QTest::mouseRelease(&slider, Qt::LeftButton, {}, slider.handle());
 }
-
-} // namespace
 
 class TestSliders : public QObject {
     Q_OBJECT
@@ -308,7 +296,7 @@ private slots:
     }
 };
 
-} // namespace test_sliders
+} // namespace sparkout::test_sliders
 
 SPARKOUT_TEST(test_sliders, TestSliders)
 #include "test_sliders.moc"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // What happens while one types: in the cells of the stages, in the forms, and when it is undone.
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/study/evaluate.h"
 #include "core/study/new_project.h"
+#include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/editors/hint_strip.h"
 #include "ui/inputs/forms/form_row.h"
@@ -20,19 +19,12 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
-#include <QSignalSpy>
-#include <QStackedWidget>
 #include <QTableView>
-#include <QTest>
 #include <QToolButton>
 
 #include <algorithm>
 
-namespace test_typing {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_typing {
 
 /// The inputs with a document whose outcomes they show at once.
 struct Bench {
@@ -88,8 +80,6 @@ void typeOver(QWidget& widget, const QString& text) {
     QTest::keySequence(&widget, QKeySequence::SelectAll);
     QTest::keyClicks(&widget, text);
 }
-
-} // namespace
 
 class TestTyping : public QObject {
     Q_OBJECT
@@ -312,7 +302,7 @@ private slots:
     }
 };
 
-} // namespace test_typing
+} // namespace sparkout::test_typing
 
 SPARKOUT_TEST(test_typing, TestTyping)
 #include "test_typing.moc"

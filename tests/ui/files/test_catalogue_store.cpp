@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The entries of the catalogues, shipped and of one's own: searched, taken, kept.
-#include "core/project/machine.h"
-#include "core/project/material.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
-#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
+#include "tests/ui/support/examples.h"
+#include "tests/whole_project.h"
 #include "ui/files/catalogue_changes.h"
 #include "ui/session/project_io.h"
 #include "ui/text/search_text.h"
@@ -18,20 +16,15 @@
 
 #include <algorithm>
 
-namespace test_catalogue_store {
+namespace sparkout::test_catalogue_store {
 
-using namespace sparkout;
 using namespace catalogue_bench;
-
-namespace {
 
 QString textOf(const Project& project, CatalogueKind kind) {
     return QString::fromStdString(kind == CatalogueKind::materials ? project.material->grade
                                   : kind == CatalogueKind::wheels  ? project.wheel->marking
                                                                    : project.machine->name);
 }
-
-} // namespace
 
 class TestCatalogueStore : public QObject {
     Q_OBJECT
@@ -48,12 +41,7 @@ private slots:
                 bool fits = false;
                 for (const char* name : {"shaft-30h6-factory", "plunge-shaft-two-stage",
                                          "internal-plunge", "slender-shaft"}) {
-                    Project project = loadProject(QStringLiteral(SPARKOUT_SOURCE_DIR
-                                                                 "/resources/examples/%1.sparkout")
-                                                      .arg(QString::fromLatin1(name)))
-                                          .setup.value()
-                                          .surfaces.front()
-                                          .project;
+                    Project project = exampleProject(name);
                     const Project taken = withEntry(item.entry, project);
                     const QString entry = entryName(item.entry);
                     const bool isGrade = kind == CatalogueKind::materials; // and heat treatment
@@ -210,7 +198,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-} // namespace test_catalogue_store
+} // namespace sparkout::test_catalogue_store
 
 SPARKOUT_TEST(test_catalogue_store, TestCatalogueStore)
 #include "test_catalogue_store.moc"

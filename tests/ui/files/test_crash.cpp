@@ -5,6 +5,7 @@
 // their own: this program, started with --edit.
 #include "core/project/part.h"
 #include "core/study/new_project.h"
+#include "tests/ready_made.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/file_trouble.h"
 #include "ui/fields/number_field.h"
@@ -15,14 +16,9 @@
 
 #include <QDateTime>
 #include <QDebug>
-#include <QDir>
-#include <QElapsedTimer>
 #include <QFileInfo>
 #include <QProcess>
 #include <QRandomGenerator>
-#include <QTemporaryDir>
-#include <QTest>
-#include <QTimer>
 #include <QTreeWidget>
 
 #include <clocale>
@@ -321,8 +317,7 @@ private:
     void killAll(std::vector<Victim>& victims, const QString& state) {
         const RecoveryStore store(state);
         std::size_t dead = 0;
-        QElapsedTimer patience;
-        patience.start();
+        RunningTimer patience;
         while (dead < victims.size() && patience.elapsed() < 120'000) {
             QTest::qWait(20);
             for (Victim& victim : victims) {

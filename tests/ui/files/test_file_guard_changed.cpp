@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The guarded file is changed by another program: seen before a save, reported, asked for.
 #include "core/files/file_system.h"
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/support/file_guard_bench.h"
 #include "ui/session/project_io.h"
@@ -9,9 +8,8 @@
 #include <QDateTime>
 #include <QSignalSpy>
 
-namespace test_file_guard_changed {
+namespace sparkout::test_file_guard_changed {
 
-using namespace sparkout;
 using namespace file_guard_bench;
 
 class TestFileGuardChanged : public QObject {
@@ -174,7 +172,7 @@ private slots:
     }
 };
 
-} // namespace test_file_guard_changed
+} // namespace sparkout::test_file_guard_changed
 
 SPARKOUT_TEST(test_file_guard_changed, TestFileGuardChanged)
 #include "test_file_guard_changed.moc"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The earlier versions that a guarded file keeps.
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/support/file_guard_bench.h"
 
@@ -9,9 +8,8 @@
 
 #include <chrono>
 
-namespace test_file_guard_history {
+namespace sparkout::test_file_guard_history {
 
-using namespace sparkout;
 using namespace file_guard_bench;
 
 class TestFileGuardHistory : public QObject {
@@ -110,7 +108,7 @@ private slots:
     }
 };
 
-} // namespace test_file_guard_history
+} // namespace sparkout::test_file_guard_history
 
 SPARKOUT_TEST(test_file_guard_history, TestFileGuardHistory)
 #include "test_file_guard_history.moc"

@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lock beside a project: who has it, who may take it over, and how it follows the document.
-#include "core/study/new_project.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/ui/support/file_guard_bench.h"
 
 #include <QDateTime>
-#include <QElapsedTimer>
-#include <QLockFile>
 
-namespace test_file_guard_lock {
+namespace sparkout::test_file_guard_lock {
 
-using namespace sparkout;
 using namespace file_guard_bench;
-
-namespace {
 
 /// The lock file as a program on another computer writes it.
 QByteArray foreignLock() {
     return "1234\nsparkout\nanother-host\n0123456789abcdef\n00000000-0000-0000-0000-000000000000\n";
 }
-
-} // namespace
 
 class TestFileGuardLock : public QObject {
     Q_OBJECT
@@ -112,8 +105,7 @@ private slots:
 
     // To open a pipe is to wait for a writer, and /dev/zero has no end.
     void whatIsNoLockIsNamedAndPassedOver_data() {
-        QTest::addColumn<QString>("kind");
-        QTest::addColumn<QString>("ending");
+        addColumns<QString, QString>("kind", "ending");
         for (const QString& kind : trouble::strangeKinds()) {
             for (const char* ending : {"", ".rmlock"}) {
                 QTest::addRow("%s%s", qPrintable(kind), ending)
@@ -132,8 +124,7 @@ private slots:
         }
         trouble::putStrange(kind, path);
         const auto before = stampOf(path);
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         bench.open();
         QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
         QCOMPARE(bench.access, Access::write);
@@ -260,7 +251,7 @@ private slots:
     }
 };
 
-} // namespace test_file_guard_lock
+} // namespace sparkout::test_file_guard_lock
 
 SPARKOUT_TEST(test_file_guard_lock, TestFileGuardLock)
 #include "test_file_guard_lock.moc"

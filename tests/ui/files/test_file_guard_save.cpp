@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A guarded file is saved: what it replaces, what it refuses, what stays when it fails.
 #include "core/files/file_system.h"
-#include "core/project/part.h"
-#include "core/study/new_project.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/file_guard_bench.h"
+#include "tests/ui/support/untitled.h"
 #include "ui/session/project_io.h"
-
-#include <QElapsedTimer>
 
 #include <cerrno>
 
-namespace test_file_guard_save {
+namespace sparkout::test_file_guard_save {
 
-using namespace sparkout;
 using namespace file_guard_bench;
-
-namespace {
 
 #ifdef Q_OS_WIN
 
@@ -53,8 +48,6 @@ std::optional<FileError> saveInto(const QString& trouble, Bench& bench, FileStep
 }
 
 #endif
-
-} // namespace
 
 class TestFileGuardSave : public QObject {
     Q_OBJECT
@@ -136,8 +129,7 @@ private slots:
     }
 
     void theUnsavedEditsAreKnownByName() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         QVERIFY(document.unsavedEdits().isEmpty());
         setDiameter(document, 31);
         setDiameter(document, 32);
@@ -177,8 +169,7 @@ private slots:
             project.runs.push_back(
                 {"run", "2026-01-01T00:00:00Z", "0.1", {inputs}, {"{\"radii\":[" + radii + "]}"}});
         }
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         const SavedContent saved =
             saveContent([&project] { return projectText(plainSetup(project)); }, bench.path,
                         {.keepBackup = true});
@@ -202,7 +193,7 @@ private slots:
     }
 };
 
-} // namespace test_file_guard_save
+} // namespace sparkout::test_file_guard_save
 
 SPARKOUT_TEST(test_file_guard_save, TestFileGuardSave)
 #include "test_file_guard_save.moc"

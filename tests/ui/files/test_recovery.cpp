@@ -3,8 +3,10 @@
 #include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/processor_time.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
+#include "tests/ui/support/diameters.h"
 #include "tests/ui/support/file_trouble.h"
 #include "ui/files/autosave.h"
 #include "ui/session/document.h"
@@ -15,32 +17,24 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 
 #include <atomic>
 #include <thread>
 
-namespace test_recovery {
+namespace sparkout::test_recovery {
 
-using namespace sparkout;
 using namespace std::chrono_literals;
-
-namespace {
-
-constexpr EditText editText{"Input", "Diameter"};
-
-void setDiameter(Document& document, double diameter_mm) {
-    Project project = document.project();
-    project.part->diameter_mm = diameter_mm;
-    document.edit(project, editText);
-}
 
 /// A document with a recovery file in a folder of its own.
 struct Bench {
     explicit Bench(Autosave::Times times = {20ms, 300ms}) {
         document.startUntitled(newProject(Operation::traverse));
         autosave = std::make_unique<Autosave>(document, store, times);
+    }
+    /// An edit that is in the recovery file at once.
+    void keep(double diameter_mm) {
+        setDiameter(document, diameter_mm);
+        autosave->flush();
     }
     QTemporaryDir folder;
     RecoveryStore store{folder.path() + QStringLiteral("/state")};
@@ -52,7 +46,9 @@ RecoveryContent contentOf(const QString& file) {
     return readRecovery(trouble::bytesOf(file).toStdString());
 }
 
-} // namespace
+double diameterIn(const QString& file) {
+    return contentOf(file).setup->surfaces.front().project.part->diameter_mm;
+}
 
 class TestRecovery : public QObject {
     Q_OBJECT
@@ -183,8 +179,7 @@ private slots:
 
     void theRecoveryFileGoesWithASaveAndOnlyThen() {
         Bench bench;
-        setDiameter(bench.document, 31);
-        bench.autosave->flush();
+        bench.keep(31);
         const QString file = bench.autosave->file();
         QVERIFY(QFileInfo::exists(file));
         QVERIFY(bench.document.saveAs(QStringLiteral("/nowhere/at/all.sparkout")).has_value());
@@ -210,20 +205,15 @@ private slots:
         const auto discarded = bench.store.discarded();
         QCOMPARE(discarded.size(), std::size_t{1});
         QVERIFY(discarded[0].state == RecoveryItem::State::discarded);
-        QCOMPARE(contentOf(discarded[0].file).setup->surfaces.front().project.part->diameter_mm,
-                 31.0);
+        QCOMPARE(diameterIn(discarded[0].file), 31.0);
     }
 
     void anotherDocumentNeverOverwritesTheRecoveryFileOfTheLast() {
         Bench bench;
-        setDiameter(bench.document, 31);
-        bench.autosave->flush();
+        bench.keep(31);
         bench.document.startUntitled(newProject(Operation::plunge));
-        setDiameter(bench.document, 50);
-        bench.autosave->flush();
-        QCOMPARE(
-            contentOf(bench.autosave->file()).setup->surfaces.front().project.part->diameter_mm,
-            50.0);
+        bench.keep(50);
+        QCOMPARE(diameterIn(bench.autosave->file()), 50.0);
         QCOMPARE(bench.store.discarded().size(), std::size_t{1});
         QCOMPARE(contentOf(bench.store.discarded()[0].file)
                      .setup->surfaces.front()
@@ -237,13 +227,12 @@ private slots:
         bench.autosave.reset();
         const auto left = bench.store.left();
         QCOMPARE(left.size(), std::size_t{1});
-        QCOMPARE(contentOf(left[0].file).setup->surfaces.front().project.part->diameter_mm, 31.0);
+        QCOMPARE(diameterIn(left[0].file), 31.0);
     }
 
     void editsThatWereUndoneAreNotOffered() {
         Bench bench;
-        setDiameter(bench.document, 31);
-        bench.autosave->flush();
+        bench.keep(31);
         bench.document.undo();
         bench.autosave->flush();
         bench.autosave.reset();
@@ -253,8 +242,7 @@ private slots:
 
     void workOfARunningSessionIsNotOfferedToAnother() {
         Bench bench;
-        setDiameter(bench.document, 31);
-        bench.autosave->flush();
+        bench.keep(31);
         QVERIFY(bench.store.left().empty());
         // What one instance is just offering, another does not offer as well.
         bench.autosave.reset();
@@ -333,8 +321,7 @@ private slots:
 
     void damagedFilesAreListedAsSuchAndStopNothing() {
         Bench bench;
-        setDiameter(bench.document, 31);
-        bench.autosave->flush();
+        bench.keep(31);
         const QByteArray good = trouble::bytesOf(bench.autosave->file());
         bench.autosave->discard();
         const QList<QByteArray> bad{
@@ -370,8 +357,7 @@ private slots:
 
     void whatIsNoOrdinaryFileIsListedAndNeverOpened() {
         Bench bench;
-        setDiameter(bench.document, 31);
-        bench.autosave->flush();
+        bench.keep(31);
         const QByteArray good = trouble::bytesOf(bench.autosave->file());
         bench.autosave->saved();
         const QString folder = bench.store.folder() + u'/';
@@ -385,8 +371,7 @@ private slots:
             trouble::putStrange(name, folder + QStringLiteral("locked-") + name
                                           + QStringLiteral(".lock"));
         }
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         auto left = bench.store.left();
         QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
         QCOMPARE(left.size(), 2 * std::size_t(kinds.size()));
@@ -418,8 +403,7 @@ private slots:
         constexpr int files = 5000;
 #endif
         Bench bench;
-        setDiameter(bench.document, 31);
-        bench.autosave->flush();
+        bench.keep(31);
         const QByteArray good = trouble::bytesOf(bench.autosave->file());
         bench.autosave->saved();
         const QString first = bench.store.folder() + QStringLiteral("/0");
@@ -488,8 +472,7 @@ private slots:
         QVERIFY(document.readOnly());
         QVERIFY(!document.canUndo());
         setDiameter(document, 32);
-        QTRY_COMPARE(contentOf(left[0].file).setup->surfaces.front().project.part->diameter_mm,
-                     32.0);
+        QTRY_COMPARE(diameterIn(left[0].file), 32.0);
         QCOMPARE(autosave.file(), left[0].file);
         document.undo();
         QVERIFY2(document.modified(), "the state that was recovered is saved nowhere");
@@ -503,38 +486,29 @@ private slots:
         const QString state = bench.folder.filePath(QStringLiteral("state"));
         trouble::write(state, {});
         QSignalSpy failed(bench.autosave.get(), &Autosave::failed);
-        setDiameter(bench.document, 31);
-        bench.autosave->flush();
+        bench.keep(31);
         QCOMPARE(failed.count(), 1);
         QCOMPARE(failed[0][0].value<FileError>().step, FileStep::create);
         QVERIFY(bench.document.modified());
         QVERIFY(QFile::remove(state));
-        setDiameter(bench.document, 32); // tried again with the next edit
-        bench.autosave->flush();
+        bench.keep(32); // tried again with the next edit
         QVERIFY(!bench.autosave->file().isEmpty());
     }
 
     void aFileOpenElsewhereStaysAsItWas() {
         Bench bench;
-        setDiameter(bench.document, 31);
-        bench.autosave->flush();
+        bench.keep(31);
         QSignalSpy failed(bench.autosave.get(), &Autosave::failed);
         {
             const trouble::Held held(bench.autosave->file(), trouble::Held::Against::replacing);
-            setDiameter(bench.document, 32);
-            bench.autosave->flush();
+            bench.keep(32);
         }
         QCOMPARE(failed.count(), 1);
         QCOMPARE(failed[0][0].value<FileError>().step, FileStep::rename);
-        QCOMPARE(
-            contentOf(bench.autosave->file()).setup->surfaces.front().project.part->diameter_mm,
-            31.0);
+        QCOMPARE(diameterIn(bench.autosave->file()), 31.0);
         QVERIFY(bench.document.modified());
-        setDiameter(bench.document, 33);
-        bench.autosave->flush();
-        QCOMPARE(
-            contentOf(bench.autosave->file()).setup->surfaces.front().project.part->diameter_mm,
-            33.0);
+        bench.keep(33);
+        QCOMPARE(diameterIn(bench.autosave->file()), 33.0);
     }
 #else
     void aFolderThatTakesNoFilesIsReportedAndLosesNothing() {
@@ -545,32 +519,26 @@ private slots:
         QSignalSpy failed(bench.autosave.get(), &Autosave::failed);
         {
             const trouble::Unprivileged user;
-            setDiameter(bench.document, 31);
-            bench.autosave->flush();
+            bench.keep(31);
         }
         QCOMPARE(failed.count(), 1);
         QCOMPARE(failed[0][0].value<FileError>().step, FileStep::create);
         QVERIFY(bench.document.modified());
         trouble::setMode(bench.folder.filePath(QStringLiteral("state")), 0755);
-        setDiameter(bench.document, 32); // tried again with the next edit
-        bench.autosave->flush();
+        bench.keep(32); // tried again with the next edit
         QVERIFY(!bench.autosave->file().isEmpty());
     }
 
     void aFullDiskKeepsTheRecoveryFileBefore() {
         Bench bench;
-        setDiameter(bench.document, 31);
-        bench.autosave->flush();
+        bench.keep(31);
         QSignalSpy failed(bench.autosave.get(), &Autosave::failed);
         {
             const trouble::NoBytes disk;
-            setDiameter(bench.document, 32);
-            bench.autosave->flush();
+            bench.keep(32);
         }
         QCOMPARE(failed.count(), 1);
-        QCOMPARE(
-            contentOf(bench.autosave->file()).setup->surfaces.front().project.part->diameter_mm,
-            31.0);
+        QCOMPARE(diameterIn(bench.autosave->file()), 31.0);
     }
 #endif
 
@@ -583,7 +551,7 @@ private slots:
     }
 };
 
-} // namespace test_recovery
+} // namespace sparkout::test_recovery
 
 SPARKOUT_TEST(test_recovery, TestRecovery)
 #include "test_recovery.moc"

@@ -18,15 +18,11 @@
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 
-#include <QAction>
 #include <QFileInfo>
 #include <QProcess>
-#include <QTemporaryDir>
-#include <QTest>
 
 #include <clocale>
 #include <cstdio>
-#include <functional>
 #include <memory>
 #include <optional>
 

@@ -19,17 +19,10 @@
 #include "ui/session/settings.h"
 
 #include <QFileInfo>
-#include <QTemporaryDir>
-#include <QTest>
 
 #include <functional>
-#include <memory>
 
-namespace test_writers {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_writers {
 
 /// How a kind of file is written and read back, grown by a number of bytes.
 struct Writer {
@@ -203,8 +196,6 @@ QString fileOf(const QTemporaryDir& folder, const QByteArray& kind) {
                                : folder.filePath(QStringLiteral("file"));
 }
 
-} // namespace
-
 class TestWriters : public QObject {
     Q_OBJECT
 
@@ -270,7 +261,7 @@ private slots:
     }
 };
 
-} // namespace test_writers
+} // namespace sparkout::test_writers
 
 SPARKOUT_TEST(test_writers, TestWriters)
 #include "test_writers.moc"

@@ -9,16 +9,11 @@
 #include <QDir>
 #include <QFile>
 #include <QRegularExpression>
-#include <QTest>
 #include <QXmlStreamReader>
 
 #include <algorithm>
 
-namespace test_glossary {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_glossary {
 
 struct Message {
     QString source, translation;
@@ -52,8 +47,6 @@ bool hasOneOf(const QString& text, const QStringList& words) {
     return std::ranges::any_of(
         words, [&text](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
-
-} // namespace
 
 class TestGlossary : public QObject {
     Q_OBJECT
@@ -144,7 +137,7 @@ private slots:
     }
 };
 
-} // namespace test_glossary
+} // namespace sparkout::test_glossary
 
 SPARKOUT_TEST(test_glossary, TestGlossary)
 #include "test_glossary.moc"

@@ -3,6 +3,7 @@
 #include "core/lesson/hideable.h"
 #include "core/project/project.h"
 #include "tests/registry.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/help/help_book.h"
@@ -19,12 +20,10 @@
 #include "ui/window/view_tabs.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <QSet>
-#include <QTest>
 #include <QTextBlock>
 #include <QTextBrowser>
 
@@ -32,19 +31,9 @@
 #include <map>
 #include <set>
 
-namespace test_help {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_help {
 
 constexpr int patience_ms = 60'000; ///< with a window that comes to the front on a busy machine
-
-void languages() {
-    QTest::addColumn<QString>("language");
-    QTest::newRow("en") << QStringLiteral("en");
-    QTest::newRow("ru") << QStringLiteral("ru");
-}
 
 /// Every row of every table, by a walk of its own.
 void everyField(const StructInfo& table, std::set<const StructInfo*>& seen,
@@ -99,13 +88,11 @@ QString topicByF1(Bench& bench, QWidget& widget) {
     return helpOf(bench) ? helpOf(bench)->topic() : QStringLiteral("no help");
 }
 
-} // namespace
-
 class TestHelp : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyInputOfTheTablesIsDescribed_data() { languages(); }
+    void everyInputOfTheTablesIsDescribed_data() { addLanguages(); }
 
     void everyInputOfTheTablesIsDescribed() {
         QFETCH(QString, language);
@@ -130,12 +117,11 @@ private slots:
         QVERIFY(fields > 120);
     }
 
-    void f1OnAFieldTellsOfIt_data() { languages(); }
+    void f1OnAFieldTellsOfIt_data() { addLanguages(); }
 
     void f1OnAFieldTellsOfIt() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         std::set<const Field*> told;
         const auto& pages = bench.window->inputs().pages();
         for (std::size_t i = 0; i < pages.size(); ++i) {
@@ -155,8 +141,7 @@ private slots:
     }
 
     void f1OnAViewTellsOfIt() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         for (View* view : bench.window->views()) {
             bench.window->viewTabs().showView(view);
             bench.settle();
@@ -191,8 +176,7 @@ private slots:
     }
 
     void everyTopicSetInTheWindowHasItsPlace() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         bench.action("helpContents")->trigger();
         QVERIFY(!bench.window->inputs().pages().empty()); // which builds them
         QSet<QString> topics;
@@ -210,8 +194,7 @@ private slots:
     }
 
     void f1InATornOffViewTellsOfIt() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         View* view = bench.window->views()[2];
         bench.window->viewTabs().detach(view);
         bench.settle();
@@ -233,7 +216,7 @@ private slots:
         QVERIFY(!help->isVisible() && dialog.isVisible());
     }
 
-    void noLinkIsDead_data() { languages(); }
+    void noLinkIsDead_data() { addLanguages(); }
 
     void noLinkIsDead() {
         QFETCH(QString, language);
@@ -270,7 +253,7 @@ private slots:
         QVERIFY(anchors[0].size() > 20);
     }
 
-    void noPageMixesTheLanguages_data() { languages(); }
+    void noPageMixesTheLanguages_data() { addLanguages(); }
 
     void noPageMixesTheLanguages() {
         QFETCH(QString, language);
@@ -294,12 +277,11 @@ private slots:
         }
     }
 
-    void thePageOfKeysNamesThoseOfTheWindow_data() { languages(); }
+    void thePageOfKeysNamesThoseOfTheWindow_data() { addLanguages(); }
 
     void thePageOfKeysNamesThoseOfTheWindow() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         bench.action("helpShortcuts")->trigger();
         QCOMPARE(helpOf(bench)->topic(), QStringLiteral("shortcuts"));
         const QString page = helpOf(bench)->book().find(QStringLiteral("shortcuts"))->html;
@@ -443,7 +425,7 @@ private slots:
         }
     }
 
-    void textsOfTheHelpWindowHaveRoom_data() { languages(); }
+    void textsOfTheHelpWindowHaveRoom_data() { addLanguages(); }
 
     void textsOfTheHelpWindowHaveRoom() {
         QFETCH(QString, language);
@@ -464,7 +446,7 @@ private slots:
     }
 };
 
-} // namespace test_help
+} // namespace sparkout::test_help
 
 SPARKOUT_TEST(test_help, TestHelp)
 #include "test_help.moc"

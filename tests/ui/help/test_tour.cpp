@@ -13,14 +13,9 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QToolBar>
 
-namespace test_tour {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_tour {
 
 constexpr int steps = 7;
 
@@ -36,15 +31,12 @@ void press(Qt::Key key) {
     QTest::keyClick(QApplication::focusWidget(), key);
 }
 
-} // namespace
-
 class TestTour : public QObject {
     Q_OBJECT
 
 private slots:
     void keysGoThroughAllSteps_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QSize>("size");
+        addColumns<QString, QSize>("language", "size");
         QTest::newRow("en, small") << QStringLiteral("en") << QSize(1366, 768);
         QTest::newRow("ru, small") << QStringLiteral("ru") << QSize(1366, 768);
         QTest::newRow("ru, large") << QStringLiteral("ru") << QSize(1920, 1080);
@@ -83,8 +75,7 @@ private slots:
     }
 
     void theFirstStepPointsAtTheButtonItNames_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("width");
+        addColumns<QString, int>("language", "width");
         for (const char* code : {"en", "ru"}) {
             for (const int width : {1024, 1366, 1920}) {
                 QTest::addRow("%s %d", code, width) << QString::fromLatin1(code) << width;
@@ -197,7 +188,7 @@ private slots:
     }
 };
 
-} // namespace test_tour
+} // namespace sparkout::test_tour
 
 SPARKOUT_TEST(test_tour, TestTour)
 #include "test_tour.moc"

@@ -2,12 +2,9 @@
 // Labels: numbers
 // Calibrate from measurements: fitted by clicks, taken as one edit, marked in the forms.
 #include "core/measured/calibrated_inputs.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
 #include "tests/registry.h"
-#include "tests/ui/support/text_checks.h"
-#include "tests/ui/support/traced_project.h"
-#include "tests/ui/support/window_bench.h"
+#include "tests/ui/identification/calibration_bench.h"
+#include "tests/ui/support/languages.h"
 #include "ui/fields/calibrated_mark.h"
 #include "ui/fields/number_field.h"
 #include "ui/identification/calibration_dialog.h"
@@ -17,52 +14,15 @@
 #include "ui/report/documents/outcome_remarks.h"
 #include "ui/report/documents/passport.h"
 
-#include <QApplication>
 #include <QCheckBox>
-#include <QComboBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QScopeGuard>
 #include <QStatusBar>
-#include <QTabBar>
-#include <QTabWidget>
-#include <QTableView>
-#include <QTest>
-#include <QTimer>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
+namespace sparkout::test_calibration_dialog {
 
-namespace test_calibration_dialog {
-
-using namespace sparkout;
-
-namespace {
-
-template <typename Widget>
-Widget* part(const QWidget& in, const char* name) {
-    return in.findChild<Widget*>(QLatin1String(name));
-}
-
-/// Opens the dialog by its command and works in it; whatever happens, it is closed in the end.
-void inDialog(const Bench& bench, const std::function<void(QDialog&)>& work) {
-    bool seen = false;
-    QTimer::singleShot(0, bench.window.get(), [&] {
-        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-        if (dialog) {
-            seen = true;
-            work(*dialog);
-            if (dialog->isVisible()) {
-                dialog->reject();
-            }
-        }
-    });
-    bench.action("calibrate")->trigger();
-    QVERIFY(seen);
-}
+using namespace calibration_bench;
 
 void click(const QWidget& dialog, const char* name) {
     auto* button = part<QAbstractButton>(dialog, name);
@@ -82,10 +42,6 @@ void fit(const QDialog& dialog) {
     QTRY_VERIFY_WITH_TIMEOUT(fit->isEnabled(), 60'000);
 }
 
-QString cellOf(const QDialog& dialog, const char* table, int row, int column) {
-    return part<QTableView>(dialog, table)->model()->index(row, column).data().toString();
-}
-
 const Calibration* recordOf(const Bench& bench, const char* path) {
     return calibrationOf(bench.window->document().project(), path);
 }
@@ -97,8 +53,6 @@ void calibrate(const Bench& bench) {
         click(dialog, "fitTake");
     });
 }
-
-} // namespace
 
 class TestCalibrationDialog : public QObject {
     Q_OBJECT
@@ -396,20 +350,11 @@ private slots:
         QVERIFY(*document.project().wheel->bond_modulus_gpa != 60);
     }
 
-    void allTextsHaveRoomAndAreTranslated_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("percent");
-        for (const char* language : {"en", "ru"}) {
-            for (const int percent : {100, 130}) {
-                QTest::addRow("%s %d", language, percent) << QString::fromUtf8(language) << percent;
-            }
-        }
-    }
+    void allTextsHaveRoomAndAreTranslated_data() { addLanguagesAndSizes(); }
 
     void allTextsHaveRoomAndAreTranslated() {
         QFETCH(QString, language);
         QFETCH(int, percent);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         applyFontSize(percent);
         Bench bench(language);
         bench.window->document().startUntitled(traced::project(true));
@@ -444,7 +389,7 @@ private slots:
     }
 };
 
-} // namespace test_calibration_dialog
+} // namespace sparkout::test_calibration_dialog
 
 SPARKOUT_TEST(test_calibration_dialog, TestCalibrationDialog)
 #include "test_calibration_dialog.moc"

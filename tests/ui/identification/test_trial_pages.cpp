@@ -4,70 +4,35 @@
 // one edit, and which trial tells most.
 #include "core/measured/calibrated_inputs.h"
 #include "core/process/system_compliance.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
-#include "core/project/part.h"
 #include "tests/registry.h"
-#include "tests/ui/support/text_checks.h"
-#include "tests/ui/support/traced_project.h"
-#include "tests/ui/support/window_bench.h"
+#include "tests/ui/identification/calibration_bench.h"
+#include "tests/ui/support/examples.h"
+#include "tests/ui/support/languages.h"
 #include "ui/identification/stiffness_sheet.h"
 
-#include <QApplication>
-#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDialog>
 #include <QFile>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPrinter>
 #include <QPushButton>
-#include <QTabBar>
-#include <QTabWidget>
-#include <QTableView>
 #include <QTemporaryDir>
-#include <QTest>
-#include <QTimer>
 
-#include <cmath>
-#include <functional>
+namespace sparkout::test_trial_pages {
 
-namespace test_trial_pages {
-
-using namespace sparkout;
-
-namespace {
+using namespace calibration_bench;
 
 constexpr double headstock = 45, tailstock = 30; ///< of the truth [N/µm]
 constexpr int stiffnessTab = 2, trialTab = 3;
 
-template <typename Widget>
-Widget* part(const QWidget& in, const char* name) {
-    return in.findChild<Widget*>(QLatin1String(name));
-}
-
-/// Opens the dialog on one of its pages and works in it; whatever happens, it is closed in the end.
+/// Works in the dialog on one of its pages.
 void onPage(const Bench& bench, int tab, const std::function<void(QDialog&)>& work) {
-    bool seen = false;
-    QTimer::singleShot(0, bench.window.get(), [&] {
-        if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
-            seen = true;
-            QTabBar* bar = part<QTabWidget>(*dialog, "calibrationTabs")->tabBar();
-            QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(tab).center());
-            work(*dialog);
-            if (dialog->isVisible()) {
-                dialog->reject();
-            }
-        }
+    inDialog(bench, [&](QDialog& dialog) {
+        QTabBar* bar = part<QTabWidget>(dialog, "calibrationTabs")->tabBar();
+        QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(tab).center());
+        work(dialog);
     });
-    bench.action("calibrate")->trigger();
-    QVERIFY(seen);
-}
-
-QString cellOf(const QDialog& dialog, const char* table, int row, int column) {
-    return part<QTableView>(dialog, table)->model()->index(row, column).data().toString();
 }
 
 /// The shaft of the example, at a machine whose heads give more than the project says.
@@ -85,8 +50,7 @@ double deflection_um(Project project, double position_mm, double load_n) {
 }
 
 void openSlender(Bench& bench) {
-    QVERIFY(bench.open(
-        QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/slender-shaft.sparkout")));
+    QVERIFY(bench.open(examplePath("slender-shaft")));
     QTRY_VERIFY(!bench.window->runs().running());
 }
 
@@ -111,8 +75,6 @@ void typeReadings(QDialog& dialog, const Project& project) {
         QTRY_COMPARE(cellOf(dialog, "stiffnessReadings", row, 2), text);
     }
 }
-
-} // namespace
 
 class TestTrialPages : public QObject {
     Q_OBJECT
@@ -248,12 +210,7 @@ private slots:
         QVERIFY(!bench.window->document().canUndo());
     }
 
-    void allTextsHaveRoomAndAreTranslated_data() {
-        QTest::addColumn<QString>("language");
-        for (const char* language : {"en", "ru"}) {
-            QTest::newRow(language) << QString::fromUtf8(language);
-        }
-    }
+    void allTextsHaveRoomAndAreTranslated_data() { addLanguages(); }
 
     void allTextsHaveRoomAndAreTranslated() {
         QFETCH(QString, language);
@@ -287,7 +244,7 @@ private slots:
     }
 };
 
-} // namespace test_trial_pages
+} // namespace sparkout::test_trial_pages
 
 SPARKOUT_TEST(test_trial_pages, TestTrialPages)
 #include "test_trial_pages.moc"

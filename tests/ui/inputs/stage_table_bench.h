@@ -14,9 +14,7 @@
 #include <vector>
 
 /// The table of the stages beside a document of its own.
-namespace stage_table_bench {
-
-using namespace sparkout;
+namespace sparkout::stage_table_bench {
 
 struct Bench {
     explicit Bench(Operation operation = Operation::traverse) : table(document) {
@@ -25,6 +23,8 @@ struct Bench {
         document.startUntitled(newProject(operation));
         table.view().setFocus();
     }
+    /// With a cell selected.
+    Bench(int row, int column) : Bench() { select(row, column); }
     [[nodiscard]] const std::vector<Stage>& stages() const {
         return document.project().cycle->stages;
     }
@@ -55,4 +55,4 @@ inline QComboBox* sparkOutEditor(Bench& bench) {
     return bench.table.view().findChild<QComboBox*>();
 }
 
-} // namespace stage_table_bench
+} // namespace sparkout::stage_table_bench

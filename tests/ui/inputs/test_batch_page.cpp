@@ -4,8 +4,6 @@
 // mouse.
 #include "core/batch/batch_check.h"
 #include "core/batch/scenario_source.h"
-#include "core/format/project_file.h"
-#include "core/project/batch.h"
 #include "core/study/new_project.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
@@ -22,13 +20,8 @@
 #include <QFile>
 #include <QPushButton>
 #include <QTemporaryDir>
-#include <QTest>
 
-namespace test_batch_page {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_batch_page {
 
 constexpr int batchPage = 6;
 
@@ -89,8 +82,6 @@ Project bare() {
     project.batch.reset();
     return project;
 }
-
-} // namespace
 
 class TestBatchPage : public QObject {
     Q_OBJECT
@@ -332,7 +323,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_page
+} // namespace sparkout::test_batch_page
 
 SPARKOUT_TEST(test_batch_page, TestBatchPage)
 #include "test_batch_page.moc"

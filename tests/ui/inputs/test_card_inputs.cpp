@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // What the operation card needs, typed on the page "Part", and the mass that the shaft offers.
-#include "core/project/card_entries.h"
-#include "core/project/part.h"
 #include "core/setup/setup_run.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
+#include "tests/ui/support/typing.h"
+#include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/report/card/operation_card_report.h"
 
@@ -15,20 +15,15 @@
 
 #include <string>
 
-namespace test_card_inputs {
+namespace sparkout::test_card_inputs {
 
-using namespace sparkout;
 using namespace catalogue_bench;
-
-namespace {
 
 void type(Window& window, const char* path, const QString& text) {
     auto* line = window.on<QLineEdit>(path);
     QVERIFY2(line, path);
     window.bench.window->inputs().pages()[partPage]->showPath(path, true);
-    line->setFocus();
-    line->selectAll();
-    QTest::keyClicks(line, text);
+    typeOver(*line, text);
     QTest::keyClick(line, Qt::Key_Return);
     window.bench.settle();
 }
@@ -39,8 +34,6 @@ void giveSteps(Window& window) {
     window.document().edit(project, {"Input", "Segments of the shaft"});
     window.bench.settle();
 }
-
-} // namespace
 
 class TestCardInputs : public QObject {
     Q_OBJECT
@@ -112,7 +105,7 @@ private slots:
     }
 };
 
-} // namespace test_card_inputs
+} // namespace sparkout::test_card_inputs
 
 SPARKOUT_TEST(test_card_inputs, TestCardInputs)
 #include "test_card_inputs.moc"

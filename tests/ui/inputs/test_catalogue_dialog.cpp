@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The dialog of a catalogue as a user meets it on the pages of the inputs.
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/text_checks.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/forms/catalogue_dialog.h"
 #include "ui/inputs/forms/entry_name_dialog.h"
 #include "ui/session/settings.h"
@@ -15,17 +14,13 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QLabel>
-#include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
-namespace test_catalogue_dialog {
+namespace sparkout::test_catalogue_dialog {
 
-using namespace sparkout;
 using namespace catalogue_bench;
-
-namespace {
+using on_disk::bytesOf;
 
 QStringList visibleEntries(const QDialog& dialog) {
     QStringList names;
@@ -44,13 +39,6 @@ void write(const QString& path, const QByteArray& bytes) {
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(bytes);
 }
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-} // namespace
 
 class TestCatalogueDialog : public QObject {
     Q_OBJECT
@@ -237,7 +225,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-} // namespace test_catalogue_dialog
+} // namespace sparkout::test_catalogue_dialog
 
 SPARKOUT_TEST(test_catalogue_dialog, TestCatalogueDialog)
 #include "test_catalogue_dialog.moc"

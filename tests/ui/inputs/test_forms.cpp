@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "core/study/search_edits.h"
+#include "tests/ui/support/typing.h"
+#include "tests/ui/support/untitled.h"
+#include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/editors/choice_editor.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/inputs/forms/form_row.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/session/document.h"
 #include "ui/text/hint_text.h"
-#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
 #include "core/format/project_file.h"
@@ -34,17 +28,11 @@
 #include <QLocale>
 #include <QPlainTextEdit>
 #include <QPointer>
-#include <QTest>
 #include <QTextDocumentFragment>
 
-#include <clocale>
 #include <functional>
 
-namespace test_forms {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_forms {
 
 /// Types into the widget of a row, whatever it is, so that its value changes.
 void changeByHand(QWidget* widget, int places) {
@@ -85,8 +73,6 @@ void changeByHand(QWidget* widget, int places) {
     }
 }
 
-} // namespace
-
 class TestForms : public QObject {
     Q_OBJECT
 
@@ -111,8 +97,7 @@ private slots:
 
     void aColumnOfASpreadsheetBecomesAListOrIsRefusedWithItsCell() {
         QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
-        Document document;
-        document.startUntitled(withUsualSearch(newProject(Operation::traverse)));
+        Untitled document(withUsualSearch(newProject(Operation::traverse)));
         FormPage page(Page::search, document);
         page.show();
         auto* line = page.findChild<QLineEdit*>(QStringLiteral("/optimisation/radial_feed_mm"));
@@ -171,9 +156,7 @@ private slots:
             }
         }
         QVERIFY(sections);
-        sections->setFocus();
-        sections->selectAll();
-        QTest::keyClicks(sections, QStringLiteral("12"));
+        typeOver(*sections, QStringLiteral("12"));
         QVERIFY(sameProject(document.project(), withSections(project, 12)));
         QCOMPARE(document.project().gauge->section, project.gauge->section);
         document.undo();
@@ -256,9 +239,7 @@ private slots:
         auto* line = page.findChild<QLineEdit*>(QStringLiteral("/machine/wheel_contact/n_um_at_n"));
         QVERIFY(line);
         for (const QString& text : {u"50"_qs, u"0 x"_qs, u"10 50; 5 80"_qs, u"0 0"_qs}) {
-            line->setFocus();
-            line->selectAll();
-            QTest::keyClicks(line, text);
+            typeOver(*line, text);
             QTest::keyClick(line, Qt::Key_Return);
             QCOMPARE(line->text(), text);
             QCOMPARE(page.refusals().size(), std::size_t(1));
@@ -439,9 +420,7 @@ private slots:
         document.startUntitled(newProject(Operation::traverse));
         auto* nz = panel.findChild<NumberField*>(QStringLiteral("/machine/compliance_mm_per_n/nz"));
         QVERIFY(nz && nz->isVisible());
-        nz->setFocus();
-        nz->selectAll();
-        QTest::keyClicks(nz, QStringLiteral("2,5e-4"));
+        typeOver(*nz, QStringLiteral("2,5e-4"));
         const auto zones =
             std::get<ZoneCompliance>(document.project().machine->compliance_mm_per_n);
         QCOMPARE(zones.nz, 2.5e-4);
@@ -508,9 +487,7 @@ private slots:
         auto* radii = panel.findChild<NumberField*>(QStringLiteral("/part/radii_per_section"));
         QCOMPARE(radii->remark().mark, Mark::error);
         auto* diameter = panel.findChild<NumberField*>(QStringLiteral("/part/diameter_mm"));
-        diameter->setFocus();
-        diameter->selectAll();
-        QTest::keyClicks(diameter, QStringLiteral("abc"));
+        typeOver(*diameter, QStringLiteral("abc"));
         QCOMPARE(panel.refusals().size(), 1u);
         QCOMPARE(panel.refusals().front().path, std::string("/part/diameter_mm"));
         QCOMPARE(document.project().part->diameter_mm, project.part->diameter_mm);
@@ -524,7 +501,7 @@ private slots:
     }
 };
 
-} // namespace test_forms
+} // namespace sparkout::test_forms
 
 SPARKOUT_TEST(test_forms, TestForms)
 #include "test_forms.moc"

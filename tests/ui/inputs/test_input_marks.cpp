@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the inputs say of themselves: hints, marks of changes, refused texts and undo.
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/new_project.h"
+#include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/reset_mark.h"
 #include "ui/inputs/forms/form_row.h"
@@ -23,7 +19,6 @@
 #include "tests/registry.h"
 
 #include <QApplication>
-#include <QComboBox>
 #include <QContextMenuEvent>
 #include <QFile>
 #include <QLabel>
@@ -31,16 +26,10 @@
 #include <QPlainTextEdit>
 #include <QRegularExpression>
 #include <QTableView>
-#include <QTest>
 
-#include <clocale>
 #include <functional>
 
-namespace test_input_marks {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_input_marks {
 
 struct Bench {
     Bench() : panel(document) {
@@ -88,8 +77,6 @@ void eachField(const StructInfo& table, const std::function<void(const Field&)>&
         }
     }
 }
-
-} // namespace
 
 class TestInputMarks : public QObject {
     Q_OBJECT
@@ -282,8 +269,7 @@ private slots:
     }
 
     void theMenuKeyOffersTheReset_data() {
-        QTest::addColumn<int>("page");
-        QTest::addColumn<QString>("path");
+        addColumns<int, QString>("page", "path");
         QTest::newRow("number") << 1 << QStringLiteral("/material/friction");
         QTest::newRow("choice") << 0 << QStringLiteral("/part/shaft/mounting");
         QTest::newRow("given or not") << 0 << QStringLiteral("/part/target_diameter_mm");
@@ -411,7 +397,7 @@ private:
     }
 };
 
-} // namespace test_input_marks
+} // namespace sparkout::test_input_marks
 
 SPARKOUT_TEST(test_input_marks, TestInputMarks)
 #include "test_input_marks.moc"

@@ -11,16 +11,10 @@
 
 #include <QLabel>
 #include <QScrollBar>
-#include <QTest>
 
 #include <algorithm>
-#include <vector>
 
-namespace test_page_columns {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_page_columns {
 
 constexpr int high = 3000; ///< nothing is scrolled
 
@@ -67,8 +61,6 @@ void show(FormPage& page, int width, int height = high) {
     QTest::qWait(10);
 }
 
-} // namespace
-
 class TestPageColumns : public QObject {
     Q_OBJECT
 
@@ -108,8 +100,7 @@ private slots:
 
     // As a look at the page would say: nothing over another, nothing pressed.
     void nothingOverlapsOrIsPressed_data() {
-        QTest::addColumn<int>("page");
-        QTest::addColumn<int>("width");
+        addColumns<int, int>("page", "width");
         for (int page = int(Page::part); page <= int(Page::search); ++page) {
             for (const int columns : {1, 2, 3}) {
                 QTest::addRow("%d, %d", page, columns) << page << columns * panelWidth();
@@ -168,7 +159,7 @@ private slots:
     }
 };
 
-} // namespace test_page_columns
+} // namespace sparkout::test_page_columns
 
 SPARKOUT_TEST(test_page_columns, TestPageColumns)
 #include "test_page_columns.moc"

@@ -2,47 +2,37 @@
 // Labels: numbers
 // Sections and parts are counted from 1 on screen and on paper, from 0 in the file.
 #include "core/format/project_file.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
 #include "core/project/validate.h"
-#include "core/study/evaluate.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "core/sweep/sweep_run.h"
+#include "tests/ui/support/typing.h"
+#include "tests/ui/support/untitled.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/charts/run_table.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/format/report_text.h"
-#include "ui/session/document.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 #include "ui/views/sweep/sweep_text.h"
 
 #include "tests/registry.h"
 
-#include <QLabel>
 #include <QLocale>
-#include <QTest>
 
 #include <algorithm>
 #include <optional>
 #include <variant>
 
-namespace test_section_numbers {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_section_numbers {
 
 Project fourSections(std::optional<int> gauged) {
     Project project = withSections(newProject(Operation::plunge), 4);
     project.gauge->section = gauged;
     return project;
 }
-
-} // namespace
 
 class TestSectionNumbers : public QObject {
     Q_OBJECT
@@ -59,8 +49,7 @@ private slots:
     }
 
     void theFieldOfTheGaugeTakesANumberFromOne() {
-        Document document;
-        document.startUntitled(fourSections(3));
+        Untitled document(fourSections(3));
         FormPage page(Page::gauge, document);
         page.show();
         auto* field = page.findChild<NumberField*>(QStringLiteral("/gauge/section"));
@@ -70,9 +59,7 @@ private slots:
                  qPrintable(field->toolTip()));
 
         const auto type = [field](const QString& text) {
-            field->setFocus();
-            field->selectAll();
-            QTest::keyClicks(field, text);
+            typeOver(*field, text);
             QTest::keyClick(field, Qt::Key_Return);
         };
         type(QStringLiteral("1"));
@@ -129,7 +116,7 @@ private slots:
     }
 };
 
-} // namespace test_section_numbers
+} // namespace sparkout::test_section_numbers
 
 SPARKOUT_TEST(test_section_numbers, TestSectionNumbers)
 #include "test_section_numbers.moc"

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
+#include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/forms/form_row.h"
 #include "ui/inputs/forms/list_table.h"
@@ -27,17 +25,10 @@
 #include <QPushButton>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 #include <QToolButton>
 
-#include <clocale>
-
-namespace test_shaft_form {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_shaft_form {
 
 constexpr int partPage = 0;
 constexpr int machinePage = 3;
@@ -123,8 +114,6 @@ void answerFileDialog(const QString& path) {
     });
     poll->start(50);
 }
-
-} // namespace
 
 class TestShaftForm : public QObject {
     Q_OBJECT
@@ -323,7 +312,7 @@ private slots:
     }
 };
 
-} // namespace test_shaft_form
+} // namespace sparkout::test_shaft_form
 
 SPARKOUT_TEST(test_shaft_form, TestShaftForm)
 #include "test_shaft_form.moc"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The cells of the stage table: typed over, refused, taken back.
-#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
 #include "tests/ui/support/window_bench.h"
@@ -13,9 +12,8 @@
 #include <functional>
 #include <initializer_list>
 
-namespace test_stage_table_editing {
+namespace sparkout::test_stage_table_editing {
 
-using namespace sparkout;
 using namespace stage_table_bench;
 using stage_table_bench::Bench;
 
@@ -26,8 +24,7 @@ private slots:
     void deleteEmptiesACellWhetherItIsBeingEditedOrNot() {
         QTest::failOnWarning(QRegularExpression(QStringLiteral("editing failed")));
         for (const bool edited : {false, true}) {
-            Bench bench;
-            bench.select(0, 0);
+            Bench bench(0, 0);
             QVERIFY(!edited || bench.openEditor());
             QTest::keyClick(&bench.table.view(), Qt::Key_Delete);
             auto* field = bench.table.view().findChild<NumberField*>();
@@ -95,8 +92,7 @@ private slots:
     }
 
     void typingOverACellChangesTheStageWhileTyping() {
-        Bench bench;
-        bench.select(0, 0);
+        Bench bench(0, 0);
         QTest::keyClick(&bench.table.view(), Qt::Key_0);
         auto* editor = bench.table.view().findChild<NumberField*>();
         QVERIFY(editor);
@@ -109,8 +105,7 @@ private slots:
     }
 
     void aRefusedTextStaysInTheCellMarkedAndTheStageKeepsItsValue() {
-        Bench bench;
-        bench.select(1, 2);
+        Bench bench(1, 2);
         auto* editor = bench.openEditor();
         QVERIFY(editor);
         editor->selectAll();
@@ -128,8 +123,7 @@ private slots:
     }
 
     void aGoodNumberOverARefusedTextIsTaken() {
-        Bench bench;
-        bench.select(1, 2);
+        Bench bench(1, 2);
         auto* editor = bench.openEditor();
         editor->selectAll();
         QTest::keyClicks(editor, QStringLiteral("2 um"));
@@ -162,8 +156,7 @@ private slots:
     }
 
     void escapeTakesBackWhatWasTyped() {
-        Bench bench;
-        bench.select(1, 2);
+        Bench bench(1, 2);
         auto* editor = bench.openEditor();
         editor->selectAll();
         QTest::keyClicks(editor, QStringLiteral("0.07"));
@@ -173,8 +166,7 @@ private slots:
     }
 
     void aRefusedTextOfACellGivesWayToItsValue() {
-        Bench bench;
-        bench.select(0, 0);
+        Bench bench(0, 0);
         auto* editor = bench.openEditor();
         editor->selectAll();
         QTest::keyClicks(editor, QStringLiteral("much"));
@@ -187,7 +179,7 @@ private slots:
     }
 };
 
-} // namespace test_stage_table_editing
+} // namespace sparkout::test_stage_table_editing
 
 SPARKOUT_TEST(test_stage_table_editing, TestStageTableEditing)
 #include "test_stage_table_editing.moc"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The stage table and the clipboard: cells of a spreadsheet pasted, refused, copied.
-#include "core/project/cycle.h"
-#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
 #include "ui/text/number_text.h"
@@ -16,13 +14,10 @@
 
 #include <random>
 
-namespace test_stage_table_paste {
+namespace sparkout::test_stage_table_paste {
 
-using namespace sparkout;
 using namespace stage_table_bench;
 using stage_table_bench::Bench;
-
-namespace {
 
 void paste(Bench& bench, const QString& text) {
     QApplication::clipboard()->setText(text);
@@ -38,8 +33,6 @@ QString copied(Bench& bench, Qt::KeyboardModifiers modifiers = Qt::ControlModifi
 QString reasons(const Bench& bench) {
     return bench.table.findChild<QLabel*>(QStringLiteral("reasons"))->text();
 }
-
-} // namespace
 
 class TestStageTablePaste : public QObject {
     Q_OBJECT
@@ -66,8 +59,7 @@ private slots:
     }
 
     void headsOfAnotherTableAreLeftOut() {
-        Bench bench;
-        bench.select(0, 0);
+        Bench bench(0, 0);
         paste(bench, QStringLiteral("St, mm\tSax, mm/min\tStock\n0.006\t1500\t0.09\n"
                                     "0.003\t900\t0.06\n"));
         QCOMPARE(bench.stages().size(), 2u);
@@ -93,15 +85,9 @@ private slots:
     }
 
     void aRefusedCellIsNamedAndNothingIsTaken_data() {
-        QTest::addColumn<int>("row");
-        QTest::addColumn<int>("column");
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("reason");
+        addColumns<int, int, QString, QString>("row", "column", "text", "reason");
         const auto line = [](const char* name, int row, int column, const char* text,
-                             const char* reason) {
-            QTest::newRow(name) << row << column << QString::fromUtf8(text)
-                                << QString::fromUtf8(reason);
-        };
+                             const char* reason) { addRow(name, row, column, text, reason); };
         line("word", 0, 2, "0.1\nabc",
              "Stage 2, Stock per side: “abc” is not a number; allowed: 0 to 5\u00a0mm");
         line("range", 0, 2, "7,5",
@@ -161,8 +147,7 @@ private slots:
     }
 
     void moreRefusedCellsThanAreShownAreCounted() {
-        Bench bench;
-        bench.select(0, 0);
+        Bench bench(0, 0);
         paste(bench, QStringLiteral("a\tb\tc\nd\te\tf\ng\th\ti"));
         QCOMPARE(reasons(bench).count(QStringLiteral("Not pasted")), 6);
         QVERIFY(reasons(bench).contains(QStringLiteral("4 further cell")));
@@ -230,8 +215,7 @@ private slots:
 
     void theSelectionIsCopiedByItself() {
         QLocale::setDefault(QLocale(QLocale::Russian, QLocale::Russia));
-        Bench bench;
-        bench.select(0, 1);
+        Bench bench(0, 1);
         QCOMPARE(copied(bench), QStringLiteral("1800\n"));
         QTest::keyClick(&bench.table.view(), Qt::Key_Right, Qt::ShiftModifier);
         QTest::keyClick(&bench.table.view(), Qt::Key_Down, Qt::ShiftModifier);
@@ -244,7 +228,7 @@ private slots:
     }
 };
 
-} // namespace test_stage_table_paste
+} // namespace sparkout::test_stage_table_paste
 
 SPARKOUT_TEST(test_stage_table_paste, TestStageTablePaste)
 #include "test_stage_table_paste.moc"

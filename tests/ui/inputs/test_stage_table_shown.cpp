@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // What the stage table shows: its columns, times and shares, the copy of it.
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/study/evaluate.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/forms/stage_model.h"
 
 #include <QApplication>
@@ -16,13 +15,10 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace test_stage_table_shown {
+namespace sparkout::test_stage_table_shown {
 
-using namespace sparkout;
 using namespace stage_table_bench;
 using stage_table_bench::Bench;
-
-namespace {
 
 QStringList words(std::initializer_list<const char*> texts) {
     QStringList list;
@@ -39,8 +35,6 @@ QStringList heads(const QTableView& view) {
     }
     return list;
 }
-
-} // namespace
 
 class TestStageTableShown : public QObject {
     Q_OBJECT
@@ -156,7 +150,7 @@ private slots:
     }
 };
 
-} // namespace test_stage_table_shown
+} // namespace sparkout::test_stage_table_shown
 
 SPARKOUT_TEST(test_stage_table_shown, TestStageTableShown)
 #include "test_stage_table_shown.moc"

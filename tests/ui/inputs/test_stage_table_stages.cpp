@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The stages of the table: added, removed, moved, made to spark out.
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
+#include "tests/ui/support/typing.h"
+#include "tests/whole_project.h"
 #include "ui/text/language.h"
 
 #include <QApplication>
@@ -20,9 +20,8 @@
 #include <cmath>
 #include <optional>
 
-namespace test_stage_table_stages {
+namespace sparkout::test_stage_table_stages {
 
-using namespace sparkout;
 using namespace stage_table_bench;
 using stage_table_bench::Bench;
 
@@ -106,8 +105,7 @@ private slots:
     }
 
     void controlArrowsMoveTheStageAndTheSelectionGoesWithIt() {
-        Bench bench;
-        bench.select(1, 1);
+        Bench bench(1, 1);
         QTest::keyClick(&bench.table.view(), Qt::Key_Up, Qt::ControlModifier);
         QCOMPARE(bench.stages()[0].radial_feed_mm.value(), 0.002);
         QCOMPARE(bench.table.view().currentIndex().row(), 0);
@@ -118,8 +116,7 @@ private slots:
     }
 
     void theButtonsDoTheSameAsTheKeys() {
-        Bench bench;
-        bench.select(0, 0);
+        Bench bench(0, 0);
         const auto buttons = bench.table.findChildren<QToolButton*>();
         const auto click = [&buttons](const char* icon) {
             for (QToolButton* button : buttons) {
@@ -168,8 +165,7 @@ private slots:
     }
 
     void theLastStageBecomesASparkOutUntilSizeByKeysAndFeedsNothing() {
-        Bench bench;
-        bench.select(1, 3);
+        Bench bench(1, 3);
         QTest::keyClick(&bench.table.view(), Qt::Key_F2);
         auto* mode = bench.table.view().findChild<QComboBox*>();
         QVERIFY(mode);
@@ -194,9 +190,7 @@ private slots:
         auto* count = bench.table.view().findChild<NumberField*>();
         QVERIFY(count && count->isVisible());
         const int good = bench.stages()[1].spark_out.count;
-        count->setFocus();
-        count->selectAll();
-        QTest::keyClicks(count, QStringLiteral("2.5"));
+        typeOver(*count, QStringLiteral("2.5"));
         bench.select(0, 0); // closes the editor
         const QModelIndex cell = bench.table.view().model()->index(1, 3);
         QCOMPARE(cell.data().toString(), QStringLiteral("2.5"));
@@ -269,7 +263,7 @@ private slots:
     }
 };
 
-} // namespace test_stage_table_stages
+} // namespace sparkout::test_stage_table_stages
 
 SPARKOUT_TEST(test_stage_table_stages, TestStageTableStages)
 #include "test_stage_table_stages.moc"

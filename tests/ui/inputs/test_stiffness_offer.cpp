@@ -2,31 +2,24 @@
 // Labels: numbers
 // The stiffness of a machine from the catalogue is offered, with its effect, not just taken.
 #include "core/format/project_file.h"
-#include "core/project/machine.h"
-#include "core/project/project.h"
 #include "core/study/evaluate.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/whole_project.h"
 #include "ui/text/names.h"
 
 #include <QCheckBox>
-#include <QLabel>
-#include <QLineEdit>
 #include <QTreeWidget>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
 
-namespace test_stiffness_offer {
+namespace sparkout::test_stiffness_offer {
 
-using namespace sparkout;
 using namespace catalogue_bench;
-
-namespace {
 
 /// A shaft whose compliance follows from stiffness and steps.
 QString slenderShaft() {
@@ -52,8 +45,6 @@ int stiffnessRows(const QDialog& dialog) {
     const auto* preview = child<QTreeWidget>(dialog, "cataloguePreview");
     return int(preview->findItems(QStringLiteral("stiffness"), Qt::MatchContains).size());
 }
-
-} // namespace
 
 class TestStiffnessOffer : public QObject {
     Q_OBJECT
@@ -140,7 +131,7 @@ private slots:
     }
 };
 
-} // namespace test_stiffness_offer
+} // namespace sparkout::test_stiffness_offer
 
 SPARKOUT_TEST(test_stiffness_offer, TestStiffnessOffer)
 #include "test_stiffness_offer.moc"

@@ -2,16 +2,15 @@
 // Labels: numbers
 // Stock entered per side or on the diameter; the project keeps it per side.
 #include "core/format/project_file.h"
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
+#include "tests/ui/support/typing.h"
+#include "tests/ui/support/untitled.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/text/hint_text.h"
 #include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
 
@@ -19,17 +18,10 @@
 #include <QClipboard>
 #include <QLabel>
 #include <QLocale>
-#include <QPushButton>
-#include <QTest>
 
 #include <algorithm>
-#include <array>
 
-namespace test_stock_reading {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_stock_reading {
 
 constexpr int stockColumn = 2;
 
@@ -43,8 +35,6 @@ void type(NumberField& field, const QString& text) {
 QString cell(const stage_table_bench::Bench& bench, int row) {
     return bench.table.view().model()->index(row, stockColumn).data().toString();
 }
-
-} // namespace
 
 class TestStockReading : public QObject {
     Q_OBJECT
@@ -103,14 +93,11 @@ private slots:
     }
 
     void whatIsBeingTypedIsTakenAsItWasMeant() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         FormPage page(Page::part, document);
         page.show();
         auto* field = page.findChild<NumberField*>(QStringLiteral("/part/stock_mm"));
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClicks(field, QStringLiteral("0.31")); // per side
+        typeOver(*field, QStringLiteral("0.31")); // per side
         StockReading::instance().setOnDiameter(true);
         page.retranslate();
         QCOMPARE(document.project().part->stock_mm, 0.31);
@@ -206,7 +193,7 @@ private slots:
     }
 };
 
-} // namespace test_stock_reading
+} // namespace sparkout::test_stock_reading
 
 SPARKOUT_TEST(test_stock_reading, TestStockReading)
 #include "test_stock_reading.moc"

@@ -4,13 +4,14 @@
 #include "ui/kit/file_dialog.h"
 
 #include "tests/registry.h"
+#include "tests/ui/support/languages.h"
+#include "tests/ui/support/on_disk.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/kit/font_size.h"
 #include "ui/plot/svg_device.h"
 #include "ui/text/language.h"
 
 #include <QApplication>
-#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
@@ -21,17 +22,12 @@
 #include <QScopeGuard>
 #include <QScreen>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 #include <QTreeView>
 
 #include <functional>
 
-namespace test_file_dialog {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_file_dialog {
 
 /// The texts of a widget as they are drawn, elided or not.
 QString drawnOn(QWidget& widget) {
@@ -42,8 +38,6 @@ QString drawnOn(QWidget& widget) {
     return QString::fromUtf8(device.document());
 }
 
-} // namespace
-
 class TestFileDialog : public QObject {
     Q_OBJECT
 
@@ -51,21 +45,10 @@ private slots:
     void init() {
         const QDir folder(m_folder.path());
         QVERIFY(folder.mkpath(QStringLiteral("Валы")));
-        QFile file(folder.filePath(QStringLiteral("Вал 30h6.sparkout")));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray(9600, ' '));
+        on_disk::write(folder.filePath(QStringLiteral("Вал 30h6.sparkout")), QByteArray(9600, ' '));
     }
 
-    void whatStandsInItIsReadInFull_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("percent");
-        for (const char* language : {"en", "ru"}) {
-            for (const int percent : {100, 130}) {
-                QTest::addRow("%s %d", language, percent)
-                    << QString::fromLatin1(language) << percent;
-            }
-        }
-    }
+    void whatStandsInItIsReadInFull_data() { addLanguagesAndSizes(); }
 
     void whatStandsInItIsReadInFull() {
         QFETCH(QString, language);
@@ -146,7 +129,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-} // namespace test_file_dialog
+} // namespace sparkout::test_file_dialog
 
 SPARKOUT_TEST(test_file_dialog, TestFileDialog)
 #include "test_file_dialog.moc"

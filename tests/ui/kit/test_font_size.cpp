@@ -15,14 +15,9 @@
 #include <QImage>
 #include <QPushButton>
 #include <QTableView>
-#include <QTest>
 #include <qcustomplot.h>
 
-namespace test_font_size {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_font_size {
 
 /// What has type of its own, and how large that is, in points.
 using Sizes = QMap<QString, double>;
@@ -72,8 +67,6 @@ QPushButton* wide(int width) {
     return button;
 }
 
-} // namespace
-
 class TestFontSize : public QObject {
     Q_OBJECT
 
@@ -81,8 +74,7 @@ private slots:
     void cleanup() { applyFontSize(usualFontSize); }
 
     void everyTypeOfTheWindowFollowsAtOnce() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         for (View* view : bench.window->views()) { // each as it is when it was seen
             bench.window->viewTabs().showView(view);
             bench.settle();
@@ -133,8 +125,7 @@ private slots:
 
     // A comma cut at its foot reads as a point.
     void rowsOfTablesFollowTheType() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         for (const int percent : {100, 130, 90, 115}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
             bench.settle();
@@ -165,15 +156,13 @@ private slots:
     }
 
     void toolsWithoutRoomStandInFurtherLines_data() {
-        QTest::addColumn<int>("width");
-        QTest::addColumn<QList<QPoint>>("corners");
+        addColumns<int, QList<QPoint>>("width", "corners");
         using Corners = QList<QPoint>;
         // Two of 100, a stretch, two of 80; 10 between what stands beside each other.
-        QTest::newRow("all in one, the last at the right")
-            << 500 << Corners{{0, 0}, {110, 0}, {330, 0}, {420, 0}};
-        QTest::newRow("the stretch begins a line")
-            << 300 << Corners{{0, 0}, {110, 0}, {130, 30}, {220, 30}};
-        QTest::newRow("each has room") << 120 << Corners{{0, 0}, {0, 30}, {40, 60}, {0, 90}};
+        addRow("all in one, the last at the right", 500,
+               Corners{{0, 0}, {110, 0}, {330, 0}, {420, 0}});
+        addRow("the stretch begins a line", 300, Corners{{0, 0}, {110, 0}, {130, 30}, {220, 30}});
+        addRow("each has room", 120, Corners{{0, 0}, {0, 30}, {40, 60}, {0, 90}});
     }
 
     void toolsWithoutRoomStandInFurtherLines() {
@@ -219,7 +208,7 @@ private slots:
     }
 };
 
-} // namespace test_font_size
+} // namespace sparkout::test_font_size
 
 SPARKOUT_TEST(test_font_size, TestFontSize)
 #include "test_font_size.moc"

@@ -2,6 +2,7 @@
 // The whole window by keyboard and by screen reader, in both languages.
 #include "core/project/part.h"
 #include "tests/registry.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/inputs/forms/form_page.h"
@@ -17,7 +18,6 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
-#include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QImage>
 #include <QLabel>
@@ -28,20 +28,9 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <QShortcut>
-#include <QTest>
 #include <QVBoxLayout>
 
-namespace test_keyboard {
-
-using namespace sparkout;
-
-namespace {
-
-void languages() {
-    QTest::addColumn<QString>("language");
-    QTest::newRow("en") << QStringLiteral("en");
-    QTest::newRow("ru") << QStringLiteral("ru");
-}
+namespace sparkout::test_keyboard {
 
 /// Entries of a menu as they are when it is open.
 QList<QAction*> entriesOf(QMenu& menu) {
@@ -100,18 +89,15 @@ void showAllPanels(const Bench& bench) {
     bench.settle();
 }
 
-} // namespace
-
 class TestKeyboard : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyMenuEntryHasALetterOfItsOwn_data() { languages(); }
+    void everyMenuEntryHasALetterOfItsOwn_data() { addLanguages(); }
 
     void everyMenuEntryHasALetterOfItsOwn() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         verifyMnemonics(QStringLiteral("menu bar"),
                         bench.window->findChild<QMenuBar*>()->actions());
         int menus = 0;
@@ -138,7 +124,7 @@ private slots:
         QCOMPARE(QStringList({menu.actions()[1]->text(), menu.actions()[3]->text()}), before);
     }
 
-    void noTwoShortcutsOfTheWindowAreTheSame_data() { languages(); }
+    void noTwoShortcutsOfTheWindowAreTheSame_data() { addLanguages(); }
 
     void noTwoShortcutsOfTheWindowAreTheSame() {
         QFETCH(QString, language);
@@ -158,12 +144,11 @@ private slots:
         QVERIFY(owners.size() > 12);
     }
 
-    void tooltipsNameTheShortcut_data() { languages(); }
+    void tooltipsNameTheShortcut_data() { addLanguages(); }
 
     void tooltipsNameTheShortcut() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         Project project = bench.window->document().project();
         project.part->diameter_mm += 1;
         bench.window->document().edit(project, {"Input", "Diameter"}); // Undo has another text now
@@ -185,7 +170,7 @@ private slots:
         QCOMPARE(bench.action("open")->toolTip(), QStringLiteral("Open… (Ctrl+O)"));
     }
 
-    void whatOneCanUseHasAnAccessibleName_data() { languages(); }
+    void whatOneCanUseHasAnAccessibleName_data() { addLanguages(); }
 
     void whatOneCanUseHasAnAccessibleName() {
         QFETCH(QString, language);
@@ -205,8 +190,7 @@ private slots:
     }
 
     void namesChangeWithTheLanguage() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         bench.action("russian")->trigger();
         bench.settle();
         static const QRegularExpression cyrillic(QStringLiteral("[а-яА-Я]"));
@@ -218,8 +202,7 @@ private slots:
     }
 
     void tabGoesThroughAPageFromTopToBottomAndNeverGetsStuck() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         for (int page = 0; page < static_cast<int>(bench.window->inputs().pages().size()); ++page) {
             bench.window->inputs().showPage(page);
             bench.settle();
@@ -244,8 +227,7 @@ private slots:
     }
 
     void tabReachesEveryPanelAndComesBack() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         showAllPanels(bench);
         QVERIFY(QTest::qWaitForWindowActive(bench.window.get()));
         bench.window->inputs().showPage(0);
@@ -277,8 +259,7 @@ private slots:
     }
 
     void f6GoesRoundThePanelsAndRemembersWhereOneWas() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         QVERIFY(QTest::qWaitForWindowActive(bench.window.get()));
         showAllPanels(bench);
         bench.window->inputs().showPage(0);
@@ -402,7 +383,7 @@ private slots:
     }
 };
 
-} // namespace test_keyboard
+} // namespace sparkout::test_keyboard
 
 SPARKOUT_TEST(test_keyboard, TestKeyboard)
 #include "test_keyboard.moc"

@@ -5,17 +5,11 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QSignalSpy>
-#include <QTest>
 
-namespace test_search_combo {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_search_combo {
 
 struct Bench {
     Bench() {
@@ -64,8 +58,6 @@ struct Bench {
     SearchCombo combo;
 };
 
-} // namespace
-
 class TestSearchCombo : public QObject {
     Q_OBJECT
 
@@ -86,11 +78,8 @@ private slots:
     }
 
     void everyWordIsLookedForInAnyCaseAndEitherLanguage_data() {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<int>("count");
-        const auto row = [](const char* text, int count) {
-            QTest::newRow(text) << QString::fromUtf8(text) << count;
-        };
+        addColumns<QString, int>("text", "count");
+        const auto row = [](const char* text, int count) { addRow(text, text, count); };
         row("припуск", 2);
         row("ПРИПУСК 2", 1);
         row("2 припуск", 1);
@@ -157,7 +146,7 @@ private slots:
     }
 };
 
-} // namespace test_search_combo
+} // namespace sparkout::test_search_combo
 
 SPARKOUT_TEST(test_search_combo, TestSearchCombo)
 #include "test_search_combo.moc"

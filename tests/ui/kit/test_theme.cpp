@@ -2,6 +2,7 @@
 // The themes: enough contrast everywhere, icons and pictures that follow, no colour beside the
 // table.
 #include "tests/registry.h"
+#include "tests/ui/support/typing.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/charts/light_icon.h"
 #include "ui/fields/mark.h"
@@ -21,17 +22,12 @@
 #include <QLabel>
 #include <QRegularExpression>
 #include <QTabBar>
-#include <QTest>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace test_theme {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_theme {
 
 /// Relative luminance, WCAG 2.1.
 double luminance(const QColor& colour) {
@@ -154,8 +150,6 @@ QColor mostCommonSolid(const QImage& image) {
     }
     return QColor(best);
 }
-
-} // namespace
 
 class TestTheme : public QObject {
     Q_OBJECT
@@ -408,13 +402,10 @@ private slots:
     }
 
     void theMenuSwitchesTheWholeWindowWithoutARestart() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         bench.window->inputs().showPage(0);
         auto* field = bench.window->findChild<NumberField*>(QStringLiteral("/part/diameter_mm"));
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClicks(field, QStringLiteral("thirty")); // a marked text must be marked anew
+        typeOver(*field, QStringLiteral("thirty")); // a marked text must be marked anew
         QTest::keyClick(field, Qt::Key_Return);
         bench.settle();
         QVERIFY(lightShare(bench.window->grab().toImage()) > 0.8);
@@ -444,8 +435,7 @@ private slots:
     }
 
     void aPlotInAWindowOfItsOwnFollowsToo() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         bench.action("theme-dark")->trigger();
         bench.settle();
         for (View* view : bench.window->views()) {
@@ -459,7 +449,7 @@ private slots:
     }
 };
 
-} // namespace test_theme
+} // namespace sparkout::test_theme
 
 SPARKOUT_TEST(test_theme, TestTheme)
 #include "test_theme.moc"

@@ -2,6 +2,7 @@
 // Tool tips have lines that can be read, and show what a file says letter by letter.
 #include "core/project/material.h"
 #include "tests/registry.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/inputs/editors/hint_strip.h"
 #include "ui/kit/tool_tips.h"
@@ -18,16 +19,11 @@
 #include <QStandardItemModel>
 #include <QTabBar>
 #include <QTableView>
-#include <QTest>
 #include <QTextDocument>
 #include <QToolTip>
 #include <QVBoxLayout>
 
-namespace test_tool_tips {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_tool_tips {
 
 /// What Qt sends when the mouse rests.
 QString tipAt(QWidget& widget, const QPoint& at) {
@@ -64,8 +60,6 @@ const QString longText = QStringLiteral("Shares of the parts that one of the req
                                         "drawing, of the wheel or of the machine rejects, in "
                                         "descending order");
 
-} // namespace
-
 class TestToolTips : public QObject {
     Q_OBJECT
 
@@ -73,16 +67,11 @@ private slots:
     void initTestCase() { ToolTips::install(); }
     void cleanup() { QToolTip::hideText(); }
 
-    void everyTipOfTheWindowHasReadableLines_data() {
-        QTest::addColumn<QString>("language");
-        QTest::newRow("en") << QStringLiteral("en");
-        QTest::newRow("ru") << QStringLiteral("ru");
-    }
+    void everyTipOfTheWindowHasReadableLines_data() { addLanguages(); }
 
     void everyTipOfTheWindowHasReadableLines() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         int given = 0, broken = 0;
         for (View* view : bench.window->views()) {
             bench.window->viewTabs().showView(view);
@@ -186,7 +175,7 @@ private slots:
     }
 };
 
-} // namespace test_tool_tips
+} // namespace sparkout::test_tool_tips
 
 SPARKOUT_TEST(test_tool_tips, TestToolTips)
 #include "test_tool_tips.moc"

@@ -7,6 +7,7 @@
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/logo_samples.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/dialogs/notice_bar.h"
@@ -23,25 +24,14 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QPlainTextEdit>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QTreeWidget>
 
-#include <algorithm>
+namespace sparkout::test_packs {
 
-namespace test_packs {
-
-using namespace sparkout;
-
-namespace {
+using on_disk::bytesOf;
 
 const QString lessonName = QStringLiteral("02-actual-feed.sparkout-lesson");
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 void write(const QString& path, const QByteArray& bytes) {
     QDir().mkpath(QFileInfo(path).absolutePath());
@@ -103,8 +93,6 @@ std::size_t lineOf(const PackPlan& plan, const QString& name) {
     }
     qFatal("no line %s", qPrintable(name));
 }
-
-} // namespace
 
 class TestPacks : public QObject {
     Q_OBJECT
@@ -400,7 +388,7 @@ private slots:
     }
 };
 
-} // namespace test_packs
+} // namespace sparkout::test_packs
 
 SPARKOUT_TEST(test_packs, TestPacks)
 #include "test_packs.moc"

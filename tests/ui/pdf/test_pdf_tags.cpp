@@ -4,6 +4,7 @@
 #include "core/setup/setup_run.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/pdf_tree.h"
 #include "tests/ui/support/report_reading.h"
 #include "tests/ui/support/setup_fixtures.h"
@@ -22,16 +23,13 @@
 #include <numeric>
 #include <set>
 
-namespace test_pdf_tags {
+namespace sparkout::test_pdf_tags {
 
-using namespace sparkout;
 using handout_bench::exampleOutcome;
 using handout_bench::today;
 using reading::PdfElement;
 using reading::PdfTree;
 using report::Format;
-
-namespace {
 
 QByteArray bytesOf(const report::Report& made) {
     return report::bytesOf(made, Format::pdf);
@@ -119,8 +117,6 @@ QStringList faultsOf(const PdfTree& tree) {
     return faults;
 }
 
-} // namespace
-
 class TestPdfTags : public QObject {
     Q_OBJECT
 
@@ -136,8 +132,7 @@ private slots:
     void init() { m_language.apply(QStringLiteral("en")); }
 
     void everyReportIsTagged_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("row");
+        addColumns<QString, int>("language", "row");
         for (const char* language : {"en", "ru"}) {
             for (std::size_t row = 0; row < report::kinds().size(); ++row) {
                 QTest::addRow("%s %s", report::kinds()[row].key, language)
@@ -206,11 +201,7 @@ private slots:
         QCOMPARE(found, textsOf(tree, "H1") + textsOf(tree, "H2"));
     }
 
-    void picturesOfPlotsAreTagged_data() {
-        QTest::addColumn<QString>("language");
-        QTest::newRow("en") << QStringLiteral("en");
-        QTest::newRow("ru") << QStringLiteral("ru");
-    }
+    void picturesOfPlotsAreTagged_data() { addLanguages(); }
     void picturesOfPlotsAreTagged() {
         QFETCH(QString, language);
         m_language.apply(language);
@@ -330,7 +321,7 @@ private:
     report::Subject m_subject;
 };
 
-} // namespace test_pdf_tags
+} // namespace sparkout::test_pdf_tags
 
 SPARKOUT_TEST(test_pdf_tags, TestPdfTags)
 #include "test_pdf_tags.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/session/settings.h"
@@ -22,15 +23,9 @@
 #include <memory>
 
 /// What the plot tools write, through the real menu and the real file dialog.
-namespace plot_export_bench {
+namespace sparkout::plot_export_bench {
 
-using namespace sparkout;
 using namespace fixtures;
-
-inline QByteArray contentOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 /// Answers the dialogs that open while it lives: names a file, presses buttons of messages.
 class User : public QObject {
@@ -106,7 +101,7 @@ protected:
         User user;
         user.paths << path(name);
         action->trigger();
-        return contentOf(path(name));
+        return on_disk::bytesOf(path(name));
     }
 
     QTemporaryDir m_config;
@@ -116,4 +111,4 @@ protected:
     std::unique_ptr<FeedsView> m_view;
 };
 
-} // namespace plot_export_bench
+} // namespace sparkout::plot_export_bench

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The two cursors of a plot: what they read is the engine's, at places dragged, stepped or typed.
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
 #include "core/quality/depth_limits.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/window_bench.h"
@@ -33,17 +30,13 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
-#include <QTest>
 
 #include <clocale>
 #include <cmath>
 
-namespace test_cursors {
+namespace sparkout::test_cursors {
 
-using namespace sparkout;
 using namespace fixtures;
-
-namespace {
 
 void settle() {
     for (int i = 0; i < 4; ++i) {
@@ -105,8 +98,6 @@ const FeedPoint* enginePoint(const FeedColumn& zone, double time_s) {
     return nullptr;
 }
 
-} // namespace
-
 class TestCursors : public QObject {
     Q_OBJECT
 private slots:
@@ -118,8 +109,7 @@ private slots:
     }
 
     void aTypedPlaceReadsTheEnginesValuesThere_data() {
-        QTest::addColumn<QString>("typed");
-        QTest::addColumn<double>("minutes");
+        addColumns<QString, double>("typed", "minutes");
         QTest::newRow("decimal point") << "0.7123" << 0.7123;
         QTest::newRow("decimal comma") << "0,7123" << 0.7123;
         QTest::newRow("early") << "0.05" << 0.05;
@@ -337,12 +327,7 @@ private slots:
     }
 
     void complianceIsReadAtAPlaceOfThePart() {
-        const Project project =
-            loadProject(
-                QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/slender-shaft.sparkout"))
-                .setup.value()
-                .surfaces.front()
-                .project;
+        const Project project = exampleProject("slender-shaft");
         const OutcomePtr outcome = run(project);
         QVERIFY(outcome->ran());
         ComplianceView view;
@@ -383,8 +368,7 @@ private slots:
 
     void textsHaveRoomInEveryViewWithCursors() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         int views = 0;
         for (View* view : bench.window->views()) {
             bench.window->viewTabs().showView(view);
@@ -408,7 +392,7 @@ private:
     OutcomePtr m_run;
 };
 
-} // namespace test_cursors
+} // namespace sparkout::test_cursors
 
 SPARKOUT_TEST(test_cursors, TestCursors)
 #include "test_cursors.moc"

@@ -3,15 +3,9 @@
 #include "tests/registry.h"
 #include "ui/plot/free_place.h"
 
-#include <QTest>
-
 #include <cmath>
 
-namespace test_free_place {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_free_place {
 
 const QRectF plot(100, 50, 400, 200);
 const QSizeF text(90, 24);
@@ -29,8 +23,6 @@ bool crosses(const QPolygonF& line, const QRectF& place) {
     }
     return false;
 }
-
-} // namespace
 
 class TestFreePlace : public QObject {
     Q_OBJECT
@@ -117,7 +109,7 @@ private slots:
     }
 };
 
-} // namespace test_free_place
+} // namespace sparkout::test_free_place
 
 SPARKOUT_TEST(test_free_place, TestFreePlace)
 #include "test_free_place.moc"

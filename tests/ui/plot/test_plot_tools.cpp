@@ -8,25 +8,18 @@
 #include "ui/plot/plot_tools.h"
 #include "ui/text/names.h"
 
-#include <QApplication>
 #include <QClipboard>
 #include <QMenu>
-#include <QSignalSpy>
-#include <QTest>
 #include <QTimer>
 #include <QToolButton>
 
 #include <qcustomplot.h>
 
 #include <clocale>
-#include <memory>
 
-namespace test_plot_tools {
+namespace sparkout::test_plot_tools {
 
-using namespace sparkout;
 using namespace fixtures;
-
-namespace {
 
 /// A plot of y = x² over 0…10, with its tools.
 struct Plain {
@@ -64,8 +57,6 @@ struct Plain {
 bool same(const QCPRange& a, const QCPRange& b) {
     return std::abs(a.lower - b.lower) < 1e-9 && std::abs(a.upper - b.upper) < 1e-9;
 }
-
-} // namespace
 
 class TestPlotTools : public QObject {
     Q_OBJECT
@@ -339,7 +330,7 @@ private slots:
     }
 };
 
-} // namespace test_plot_tools
+} // namespace sparkout::test_plot_tools
 
 SPARKOUT_TEST(test_plot_tools, TestPlotTools)
 #include "test_plot_tools.moc"

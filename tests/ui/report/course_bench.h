@@ -10,6 +10,7 @@
 #include "core/quality/run_summary.h"
 #include "core/setup/setup_file.h"
 #include "core/study/evaluate.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/report_reading.h"
 #include "ui/report/course/lab_report.h"
 #include "ui/report/course/methodical_guide.h"
@@ -29,9 +30,8 @@
 
 /// The lessons that are shipped, works of a student who knows the engine's answers, and the papers
 /// that are made from them.
-namespace course_bench {
+namespace sparkout::course_bench {
 
-using namespace sparkout;
 using report::Report;
 
 inline Lesson lessonIn(const QString& path) {
@@ -53,14 +53,7 @@ inline QStringList lessonFiles() {
 }
 
 inline void addLessons() {
-    QTest::addColumn<QString>("path");
-    QTest::addColumn<QString>("language");
-    for (const QString& path : lessonFiles()) {
-        for (const char* language : {"en", "ru"}) {
-            QTest::addRow("%s %s", qPrintable(QFileInfo(path).baseName()), language)
-                << path << QString::fromLatin1(language);
-        }
-    }
+    addFilesAndLanguages(lessonFiles());
 }
 
 /// The first levels of all inputs that are varied.
@@ -188,4 +181,4 @@ inline std::vector<Report> allPapers(const Lesson& lesson) {
             report::worksheetKey(lesson, wish()), report::methodicalGuide(lesson, wish())};
 }
 
-} // namespace course_bench
+} // namespace sparkout::course_bench

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/report/format/report_text.h"
 #include "ui/report/handout/course_handout.h"
@@ -20,9 +17,8 @@
 #include <vector>
 
 /// The course hand-out of the examples, and what stands in it.
-namespace handout_bench {
+namespace sparkout::handout_bench {
 
-using namespace sparkout;
 using report::Format;
 using report::Formula;
 using report::HandoutOptions;
@@ -67,14 +63,7 @@ inline std::vector<Formula> formulasOf(const Report& report) {
 }
 
 inline void addCases(const std::vector<const char*>& languages = {"en", "ru"}) {
-    QTest::addColumn<QString>("path");
-    QTest::addColumn<QString>("language");
-    for (const QString& path : ExamplesDialog::paths()) {
-        for (const char* language : languages) {
-            QTest::addRow("%s %s", qPrintable(QFileInfo(path).baseName()), language)
-                << path << QString::fromLatin1(language);
-        }
-    }
+    addFilesAndLanguages(ExamplesDialog::paths(), languages);
 }
 
 /// The visit of a radius at a place.
@@ -90,4 +79,4 @@ inline const Visit* visitOf(const Trajectory& trajectory, const Place& place, in
     return nullptr;
 }
 
-} // namespace handout_bench
+} // namespace sparkout::handout_bench

@@ -16,14 +16,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 
-namespace test_black_and_white {
+namespace sparkout::test_black_and_white {
 
-using namespace sparkout;
 using passport_bench::day;
-
-namespace {
 
 constexpr double apart = 0.8; ///< of weights [px of the figure]
 constexpr double textContrast = 4.5;
@@ -208,8 +204,6 @@ QStringList faint(const report::Pages& pages, int page, const QSizeF& paper) {
     return found;
 }
 
-} // namespace
-
 class TestBlackAndWhite : public QObject {
     Q_OBJECT
 
@@ -293,7 +287,7 @@ private:
     report::Subject m_subject;
 };
 
-} // namespace test_black_and_white
+} // namespace sparkout::test_black_and_white
 
 SPARKOUT_TEST(test_black_and_white, TestBlackAndWhite)
 #include "test_black_and_white.moc"

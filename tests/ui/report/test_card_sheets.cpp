@@ -2,11 +2,6 @@
 // Labels: numbers
 // Operation card and sketch sheet: what stands on the sheets, and that all of it has its room.
 #include "core/files/safe_file.h"
-#include "core/project/card_entries.h"
-#include "core/project/cycle.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/setup/setup_file.h"
 #include "core/units.h"
 #include "tests/registry.h"
@@ -22,27 +17,19 @@
 #include "ui/report/format/pages.h"
 #include "ui/text/number_text.h"
 
-#include <QFile>
 #include <QFontMetricsF>
-#include <QProcess>
 #include <QRegularExpression>
-#include <QTemporaryDir>
-#include <QXmlStreamReader>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
-namespace test_card_sheets {
+namespace sparkout::test_card_sheets {
 
-using namespace sparkout;
 using namespace handout_bench;
 using report::CardRow;
 using report::CardRows;
 using report::FormSheet;
 using report::SheetText;
-
-namespace {
 
 constexpr double slack_mm = 0.05;
 
@@ -166,8 +153,7 @@ void verifyRoom(const FormSheet& sheet) {
 }
 
 void addSetups() {
-    QTest::addColumn<QString>("name");
-    QTest::addColumn<QString>("language");
+    addColumns<QString, QString>("name", "language");
     for (const char* name : {"spindle", "sleeve", "many", "six", "examples"}) {
         for (const char* language : {"en", "ru"}) {
             QTest::addRow("%s %s", name, language)
@@ -262,8 +248,6 @@ struct OdtText {
 int hundredths(const QString& text) {
     return qRound(parseNumber(text).value_or(0) * 100);
 }
-
-} // namespace
 
 class TestCardSheets : public QObject {
     Q_OBJECT
@@ -640,7 +624,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_card_sheets
+} // namespace sparkout::test_card_sheets
 
 SPARKOUT_TEST(test_card_sheets, TestCardSheets)
 #include "test_card_sheets.moc"

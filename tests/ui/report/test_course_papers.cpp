@@ -2,8 +2,6 @@
 // The papers of the course: their sections, their numbers held against the engine, what no student
 // may find in them, and their pages.
 #include "core/process/recipe_force.h"
-#include "core/project/cycle.h"
-#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/report/course_bench.h"
 #include "tests/ui/report/handout_bench.h"
@@ -19,7 +17,7 @@
 #include <map>
 #include <set>
 
-namespace test_course_papers {
+namespace sparkout::test_course_papers {
 
 using namespace course_bench;
 using report::Blank;
@@ -28,8 +26,6 @@ using report::Pages;
 using report::Paragraph;
 using report::Table;
 using Box = Pages::Box;
-
-namespace {
 
 /// A4 within the margins of each style [tenths of a point].
 QSizeF areaOf(const Report& report) {
@@ -62,8 +58,6 @@ bool hasNumber(const QString& text, const QString& number) {
     return text.contains(whole);
 }
 
-} // namespace
-
 class TestCoursePapers : public QObject {
     Q_OBJECT
 
@@ -91,22 +85,16 @@ private slots:
                 sections << heading;
             }
         }
-        QStringList wanted = ru ? QStringList{QStringLiteral("Введение"),
-                                              QStringLiteral("Исходные данные варианта"),
-                                              QStringLiteral("Краткая теория"),
-                                              QStringLiteral("Результаты работы"),
-                                              QStringLiteral("Предсказания и результаты"),
-                                              QStringLiteral("Сравнение запомненных расчётов"),
-                                              QStringLiteral("Заключение"),
-                                              QStringLiteral("Список использованных источников")}
-                                : QStringList{QStringLiteral("Introduction"),
-                                              QStringLiteral("Data of the variant"),
-                                              QStringLiteral("Theory in brief"),
-                                              QStringLiteral("Results"),
-                                              QStringLiteral("Predictions and results"),
-                                              QStringLiteral("Kept runs compared"),
-                                              QStringLiteral("Conclusion"),
-                                              QStringLiteral("List of sources used")};
+        QStringList wanted =
+            ru ? QStringLiteral("Введение|Исходные данные варианта|Краткая теория|"
+                                "Результаты работы|Предсказания и результаты|"
+                                "Сравнение запомненных расчётов|Заключение|"
+                                "Список использованных источников")
+                     .split(u'|')
+               : QStringLiteral("Introduction|Data of the variant|Theory in brief|Results|"
+                                "Predictions and results|Kept runs compared|Conclusion|"
+                                "List of sources used")
+                     .split(u'|');
         const auto steps = lessonIn(path).steps;
         if (std::ranges::none_of(steps,
                                  [](const LessonStep& step) { return isPrediction(step.goal); })) {
@@ -309,22 +297,15 @@ private slots:
         QVERIFY(lesson.guide);
         const Report made = report::methodicalGuide(lesson, wish());
         const QStringList wanted =
-            ru ? QStringList{QStringLiteral("1 Цель работы"),
-                             QStringLiteral("2 Теория"),
-                             QStringLiteral("3 Оснащение"),
-                             QStringLiteral("4 Норма времени и баллы"),
-                             QStringLiteral("5 Порядок выполнения работы"),
-                             QStringLiteral("6 Контрольные вопросы с ответами"),
-                             QStringLiteral("7 Типичные ошибки"),
-                             QStringLiteral("8 Отчёт")}
-               : QStringList{QStringLiteral("1 Aim of the work"),
-                             QStringLiteral("2 Theory"),
-                             QStringLiteral("3 What is needed"),
-                             QStringLiteral("4 Time norm and points"),
-                             QStringLiteral("5 Order of the work"),
-                             QStringLiteral("6 Control questions with answers"),
-                             QStringLiteral("7 Typical mistakes"),
-                             QStringLiteral("8 The report")};
+            ru ? QStringLiteral("1 Цель работы|2 Теория|3 Оснащение|4 Норма времени и баллы|"
+                                "5 Порядок выполнения работы|"
+                                "6 Контрольные вопросы с ответами|7 Типичные ошибки|8 Отчёт")
+                     .split(u'|')
+               : QStringLiteral("1 Aim of the work|2 Theory|3 What is needed|"
+                                "4 Time norm and points|5 Order of the work|"
+                                "6 Control questions with answers|7 Typical mistakes|"
+                                "8 The report")
+                     .split(u'|');
         QStringList sections;
         for (const QString& heading : headingsOf(made)) {
             if (!heading.section(u' ', 0, 0).contains(u'.')) {
@@ -561,7 +542,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_course_papers
+} // namespace sparkout::test_course_papers
 
 SPARKOUT_TEST(test_course_papers, TestCoursePapers)
 #include "test_course_papers.moc"

@@ -3,10 +3,6 @@
 // The questions of the course hand-out, run again, and the page of their answers.
 #include "core/format/difference.h"
 #include "core/format/project_file.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
@@ -22,12 +18,9 @@
 #include <tuple>
 #include <utility>
 
-namespace test_handout_exercises {
+namespace sparkout::test_handout_exercises {
 
-using namespace sparkout;
 using namespace handout_bench;
-
-namespace {
 
 QString onOneLine(QString text) {
     return text.replace(QChar::Nbsp, u' ').simplified();
@@ -80,8 +73,6 @@ void checkStageTimes(const QString& reason, const SimulationResult& was, const S
     const bool ofTime = reason.contains(report::askedQuantity(Asked::time_min, Operation::plunge));
     QVERIFY2((count > 0) == ofTime, qPrintable(reason));
 }
-
-} // namespace
 
 class TestHandoutExercises : public QObject {
     Q_OBJECT
@@ -325,7 +316,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_handout_exercises
+} // namespace sparkout::test_handout_exercises
 
 SPARKOUT_TEST(test_handout_exercises, TestHandoutExercises)
 #include "test_handout_exercises.moc"

@@ -3,10 +3,6 @@
 // The formats of the course hand-out, read back: pages, a web page, Markdown; languages, figures.
 #include "core/dynamic_programming/exact_answer.h"
 #include "core/dynamic_programming/state_grid.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
 #include "tests/ui/support/report_reading.h"
@@ -19,9 +15,8 @@
 
 #include <utility>
 
-namespace test_handout_formats {
+namespace sparkout::test_handout_formats {
 
-using namespace sparkout;
 using namespace handout_bench;
 
 class TestHandoutFormats : public QObject {
@@ -199,7 +194,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_handout_formats
+} // namespace sparkout::test_handout_formats
 
 SPARKOUT_TEST(test_handout_formats, TestHandoutFormats)
 #include "test_handout_formats.moc"

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The formulas of the course hand-out: their numbers worked out again from the print.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/core/support/formula_reader.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
@@ -17,12 +13,9 @@
 #include <set>
 #include <utility>
 
-namespace test_handout_formulas {
+namespace sparkout::test_handout_formulas {
 
-using namespace sparkout;
 using namespace handout_bench;
-
-namespace {
 
 /// A printed number as C reads it: "8,38·10⁻⁷" as "8.38e-07", "10⁻⁷" as "1e-07".
 QString plainNumbers(QString text) {
@@ -90,8 +83,6 @@ void addSymbols(const report::FormulaNode& node, std::set<QString>& symbols) {
         addSymbols(part, symbols);
     }
 }
-
-} // namespace
 
 class TestHandoutFormulas : public QObject {
     Q_OBJECT
@@ -185,7 +176,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_handout_formulas
+} // namespace sparkout::test_handout_formulas
 
 SPARKOUT_TEST(test_handout_formulas, TestHandoutFormulas)
 #include "test_handout_formulas.moc"

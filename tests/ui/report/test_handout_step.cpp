@@ -16,12 +16,10 @@
 #include <QPushButton>
 
 #include <algorithm>
-#include <memory>
 #include <set>
 
-namespace test_handout_step {
+namespace sparkout::test_handout_step {
 
-using namespace sparkout;
 using namespace handout_bench;
 
 class TestHandoutStep : public QObject {
@@ -31,8 +29,7 @@ private slots:
     void init() { m_language.apply(QStringLiteral("en")); }
 
     void aStepIsReadFromWords_data() {
-        QTest::addColumn<QString>("words");
-        QTest::addColumn<bool>("good");
+        addColumns<QString, bool>("words", "good");
         for (const char* good : {"12", "12,nz,z1,e1,r1,k9", "rz2", " k0 , RZ1", "s0,3"}) {
             QTest::newRow(good) << QString::fromLatin1(good) << true;
         }
@@ -147,7 +144,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_handout_step
+} // namespace sparkout::test_handout_step
 
 SPARKOUT_TEST(test_handout_step, TestHandoutStep)
 #include "test_handout_step.moc"

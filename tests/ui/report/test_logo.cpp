@@ -6,16 +6,12 @@
 #include "ui/report/card/logo.h"
 
 #include <QLocale>
-#include <QTest>
 
 #include <sys/resource.h>
 
-namespace test_logo {
+namespace sparkout::test_logo {
 
-using namespace sparkout;
 using report::Logo;
-
-namespace {
 
 long peakMemory_kB() {
     rusage usage{};
@@ -27,8 +23,6 @@ QByteArray drawing(const QByteArray& inside) {
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"40\" height=\"40\">" + inside
            + "</svg>";
 }
-
-} // namespace
 
 class TestLogo : public QObject {
     Q_OBJECT
@@ -78,35 +72,33 @@ private slots:
     }
 
     void everyOtherKindIsRefusedAndDrawingsAreToldHowToBeConverted_data() {
-        QTest::addColumn<QByteArray>("bytes");
-        QTest::addColumn<bool>("isDrawing");
+        addColumns<QByteArray, bool>("bytes", "isDrawing");
         const QByteArray plain = drawing("<rect width=\"9\" height=\"9\"/>");
-        QTest::newRow("SVG") << plain << true;
-        QTest::newRow("with a head") << QByteArray("<?xml version=\"1.0\"?>\n") + plain << true;
-        QTest::newRow("after a comment")
-            << "<!-- " + QByteArray(3000, 'x') + " -->" + plain << true;
-        QTest::newRow("in capitals") << plain.toUpper() << true;
+        addRow("SVG", plain, true);
+        addRow("with a head", QByteArray("<?xml version=\"1.0\"?>\n") + plain, true);
+        addRow("after a comment", "<!-- " + QByteArray(3000, 'x') + " -->" + plain, true);
+        addRow("in capitals", plain.toUpper(), true);
         const QString wide = QString::fromLatin1(plain);
-        QTest::newRow("UTF-16") << QByteArray("\xff\xfe", 2)
-                                       + QByteArray(reinterpret_cast<const char*>(wide.utf16()),
-                                                    2 * wide.size())
-                                << true;
-        QTest::newRow("packed") << QByteArray("\x1f\x8b\x08\0\0\0\0\0\0\x03", 10) << true;
-        QTest::newRow("names a file")
-            << drawing("<image href=\"/etc/hostname\" width=\"9\" height=\"9\"/>") << true;
-        QTest::newRow("entities") << QByteArray("<!DOCTYPE svg [<!ENTITY a \"aaaa\">]>")
-                                         + drawing("<text>&a;</text>")
-                                  << true;
+        addRow("UTF-16",
+               QByteArray("\xff\xfe", 2)
+                   + QByteArray(reinterpret_cast<const char*>(wide.utf16()), 2 * wide.size()),
+               true);
+        addRow("packed", QByteArray("\x1f\x8b\x08\0\0\0\0\0\0\x03", 10), true);
+        addRow("names a file", drawing("<image href=\"/etc/hostname\" width=\"9\" height=\"9\"/>"),
+               true);
+        addRow("entities",
+               QByteArray("<!DOCTYPE svg [<!ENTITY a \"aaaa\">]>") + drawing("<text>&a;</text>"),
+               true);
         for (const char* format : {"BMP", "PPM", "XPM", "XBM", "ICO"}) {
             const QByteArray bytes = samples::picture({8, 8}, format);
             QVERIFY2(!bytes.isEmpty(), format);
-            QTest::newRow(format) << bytes << false;
+            addRow(format, bytes, false);
         }
-        QTest::newRow("GIF") << QByteArray("GIF89a\x01\0\x01\0\x80\0\0", 13) << false;
-        QTest::newRow("TIFF") << QByteArray("II*\0\x08\0\0\0", 8) << false;
-        QTest::newRow("WEBP") << QByteArray("RIFF\x1a\0\0\0WEBPVP8L", 16) << false;
-        QTest::newRow("no picture") << QByteArray("%PDF-1.7") << false;
-        QTest::newRow("one byte") << QByteArray("x") << false;
+        addRow("GIF", QByteArray("GIF89a\x01\0\x01\0\x80\0\0", 13), false);
+        addRow("TIFF", QByteArray("II*\0\x08\0\0\0", 8), false);
+        addRow("WEBP", QByteArray("RIFF\x1a\0\0\0WEBPVP8L", 16), false);
+        addRow("no picture", QByteArray("%PDF-1.7"), false);
+        addRow("one byte", QByteArray("x"), false);
     }
 
     void everyOtherKindIsRefusedAndDrawingsAreToldHowToBeConverted() {
@@ -167,7 +159,7 @@ private slots:
     }
 };
 
-} // namespace test_logo
+} // namespace sparkout::test_logo
 
 SPARKOUT_TEST(test_logo, TestLogo)
 #include "test_logo.moc"

@@ -5,12 +5,8 @@
 #include "core/adequacy/adequacy.h"
 #include "core/batch/moments.h"
 #include "core/batch/scenario_source.h"
-#include "core/project/batch.h"
 #include "core/project/leaves.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
 #include "core/project/member.h"
-#include "core/project/part.h"
 #include "core/study/batch_edits.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
@@ -29,12 +25,9 @@
 #include <string>
 #include <utility>
 
-namespace test_passport {
+namespace sparkout::test_passport {
 
-using namespace sparkout;
 using namespace passport_bench;
-
-namespace {
 
 /// What the prediction says, in the present language.
 Fitness fitness(const Project& project) {
@@ -81,8 +74,6 @@ bool isRounded(QString printed, double value) {
     const auto decimals = at < 0 ? 0 : double(printed.size() - at - 1);
     return std::abs(numberOf(printed) - value) <= 0.5 * std::pow(10.0, -decimals) + 1e-9;
 }
-
-} // namespace
 
 class TestPassport : public QObject {
     Q_OBJECT
@@ -162,8 +153,7 @@ private slots:
     }
 
     void theVerdictTurnsWithATolerance_data() {
-        QTest::addColumn<double>("tolerance_um");
-        QTest::addColumn<bool>("good");
+        addColumns<double, bool>("tolerance_um", "good");
         QTest::newRow("wide") << 20.0 << true;
         QTest::newRow("narrow") << 0.5 << false;
     }
@@ -337,7 +327,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_passport
+} // namespace sparkout::test_passport
 
 SPARKOUT_TEST(test_passport, TestPassport)
 #include "test_passport.moc"

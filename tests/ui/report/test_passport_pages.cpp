@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages of the accuracy passport in its three formats: whole, in one language, whatever the
 // batch and the texts.
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
@@ -14,15 +8,11 @@
 
 #include <QRegularExpression>
 
-#include <algorithm>
 #include <ctime>
 
-namespace test_passport_pages {
+namespace sparkout::test_passport_pages {
 
-using namespace sparkout;
 using namespace passport_bench;
-
-namespace {
 
 /// What this thread has computed so far, however busy the machine is.
 double ownTime_ms() {
@@ -30,8 +20,6 @@ double ownTime_ms() {
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
 }
-
-} // namespace
 
 class TestPassportPages : public QObject {
     Q_OBJECT
@@ -243,7 +231,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_passport_pages
+} // namespace sparkout::test_passport_pages
 
 SPARKOUT_TEST(test_passport_pages, TestPassportPages)
 #include "test_passport_pages.moc"

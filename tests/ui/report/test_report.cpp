@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The cycle card in its three formats, read back with poppler's tools.
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/report_reading.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/pdf/pdf_details.h"
@@ -22,10 +17,8 @@
 #include "ui/views/verdict/verdict_text.h"
 #include "ui/window/dialogs/examples_dialog.h"
 
-#include <QApplication>
 #include <QFileInfo>
 #include <QRegularExpression>
-#include <QTest>
 
 #include <algorithm>
 #include <clocale>
@@ -69,14 +62,7 @@ QStringList numbersOf(const Outcome& outcome) {
 }
 
 void addExamples() {
-    QTest::addColumn<QString>("path");
-    QTest::addColumn<QString>("language");
-    for (const QString& path : ExamplesDialog::paths()) {
-        for (const char* language : {"en", "ru"}) {
-            QTest::addRow("%s %s", qPrintable(QFileInfo(path).baseName()), language)
-                << path << QString::fromLatin1(language);
-        }
-    }
+    addFilesAndLanguages(ExamplesDialog::paths());
 }
 
 } // namespace

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // Reports from the window: preview, printing into a file, export, and none without a result.
-#include "core/project/batch.h"
-#include "core/project/part.h"
 #include "core/study/new_project.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/logo_samples.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/report/course/institution.h"
 #include "ui/report/documents/batch_wait.h"
@@ -19,38 +20,22 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QFile>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPrintPreviewDialog>
 #include <QPrintPreviewWidget>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QRegularExpression>
 #include <QTemporaryDir>
-#include <QTest>
-#include <QTimer>
 
 #include <utility>
 
-namespace test_report_commands {
+namespace sparkout::test_report_commands {
 
-using namespace sparkout;
-
-namespace {
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
+using on_disk::bytesOf;
 
 QString batchExample() {
     const QStringList found = examplePaths().filter(QStringLiteral("30h6-factory"));
     return found.value(0);
 }
-
-} // namespace
 
 class TestReportCommands : public QObject {
     Q_OBJECT
@@ -58,8 +43,7 @@ class TestReportCommands : public QObject {
 private slots:
     /// Filled in by the menu and the keyboard, kept, and printed on the card.
     void theCompanyIsFilledInOnceAndPrinted() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         const QTemporaryDir folder;
         const QString drawing = folder.filePath(QStringLiteral("logo.svg"));
         QVERIFY(QFile(QStringLiteral(":/icons/sparkout.svg")).copy(drawing));
@@ -143,8 +127,7 @@ private slots:
 
     void theHandoutIsAWorksheetOrItsKey() {
         const QTemporaryDir folder;
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         for (const auto& [form, title] :
              {std::pair(1, QStringLiteral("# Рабочий лист")),
               std::pair(2, QStringLiteral("# Ключ к рабочему листу"))}) {
@@ -164,8 +147,7 @@ private slots:
     }
 
     void thePreviewShowsEveryPageInTheWindowsLanguage() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         DialogAnswers answers({QStringLiteral("Escape")});
         int pages = 0;
         QString title, english;
@@ -185,8 +167,7 @@ private slots:
 
     /// The sheets of a form lie on the whole of a page across.
     void theOperationCardIsPreviewedOnSheetsAcross() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         for (const auto& [action, sheets] :
              {std::pair("preview-operation-card", 2), std::pair("preview-sketch-sheet", 1)}) {
             DialogAnswers answers({QStringLiteral("Escape")});
@@ -206,8 +187,7 @@ private slots:
 
     void whatCannotBeChosenWithoutAPrinterIsNotOffered() {
         WarningCatcher warnings;
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         DialogAnswers answers({QStringLiteral("Escape")});
         answers.seen = [](QDialog& dialog) {
             for (QAction* action : dialog.findChildren<QAction*>()) {
@@ -222,19 +202,12 @@ private slots:
     }
 
     void theCardIsExportedAsItsEndingSays_data() {
-        QTest::addColumn<QString>("action");
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("beginning");
-        QTest::newRow("PDF") << "pdf-card"
-                             << "card.pdf" << QByteArray("%PDF-");
-        QTest::newRow("HTML") << "html-card"
-                              << "card.html" << QByteArray("<!DOCTYPE html>");
-        QTest::newRow("Markdown") << "markdown-card"
-                                  << "card.md" << QByteArray("# ");
-        QTest::newRow("ODT") << "odt-operation-card"
-                             << "card.odt" << QByteArray("PK");
-        QTest::newRow("form") << "pdf-operation-card"
-                              << "sheets.pdf" << QByteArray("%PDF-");
+        addColumns<QString, QString, QByteArray>("action", "name", "beginning");
+        addRow("PDF", "pdf-card", "card.pdf", QByteArray("%PDF-"));
+        addRow("HTML", "html-card", "card.html", QByteArray("<!DOCTYPE html>"));
+        addRow("Markdown", "markdown-card", "card.md", QByteArray("# "));
+        addRow("ODT", "odt-operation-card", "card.odt", QByteArray("PK"));
+        addRow("form", "pdf-operation-card", "sheets.pdf", QByteArray("%PDF-"));
     }
 
     void theCardIsExportedAsItsEndingSays() {
@@ -243,8 +216,7 @@ private slots:
         QFETCH(QByteArray, beginning);
         const QTemporaryDir folder;
         const QString path = folder.filePath(name);
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const DialogAnswers answers({QStringLiteral("file:") + path});
         bench.action(qPrintable(action))->trigger();
         QCOMPARE(answers.fault(), QString());
@@ -254,8 +226,7 @@ private slots:
     void theCardIsOfTheInputsAsTheyAreNow() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("card.md"));
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         Project project = bench.window->document().project();
         project.part->name = "Sleeve 4711";
         bench.window->document().edit(project, {"Input", "Name"});
@@ -268,8 +239,7 @@ private slots:
     void thePassportTakesTheBatchThatIsShown() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("passport.md"));
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(batchExample()));
+        OpenBench bench(QStringLiteral("en"), batchExample());
         QVERIFY(bench.window->showView(QStringLiteral("batch")));
         const auto* view = bench.window->findChild<BatchView*>();
         QTRY_VERIFY_WITH_TIMEOUT(!view->busy() && view->batch() && !view->stale(), 60'000);
@@ -281,8 +251,7 @@ private slots:
     }
 
     void aBatchThatTakesLongIsStoppedAndNothingIsWritten() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(batchExample()));
+        OpenBench bench(QStringLiteral("en"), batchExample());
         Project project = bench.window->document().project();
         project.batch->parts = 1'000'000;
         bench.window->document().edit(project, {"Input", "Parts"});
@@ -291,8 +260,7 @@ private slots:
         answers.seen = [&text](QDialog& dialog) {
             text = dialog.findChild<QProgressBar*>()->format();
         };
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         bench.action("pdf-passport")->trigger(); // no file dialog follows
         QCOMPARE(answers.fault(), QString());
         QVERIFY2(clock.elapsed() < 5000, qPrintable(QString::number(clock.elapsed())));
@@ -300,16 +268,14 @@ private slots:
     }
 
     void whatIsWaitedForIsTheWholeBatchWhileTheWindowLives() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(batchExample()));
+        OpenBench bench(QStringLiteral("en"), batchExample());
         Project project = bench.window->document().project();
         project.batch->parts = 300;
         int beats = 0;
         QTimer timer;
         connect(&timer, &QTimer::timeout, this, [&beats] { ++beats; });
         timer.start(5);
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         const BatchOutcomePtr batch =
             BatchWait(project, QStringLiteral("Batch"), bench.window.get()).wait();
         const qint64 took_ms = clock.elapsed();
@@ -319,8 +285,7 @@ private slots:
     }
 
     void aBatchThatCannotBeRunIsToldAndNotReported() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(batchExample()));
+        OpenBench bench(QStringLiteral("en"), batchExample());
         Project project = bench.window->document().project();
         project.batch->factors.dullness->grows = {0.5, 2};
         bench.window->document().edit(project, {"Input", "Dullness"});
@@ -335,8 +300,7 @@ private slots:
     void theHandoutAsksWhatItIsToHave() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("handout.md"));
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         bench.window->cursor().toStroke(7);
         DialogAnswers answers({QStringLiteral("makeHandout"), QStringLiteral("file:") + path,
                                QStringLiteral("Escape")});
@@ -373,7 +337,7 @@ private slots:
     }
 };
 
-} // namespace test_report_commands
+} // namespace sparkout::test_report_commands
 
 SPARKOUT_TEST(test_report_commands, TestReportCommands)
 #include "test_report_commands.moc"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages of every document of every example, box by box: what stands where, and whether it has
 // the room that it needs. The texts of the figures, too.
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
 #include "tests/ui/support/passport_bench.h"
@@ -16,15 +15,12 @@
 #include <algorithm>
 #include <map>
 
-namespace test_report_layout {
+namespace sparkout::test_report_layout {
 
-using namespace sparkout;
 using report::Pages;
 using report::Table;
 using report::TextBox;
 using Box = Pages::Box;
-
-namespace {
 
 constexpr QSizeF area(5100, 7740); ///< A4 within the margins [tenths of a point]
 constexpr double step = 120;       ///< about as fine as widths are shared out
@@ -186,8 +182,6 @@ void checkFigure(const report::Figure& figure, const QString& what) {
     }
 }
 
-} // namespace
-
 class TestReportLayout : public QObject {
     Q_OBJECT
 
@@ -245,7 +239,7 @@ private slots:
         }
     }
 
-    void theCapabilityOfFourSectionsTakesALineEach_data() { passport_bench::addLanguages(); }
+    void theCapabilityOfFourSectionsTakesALineEach_data() { addLanguages(); }
     void theCapabilityOfFourSectionsTakesALineEach() {
         QFETCH(QString, language);
         m_language.apply(language);
@@ -259,10 +253,7 @@ private slots:
     }
 
     void aSizeIsWrittenAsOnADrawing_data() {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<double>("upper");
-        QTest::addColumn<double>("lower");
-        QTest::addColumn<QString>("russian");
+        addColumns<QString, double, double, QString>("name", "upper", "lower", "russian");
         QTest::newRow("its own field") << "Вал 30h6" << 0.0 << -16.0 << "⌀30h6(−0,016)";
         QTest::newRow("of the standard") << "Вал" << 0.0 << -13.0 << "⌀30h6(−0,013)";
         QTest::newRow("not so named") << "Вал 40k6" << 0.0 << -16.0 << "⌀30 (−0,016)";
@@ -415,7 +406,7 @@ private:
     std::map<QString, report::Subject> m_batches;
 };
 
-} // namespace test_report_layout
+} // namespace sparkout::test_report_layout
 
 SPARKOUT_TEST(test_report_layout, TestReportLayout)
 #include "test_report_layout.moc"

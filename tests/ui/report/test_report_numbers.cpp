@@ -2,9 +2,6 @@
 // Labels: numbers
 // The numbers of the reports, straight from their tables and figures: those of the outcome, each at
 // its own place.
-#include "core/project/batch.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/profile_series.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
@@ -22,18 +19,14 @@
 #include "ui/views/profiles/profiles_text.h"
 
 #include <iterator>
-#include <memory>
 #include <string_view>
 
-namespace test_report_numbers {
+namespace sparkout::test_report_numbers {
 
-using namespace sparkout;
 using namespace passport_bench;
 using report::CycleCard;
 using report::PassportPrediction;
 using report::PassportVerdict;
-
-namespace {
 
 ConstraintResult requirement(ConstraintKind kind, int section, double value) {
     ConstraintResult made{kind};
@@ -76,8 +69,6 @@ BatchSummary summaryWith(const std::vector<double>& ppk) {
     }
     return summary;
 }
-
-} // namespace
 
 class TestReportNumbers : public QObject {
     Q_OBJECT
@@ -319,7 +310,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_report_numbers
+} // namespace sparkout::test_report_numbers
 
 SPARKOUT_TEST(test_report_numbers, TestReportNumbers)
 #include "test_report_numbers.moc"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_state.h"
-#include "core/project/batch.h"
-#include "core/project/part.h"
 #include "core/study/batch_edits.h"
 #include "core/study/new_project.h"
 #include "tests/core/support/batch_fixtures.h"
@@ -9,14 +7,8 @@
 #include "ui/session/studies.h"
 
 #include <QElapsedTimer>
-#include <QSignalSpy>
-#include <QTest>
 
-namespace test_batch_study {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_batch_study {
 
 /// A study of batches, and what it reports.
 struct Heard {
@@ -43,8 +35,6 @@ struct Heard {
 
 constexpr int patience_ms = 60'000;
 constexpr int endless = 1'000'000; ///< parts: a minute or so
-
-} // namespace
 
 class TestBatchStudy : public QObject {
     Q_OBJECT
@@ -192,7 +182,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_study
+} // namespace sparkout::test_batch_study
 
 SPARKOUT_TEST(test_batch_study, TestBatchStudy)
 #include "test_batch_study.moc"

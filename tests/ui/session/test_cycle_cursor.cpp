@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cursor goes through the whole cycle in every unit, and keeps its place in a new run.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/evaluate.h"
 #include "tests/registry.h"
 #include "tests/two_stage_projects.h"
 #include "ui/session/cycle_cursor.h"
 
 #include <QSignalSpy>
-#include <QTest>
 
 #include <cmath>
 #include <set>
 
-namespace test_cycle_cursor {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_cycle_cursor {
 
 Project traverse() {
     Project p = fixtures::traverseProject();
@@ -39,8 +29,6 @@ Project plunge() {
 OutcomePtr run(const Project& project) {
     return evaluate(project, {});
 }
-
-} // namespace
 
 class TestCycleCursor : public QObject {
     Q_OBJECT
@@ -213,7 +201,7 @@ private slots:
     }
 };
 
-} // namespace test_cycle_cursor
+} // namespace sparkout::test_cycle_cursor
 
 SPARKOUT_TEST(test_cycle_cursor, TestCycleCursor)
 #include "test_cycle_cursor.moc"

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/format/difference.h"
 #include "core/measured/calibrated_inputs.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
+#include "tests/ui/support/on_disk.h"
+#include "tests/ui/support/untitled.h"
+#include "tests/whole_project.h"
 #include "ui/session/document.h"
 
 #include "core/format/project_file.h"
@@ -23,13 +20,8 @@
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 
-namespace test_document {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_document {
 
 constexpr EditText editText{"Input", "Diameter"};
 
@@ -60,16 +52,13 @@ QStringList examplePaths() {
     return list;
 }
 
-} // namespace
-
 class TestDocument : public QObject {
     Q_OBJECT
 
 private slots:
     /// What is undone since a save is as unsaved as what is done.
     void anEditUndoneAfterASaveIsNamed() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         Project project = document.project();
         project.part->diameter_mm += 1;
         document.edit(project, EditText{"Input", "Diameter"});
@@ -83,8 +72,7 @@ private slots:
 
     /// Typing that goes on after a step back is a step of its own.
     void noEditIsJoinedOverAStepOfTheHistory() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         const QString key = QStringLiteral("/part/diameter_mm");
         Project first = document.project();
         first.part->diameter_mm += 1;
@@ -100,8 +88,7 @@ private slots:
 
     void undoAndRedoAcrossASaveGiveTheSameTextAndModifiedState() {
         const QTemporaryDir folder;
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         QVERIFY(!document.modified());
         const QByteArray first = hashOf(document);
         document.edit(withDiameter(document.project(), 31), editText);
@@ -126,8 +113,7 @@ private slots:
     }
 
     void typingInOneFieldIsOneStepUntilTheFieldIsLeft() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         const QString key = QStringLiteral("/part/diameter_mm");
         document.edit(withDiameter(document.project(), 4), editText, key);
         document.edit(withDiameter(document.project(), 45), editText, key);
@@ -141,8 +127,7 @@ private slots:
     }
 
     void typingAndTypingBackLeavesNothingToUndo() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         const QString key = QStringLiteral("/part/diameter_mm");
         document.edit(withDiameter(document.project(), 3), editText, key);
         document.edit(withDiameter(document.project(), 30), editText, key);
@@ -151,8 +136,7 @@ private slots:
     }
 
     void anEditThatChangesNothingIsNoStep() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         QSignalSpy changed(&document, &Document::changed);
         document.edit(document.project(), editText);
         QCOMPARE(changed.count(), 0);
@@ -183,13 +167,10 @@ private slots:
     void aRefusedFileListsItsFaultsAndLeavesTheDocumentAlone() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("bad.sparkout"));
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(
+        on_disk::write(
+            path,
             R"({"format":"sparkout-project","version":1,"nonsense":2,"operation":"traverse"})");
-        file.close();
-        Document document;
-        document.startUntitled(newProject(Operation::plunge));
+        Untitled document(newProject(Operation::plunge));
         document.edit(withDiameter(document.project(), 33), editText);
         const QByteArray before = hashOf(document);
         const OpenResult result = document.open(path);
@@ -204,8 +185,7 @@ private slots:
     void unfinishedWorkIsSavedAndOpenedAgainWithItsFaults() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("unfinished.sparkout"));
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         Project odd = document.project();
         odd.part->radii_per_section = 35;
         odd.part->lower_deviation_um = odd.part->upper_deviation_um + 1;
@@ -225,10 +205,7 @@ private slots:
         const QString path = folder.filePath(QStringLiteral("dull.sparkout"));
         Project dull = newProject(Operation::traverse);
         dull.wheel->dullness = 1.5;
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray::fromStdString(writeProject(dull)));
-        file.close();
+        on_disk::write(path, QByteArray::fromStdString(writeProject(dull)));
         Document document;
         QVERIFY(!document.open(path).opened());
         document.startUntitled(dull);
@@ -243,8 +220,7 @@ private slots:
     }
 
     void aFailedSaveKeepsTheDocumentModifiedAndItsPath() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         document.edit(withDiameter(document.project(), 33), editText);
         QVERIFY(document.saveAs(QStringLiteral("/nowhere/at/all.sparkout")).has_value());
         QVERIFY(document.modified());
@@ -315,8 +291,7 @@ private slots:
 
     /// Of a shared input, not of one that each surface has for itself.
     void aCalibrationOfASharedInputIsRecordedWithEverySurface() {
-        Document document;
-        document.startUntitled(threeSurfaces());
+        Untitled document(threeSurfaces());
         document.showSurface(1);
         Project project = document.project();
         project.wheel->dullness = 0.031;
@@ -359,8 +334,7 @@ private slots:
     }
 
     void whatIsSharedChangesInEverySurface() {
-        Document document;
-        document.startUntitled(threeSurfaces());
+        Untitled document(threeSurfaces());
         document.showSurface(1);
         const SurfaceStatePtr first = document.state().surfaces[0];
         Project project = document.project();
@@ -381,8 +355,7 @@ private slots:
     }
 
     void undoBringsTheSurfaceToTheFrontThatItConcerns() {
-        Document document;
-        document.startUntitled(threeSurfaces());
+        Untitled document(threeSurfaces());
         document.showSurface(1);
         QVERIFY(!document.modified() && !document.canUndo()); // that is no edit
         document.edit(withDiameter(document.project(), 31), editText);
@@ -407,8 +380,7 @@ private slots:
     }
 
     void typingInTwoSurfacesIsTwoSteps() {
-        Document document;
-        document.startUntitled(threeSurfaces());
+        Untitled document(threeSurfaces());
         const QString key = QStringLiteral("/part/diameter_mm");
         document.edit(withDiameter(document.project(), 31), editText, key);
         document.showSurface(1);
@@ -422,8 +394,7 @@ private slots:
     void aSetupIsSavedAndOpenedAsAWhole() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("three.sparkout"));
-        Document document;
-        document.startUntitled(threeSurfaces());
+        Untitled document(threeSurfaces());
         document.showSurface(2);
         Project project = withDiameter(document.project(), 33);
         project.part->lower_deviation_um = project.part->upper_deviation_um + 1; // unfinished
@@ -447,8 +418,7 @@ private slots:
         setup.times.handling_s = 30;
         setup.wear.dulling_per_mm2 = 1e-5;
         const std::string text = writeSetup(setup);
-        Document document;
-        document.startUntitled(setup);
+        Untitled document(setup);
         document.showSurface(1);
         document.edit(withDiameter(document.project(), 31), editText);
         document.undo();
@@ -459,8 +429,7 @@ private slots:
     }
 
     void aReloadKeepsTheSurfaceInFrontAndCanBeUndone() {
-        Document document;
-        document.startUntitled(threeSurfaces());
+        Untitled document(threeSurfaces());
         document.showSurface(2);
         Setup shorter = threeSurfaces();
         shorter.surfaces.pop_back();
@@ -487,7 +456,7 @@ private slots:
     }
 };
 
-} // namespace test_document
+} // namespace sparkout::test_document
 
 SPARKOUT_TEST(test_document, TestDocument)
 #include "test_document.moc"

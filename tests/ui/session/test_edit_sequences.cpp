@@ -6,29 +6,21 @@
 #include "core/study/operation_return.h"
 #include "ui/session/document.h"
 #include "ui/text/file_error_text.h"
-#include "ui/text/texts.h"
 
-#include "core/format/project_file.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_mutator.h"
 #include "tests/registry.h"
 
 #include <QCryptographicHash>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <stop_token>
 #include <thread>
-#include <vector>
 
-namespace test_edit_sequences {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_edit_sequences {
 
 constexpr int commands = 100;
 
@@ -112,8 +104,6 @@ private:
     samples::Mutator<decltype(samples::fromSeed(0))> m_mutator;
 };
 
-} // namespace
-
 class TestEditSequences : public QObject {
     Q_OBJECT
 
@@ -173,7 +163,7 @@ private slots:
     }
 };
 
-} // namespace test_edit_sequences
+} // namespace sparkout::test_edit_sequences
 
 SPARKOUT_TEST(test_edit_sequences, TestEditSequences)
 #include "test_edit_sequences.moc"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Kept runs of a document: edits that can be undone and are saved; computed again aside.
-#include "core/project/cycle.h"
-#include "core/project/measured.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
+#include "tests/whole_project.h"
 #include "ui/session/kept_runs.h"
 
 #include "core/format/project_file.h"
@@ -11,15 +8,9 @@
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 
-#include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 
-namespace test_kept_runs {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_kept_runs {
 
 constexpr EditText editText{"Input", "Diameter"};
 
@@ -46,8 +37,6 @@ std::string withoutRuns(Project project) {
     project.runs.clear();
     return writeProject(project);
 }
-
-} // namespace
 
 class TestKeptRuns : public QObject {
     Q_OBJECT
@@ -254,7 +243,7 @@ private slots:
     }
 };
 
-} // namespace test_kept_runs
+} // namespace sparkout::test_kept_runs
 
 SPARKOUT_TEST(test_kept_runs, TestKeptRuns)
 #include "test_kept_runs.moc"

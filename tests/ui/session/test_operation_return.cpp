@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Switching the operation and back.
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/evaluate.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "core/study/operation_return.h"
-#include "ui/session/document.h"
+#include "tests/ui/support/untitled.h"
+#include "tests/whole_project.h"
 #include "ui/text/operation_changes.h"
 
 #include "core/format/project_file.h"
@@ -25,15 +19,10 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QTest>
 
 #include <algorithm>
 
-namespace test_operation_return {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_operation_return {
 
 /// What the operation field does.
 void switchTo(Document& document, Operation operation) {
@@ -43,8 +32,6 @@ void switchTo(Document& document, Operation operation) {
 Operation other(Operation operation) {
     return operation == Operation::plunge ? Operation::traverse : Operation::plunge;
 }
-
-} // namespace
 
 class TestOperationReturn : public QObject {
     Q_OBJECT
@@ -229,8 +216,7 @@ private slots:
     }
 
     void whatWasChangedMeanwhileStaysAndTheRestComesBack() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         const Project before = document.project();
         switchTo(document, Operation::plunge);
         Project changed = document.project();
@@ -250,8 +236,7 @@ private slots:
     }
 
     void aComplianceEnteredMeanwhileIsCarriedOver() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         switchTo(document, Operation::plunge);
         Project stiff = document.project();
         for (double& value : std::get<std::vector<double>>(stiff.machine->compliance_mm_per_n)) {
@@ -265,8 +250,7 @@ private slots:
     }
 
     void aLongerPartMeanwhileStillLeavesAProjectThatRuns() {
-        Document document;
-        document.startUntitled(newProject(Operation::plunge));
+        Untitled document(newProject(Operation::plunge));
         switchTo(document, Operation::traverse);
         Project longer = document.project();
         longer.part->length_mm = 300;
@@ -281,8 +265,7 @@ private slots:
     }
 
     void aStageAddedMeanwhileLeavesTheOthersTheirFeeds() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         const auto before = document.project().cycle->stages;
         switchTo(document, Operation::plunge);
         Project more = document.project();
@@ -301,15 +284,14 @@ private slots:
     }
 
     void nothingIsRememberedOfAnotherDocument() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         switchTo(document, Operation::plunge);
         document.startUntitled(newProject(Operation::plunge));
         QVERIFY(!document.lastWith(Operation::traverse));
     }
 };
 
-} // namespace test_operation_return
+} // namespace sparkout::test_operation_return
 
 SPARKOUT_TEST(test_operation_return, TestOperationReturn)
 #include "test_operation_return.moc"

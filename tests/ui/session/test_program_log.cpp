@@ -16,16 +16,13 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QTest>
 #include <QTimer>
 
 #include <thread>
 
 #include <algorithm>
 
-namespace test_program_log {
-
-using namespace sparkout;
+namespace sparkout::test_program_log {
 
 class TestProgramLog : public QObject {
     Q_OBJECT
@@ -184,7 +181,7 @@ private slots:
     }
 };
 
-} // namespace test_program_log
+} // namespace sparkout::test_program_log
 
 SPARKOUT_TEST(test_program_log, TestProgramLog)
 #include "test_program_log.moc"

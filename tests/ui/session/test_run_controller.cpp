@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/part.h"
+#include "tests/ready_made.h"
+#include "tests/whole_project.h"
 #include "ui/session/run_controller.h"
 
 #include "core/study/new_project.h"
@@ -8,19 +8,14 @@
 
 #include "tests/registry.h"
 
-#include <QElapsedTimer>
 #include <QSignalSpy>
-#include <QTest>
 
 #include <atomic>
 #include <thread>
 
-namespace test_run_controller {
+namespace sparkout::test_run_controller {
 
-using namespace sparkout;
 using namespace std::chrono_literals;
-
-namespace {
 
 Project numbered(int number) {
     Project project = newProject(Operation::traverse);
@@ -41,8 +36,6 @@ OutcomePtr slowRun(const Project& project, const std::stop_token& stop) {
     }
     return stop.stop_requested() ? nullptr : outcomeOf(project);
 }
-
-} // namespace
 
 class TestRunController : public QObject {
     Q_OBJECT
@@ -104,8 +97,7 @@ private slots:
         connect(&runs, &RunController::finished, this, [&shown](const OutcomePtr& outcome) {
             shown.push_back(outcome->result.project.part->diameter_mm);
         });
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         for (int i = 0; i < 100; ++i) {
             runs.request(numbered(i));
         }
@@ -137,8 +129,7 @@ private slots:
         QSignalSpy finished(runs.get(), &RunController::finished);
         runs->request(numbered(0));
         std::this_thread::sleep_for(30ms);
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         runs.reset();
         QVERIFY2(clock.elapsed() < 100, qPrintable(QString::number(clock.elapsed())));
         QTest::qWait(20);
@@ -153,14 +144,13 @@ private slots:
         auto runs = std::make_unique<RunController>();
         runs->request(project);
         std::this_thread::sleep_for(20ms);
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         runs.reset();
         QVERIFY2(clock.elapsed() < 100, qPrintable(QString::number(clock.elapsed())));
     }
 };
 
-} // namespace test_run_controller
+} // namespace sparkout::test_run_controller
 
 SPARKOUT_TEST(test_run_controller, TestRunController)
 #include "test_run_controller.moc"

@@ -5,23 +5,14 @@
 #include "ui/session/settings.h"
 
 #include <QFileInfo>
-#include <QLocale>
 #include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 
-namespace test_settings {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_settings {
 
 /// A path is whole with its drive, which Linux has none of.
 QString inRoot(const QString& path) {
     return QDir::rootPath() + path;
 }
-
-} // namespace
 
 class TestSettings : public QObject {
     Q_OBJECT
@@ -377,7 +368,7 @@ private slots:
     }
 };
 
-} // namespace test_settings
+} // namespace sparkout::test_settings
 
 SPARKOUT_TEST(test_settings, TestSettings)
 #include "test_settings.moc"

@@ -8,17 +8,11 @@
 
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-namespace test_slider_scale {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_slider_scale {
 
 /// Every input with a slider, by the tables.
 void collect(const Project& project, const StructInfo& table, const void* owner,
@@ -55,8 +49,6 @@ SliderScale scaleOf(const Project& project, const std::string& path) {
     return SliderScale(sliderSpec(project, path, *member.field),
                        numberIn(*member.field, member.owner));
 }
-
-} // namespace
 
 class TestSliderScale : public QObject {
     Q_OBJECT
@@ -216,7 +208,7 @@ private:
     }
 };
 
-} // namespace test_slider_scale
+} // namespace sparkout::test_slider_scale
 
 SPARKOUT_TEST(test_slider_scale, TestSliderScale)
 #include "test_slider_scale.moc"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The formulas of the step: those of the radius the cycle stands at, in the zone that was chosen.
-#include "core/project/machine.h"
 #include "core/quality/visit_sheet.h"
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
@@ -10,22 +9,16 @@
 #include "ui/step/step_sheet.h"
 #include "ui/window/playback_bar.h"
 
-#include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QImage>
 #include <QLabel>
 #include <QPalette>
-#include <QTest>
 #include <QTextEdit>
 #include <QToolButton>
 
-namespace test_step_sheet {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_step_sheet {
 
 struct Sheet {
     explicit Sheet(const Project& project) : outcome(fixtures::run(project)), view(cycle) {
@@ -53,8 +46,6 @@ struct Sheet {
     OutcomePtr outcome;
     StepSheet view;
 };
-
-} // namespace
 
 class TestStepSheet : public QObject {
     Q_OBJECT
@@ -154,8 +145,7 @@ private slots:
     }
 
     void theBarShowsAndHidesIt() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         auto* dock = bench.window->findChild<QDockWidget*>(QStringLiteral("step"));
         auto* button = bench.window->findChild<QToolButton*>(QStringLiteral("playTool"));
         QVERIFY(!dock->isVisible());
@@ -169,7 +159,7 @@ private slots:
     }
 };
 
-} // namespace test_step_sheet
+} // namespace sparkout::test_step_sheet
 
 SPARKOUT_TEST(test_step_sheet, TestStepSheet)
 #include "test_step_sheet.moc"

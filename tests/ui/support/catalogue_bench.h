@@ -13,9 +13,7 @@
 #include <cstddef>
 
 /// The catalogues, and a window on the page of the inputs that uses them.
-namespace catalogue_bench {
-
-using namespace sparkout;
+namespace sparkout::catalogue_bench {
 
 inline constexpr std::array kinds{CatalogueKind::materials, CatalogueKind::wheels,
                                   CatalogueKind::machines};
@@ -49,4 +47,4 @@ struct Window {
 
 inline constexpr int partPage = 0, materialPage = 1, wheelPage = 2, machinePage = 3;
 
-} // namespace catalogue_bench
+} // namespace sparkout::catalogue_bench

@@ -4,6 +4,7 @@
 #include "core/format/project_file.h"
 #include "core/project/part.h"
 #include "core/study/new_project.h"
+#include "tests/ui/support/diameters.h"
 #include "tests/ui/support/file_trouble.h"
 #include "ui/files/file_guard.h"
 #include "ui/session/document.h"
@@ -13,26 +14,12 @@
 #include <QTest>
 
 /// The guard of a file, and what it guards it from.
-namespace file_guard_bench {
+namespace sparkout::file_guard_bench {
 
-using namespace sparkout;
 using State = FileLock::State;
 using Access = FileGuard::Access;
 
-inline constexpr EditText editText{"Input", "Diameter"};
 inline QString smallDisk; ///< a file system of 64 KB; empty: not allowed here
-
-inline void setDiameter(Document& document, double diameter_mm) {
-    Project project = document.project();
-    project.part->diameter_mm = diameter_mm;
-    document.edit(project, editText);
-}
-
-inline QByteArray textWith(double diameter_mm) {
-    Project project = newProject(Operation::traverse);
-    project.part->diameter_mm = diameter_mm;
-    return QByteArray::fromStdString(writeProject(project));
-}
 
 /// A document that guards its file, in a folder of its own.
 struct Bench {
@@ -55,4 +42,4 @@ struct Bench {
     Access access = Access::conflict;
 };
 
-} // namespace file_guard_bench
+} // namespace sparkout::file_guard_bench

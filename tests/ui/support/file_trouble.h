@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/ui/support/on_disk.h"
+
 #include <QByteArray>
 #include <QDir>
 #include <QFile>
@@ -23,18 +25,13 @@
 #endif
 
 /// Trouble with disks and rights, made on purpose and in folders of the test's own.
-namespace trouble {
+namespace sparkout::trouble {
+
+using on_disk::write;
 
 inline QByteArray bytesOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("<not there>");
-}
-
-inline void write(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
-        qFatal("the test cannot write %s", qPrintable(path));
-    }
 }
 
 /// What is in a folder, hidden files too.
@@ -205,4 +202,4 @@ inline bool mountSmallDisk(const QString& folder, int kilobytes) {
 
 #endif
 
-} // namespace trouble
+} // namespace sparkout::trouble

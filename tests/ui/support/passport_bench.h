@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/batch.h"
-#include "core/project/part.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/report_reading.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/report/documents/passport.h"
@@ -15,9 +14,8 @@
 #include <QTest>
 
 /// The accuracy passport of a project and its batch.
-namespace passport_bench {
+namespace sparkout::passport_bench {
 
-using namespace sparkout;
 using namespace reading;
 using report::Format;
 
@@ -59,10 +57,4 @@ inline Project smallBatch() {
     return project;
 }
 
-inline void addLanguages() {
-    QTest::addColumn<QString>("language");
-    QTest::newRow("en") << QStringLiteral("en");
-    QTest::newRow("ru") << QStringLiteral("ru");
-}
-
-} // namespace passport_bench
+} // namespace sparkout::passport_bench

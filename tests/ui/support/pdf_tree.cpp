@@ -13,7 +13,7 @@
 #include <set>
 #include <string>
 
-namespace reading {
+namespace sparkout::reading {
 
 namespace {
 
@@ -279,4 +279,4 @@ PdfTree treeOf(const QByteArray& pdf) {
     return tree;
 }
 
-} // namespace reading
+} // namespace sparkout::reading

@@ -10,7 +10,7 @@
 #include <vector>
 
 /// The structure of a tagged PDF, read back by libqpdf.
-namespace reading {
+namespace sparkout::reading {
 
 struct PdfElement {
     QByteArray type;
@@ -34,4 +34,4 @@ struct PdfTree {
 
 [[nodiscard]] PdfTree treeOf(const QByteArray& pdf);
 
-} // namespace reading
+} // namespace sparkout::reading

@@ -10,7 +10,7 @@
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 
-namespace reading {
+namespace sparkout::reading {
 
 /// What a tool of poppler says of a PDF.
 inline QString told(const QString& tool, const QStringList& options, const QByteArray& pdf) {
@@ -92,4 +92,4 @@ inline QList<QStringList> rowsOfHtml(const QByteArray& html) {
     return rows;
 }
 
-} // namespace reading
+} // namespace sparkout::reading

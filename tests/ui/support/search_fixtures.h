@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "tests/core/support/project_fixtures.h"
 
-namespace fixtures {
+namespace sparkout::fixtures {
 
 /// The shaft with a small grid, of which some cycles hold.
 inline Project searchedShaft() {
@@ -29,4 +27,4 @@ inline Project endlessSearch() {
     return project;
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

@@ -2,20 +2,18 @@
 // Set-ups of several surfaces for the tests of the window.
 #pragma once
 
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
+#include "tests/whole_project.h"
 
 #include <QByteArray>
 #include <QFile>
 #include <QString>
 
-namespace setup_fixtures {
+namespace sparkout::setup_fixtures {
 
 /// A shaft of three steps, a surface on each of them; the last one turns slower.
 inline sparkout::Setup steppedShaft() {
-    using namespace sparkout;
     Setup setup;
     const char* const names[] = {"Journal A", "Seat", "Journal B"};
     Project project = newProject(Operation::traverse);
@@ -50,4 +48,4 @@ inline void writeSetupFile(const sparkout::Setup& setup, const QString& path) {
     }
 }
 
-} // namespace setup_fixtures
+} // namespace sparkout::setup_fixtures

@@ -3,20 +3,15 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
-#include <QAbstractScrollArea>
-#include <QAbstractSpinBox>
 #include <QAction>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <QScrollBar>
-#include <QTabBar>
 #include <QTabWidget>
-#include <QToolButton>
 
 namespace sparkout {
 

@@ -1,36 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/cycle.h"
-#include "core/project/material.h"
-#include "core/project/wheel.h"
 #include "tests/core/identification/measured_cycles.h"
-#include "tests/core/support/project_samples.h"
 
 /// A plunge whose cycle was recorded at a machine that yields more and whose wheel is sharper.
-namespace traced {
-
-using namespace sparkout;
+namespace sparkout::traced {
 
 inline constexpr double yields = 1.25, sharper = 0.7; ///< of the truth
 inline constexpr double gamma = 5e-4;                 ///< of the project [mm/N]
 
-/// Two feeds, so that the deflection shows.
 inline Project plunge() {
-    Project project = samples::project("smallest-plunge");
-    project.sections = 2;
-    project.machine->compliance_mm_per_n = std::vector<double>{gamma, gamma};
-    project.part->stock_mm = 0.3;
-    project.part->radii_per_section = 12;
-    project.wheel->dullness = 0.01;
-    project.gauge->rule = GaugeRule::mean;
-    Stage rough = project.cycle->stages.front(), fine = rough;
-    rough.radial_feed_mm_min = 2.0;
-    rough.stock_mm = 0.22;
-    fine.radial_feed_mm_min = 0.4;
-    fine.stock_mm = 0.08;
-    project.cycle->stages = {rough, fine};
-    return project;
+    return measured_cycles::yieldingPlunge(2);
 }
 
 inline Project truth() {
@@ -61,4 +41,4 @@ inline Project project(bool withPower = false, double shift_s = 0) {
     return project;
 }
 
-} // namespace traced
+} // namespace sparkout::traced

@@ -16,9 +16,7 @@
 
 #include <memory>
 
-namespace fixtures {
-
-using namespace sparkout;
+namespace sparkout::fixtures {
 
 inline OutcomePtr run(const Project& project) {
     return evaluate(project, {});
@@ -73,4 +71,4 @@ inline void drag(QWidget* widget, const QPoint& from, const QPoint& to) {
     send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

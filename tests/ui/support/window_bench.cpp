@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/window_bench.h"
 
+#include "ui/kit/font_size.h"
+
 #include <QAction>
 #include <QDir>
 #include <QFileInfo>
@@ -59,7 +61,10 @@ Bench::Bench(const QString& code, Theme theme, RunController::Runner runner)
     window->activateWindow();
 }
 
-Bench::~Bench() = default;
+Bench::~Bench() {
+    window.reset();
+    applyFontSize(usualFontSize);
+}
 
 bool Bench::open(const QString& path) {
     QSignalSpy shown(window.get(), &MainWindow::outcomeShown);

@@ -5,7 +5,7 @@
 #include "ui/kit/theme.h"
 #include "ui/window/main_window.h"
 
-#include <QStringList>
+#include <QTest>
 
 #include <memory>
 
@@ -19,7 +19,7 @@ namespace sparkout {
 struct Bench {
     explicit Bench(const QString& language, Theme theme = Theme::light,
                    RunController::Runner runner = evaluate);
-    ~Bench();
+    ~Bench(); ///< goes back to the usual size of the font
 
     /// Opens a project and waits until the views have drawn its outcome; false when they do not.
     [[nodiscard]] bool open(const QString& path);
@@ -29,6 +29,11 @@ struct Bench {
     Settings settings;
     Language language;
     std::unique_ptr<MainWindow> window;
+};
+
+/// Such a window with a project.
+struct OpenBench : Bench {
+    OpenBench(const QString& code, const QString& path) : Bench(code) { QVERIFY(open(path)); }
 };
 
 /// Collects what Qt warns of while it lives, except what the offscreen platform says about itself.

@@ -4,17 +4,11 @@
 
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <limits>
 #include <random>
 
-namespace test_csv_table {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_csv_table {
 
 /// A plain CSV reader: cells of lines, quotation marks undone.
 QList<QStringList> cellsOf(const QByteArray& bytes, QChar separator) {
@@ -47,8 +41,6 @@ CsvTable tableOf(std::vector<CsvCell> cells) {
     }
     return {header, {std::move(cells)}};
 }
-
-} // namespace
 
 class TestCsvTable : public QObject {
     Q_OBJECT
@@ -148,7 +140,7 @@ private slots:
     }
 };
 
-} // namespace test_csv_table
+} // namespace sparkout::test_csv_table
 
 SPARKOUT_TEST(test_csv_table, TestCsvTable)
 #include "test_csv_table.moc"

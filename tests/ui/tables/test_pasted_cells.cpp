@@ -10,17 +10,12 @@
 #include <QLocale>
 #include <QMimeData>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QUrl>
 
 #include <cmath>
 #include <random>
 
-namespace test_pasted_cells {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_pasted_cells {
 
 const QList<QLocale> locales{QLocale(QLocale::English, QLocale::UnitedStates),
                              QLocale(QLocale::Russian, QLocale::Russia)};
@@ -61,8 +56,6 @@ public:
 private:
     std::mt19937 m_random;
 };
-
-} // namespace
 
 class TestPastedCells : public QObject {
     Q_OBJECT
@@ -126,12 +119,9 @@ private slots:
     }
 
     void numbersOfACell_data() {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<bool>("isNumber");
-        QTest::addColumn<double>("value");
+        addColumns<QString, bool, double>("text", "isNumber", "value");
         const auto row = [](const char* text, std::optional<double> value) {
-            QTest::newRow(text) << QString::fromUtf8(text) << value.has_value()
-                                << value.value_or(0);
+            addRow(text, text, value.has_value(), value.value_or(0));
         };
         row("0,004", 0.004);
         row(" 0.004 ", 0.004);
@@ -216,7 +206,7 @@ private slots:
     }
 };
 
-} // namespace test_pasted_cells
+} // namespace sparkout::test_pasted_cells
 
 SPARKOUT_TEST(test_pasted_cells, TestPastedCells)
 #include "test_pasted_cells.moc"

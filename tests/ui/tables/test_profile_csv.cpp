@@ -4,13 +4,7 @@
 
 #include "tests/registry.h"
 
-#include <QTest>
-
-namespace test_profile_csv {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_profile_csv {
 
 using Values = std::vector<double>;
 
@@ -21,17 +15,13 @@ ProfileCsvFault faultOf(const char* text) {
     return fault ? *fault : ProfileCsvFault{ProfileCsvFault::What::count, -1, {}, -1};
 }
 
-} // namespace
-
 class TestProfileCsv : public QObject {
     Q_OBJECT
 
 private slots:
     void theValuesOfATableAreRead_data() {
         QTest::addColumn<QByteArray>("text");
-        const auto row = [](const char* name, const char* text) {
-            QTest::newRow(name) << QByteArray(text);
-        };
+        const auto row = [](const char* name, const char* text) { addRow(name, QByteArray(text)); };
         row("points", "0\n-1.5\n-3\n-2.25\n");
         row("commas", "0\n-1,5\n-3\n-2,25");
         row("carriage returns", "0\r\n-1.5\r\n-3\r\n-2.25\r\n");
@@ -86,14 +76,13 @@ private slots:
     }
 
     void theNumberOfValuesMustBeEvenAndWithinTheLimits_data() {
-        QTest::addColumn<int>("count");
-        QTest::addColumn<bool>("taken");
-        QTest::newRow("none") << 0 << false;
-        QTest::newRow("too few") << 2 << false;
-        QTest::newRow("fewest") << 4 << true;
-        QTest::newRow("odd") << 37 << false;
-        QTest::newRow("most") << 360 << true;
-        QTest::newRow("too many") << 362 << false;
+        addColumns<int, bool>("count", "taken");
+        addRow("none", 0, false);
+        addRow("too few", 2, false);
+        addRow("fewest", 4, true);
+        addRow("odd", 37, false);
+        addRow("most", 360, true);
+        addRow("too many", 362, false);
     }
     void theNumberOfValuesMustBeEvenAndWithinTheLimits() {
         QFETCH(int, count);
@@ -109,7 +98,7 @@ private slots:
     }
 };
 
-} // namespace test_profile_csv
+} // namespace sparkout::test_profile_csv
 
 SPARKOUT_TEST(test_profile_csv, TestProfileCsv)
 #include "test_profile_csv.moc"

@@ -2,9 +2,9 @@
 // Labels: numbers
 // Cells to and from a spreadsheet: what LibreOffice Calc put on the clipboard is pasted (see
 // tests/data/clipboard/README.md), and what is copied is read by LibreOffice where it is installed.
-#include "core/project/cycle.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
+#include "tests/ui/support/on_disk.h"
 #include "ui/fields/cells_line_edit.h"
 #include "ui/tables/copied_cells.h"
 #include "ui/tables/pasted_cells.h"
@@ -20,14 +20,9 @@
 #include <QTemporaryDir>
 #include <QUrl>
 
-#include <memory>
+namespace sparkout::test_spreadsheet_clipboard {
 
-namespace test_spreadsheet_clipboard {
-
-using namespace sparkout;
 using stage_table_bench::Bench;
-
-namespace {
 
 QString calcData(const QString& suffix) {
     QFile file(QStringLiteral(SPARKOUT_SOURCE_DIR "/tests/data/clipboard/calc-ru.") + suffix);
@@ -44,9 +39,7 @@ void offer(const QString& plain, const QString& html) {
 }
 
 void write(const QString& path, const QString& text) {
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(text.toUtf8());
+    on_disk::write(path, text.toUtf8());
 }
 
 /// The settings of a LibreOffice of its own whose numbers are of a language.
@@ -60,8 +53,6 @@ void makeProfile(const QString& folder, const QString& language) {
               "oor:op=\"fuse\"><value>%1</value></prop></item></oor:items>")
               .arg(language));
 }
-
-} // namespace
 
 class TestSpreadsheetClipboard : public QObject {
     Q_OBJECT
@@ -79,8 +70,7 @@ private slots:
         QVERIFY(calcData(QStringLiteral("html")).contains(QStringLiteral("sdval=\"0,006\"")));
         offer(plain ? calcData(QStringLiteral("txt")) : QString(),
               calcData(QStringLiteral("html")));
-        Bench bench;
-        bench.select(0, 0);
+        Bench bench(0, 0);
         QTest::keySequence(&bench.table.view(), QKeySequence::Paste);
         QCOMPARE(bench.stages().size(), 2u);
         QCOMPARE(bench.stages()[0].radial_feed_mm, std::optional(0.006));
@@ -172,7 +162,7 @@ private slots:
     }
 };
 
-} // namespace test_spreadsheet_clipboard
+} // namespace sparkout::test_spreadsheet_clipboard
 
 SPARKOUT_TEST(test_spreadsheet_clipboard, TestSpreadsheetClipboard)
 #include "test_spreadsheet_clipboard.moc"

@@ -9,7 +9,6 @@
 
 #include <QFile>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <bit>
 #include <cmath>
@@ -17,11 +16,7 @@
 #include <random>
 #include <set>
 
-namespace test_xlsx_book {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_xlsx_book {
 
 Book bookOf(std::vector<Sheet> sheets) {
     return {QStringLiteral("Вал 30h6 <&>"), QStringLiteral("А. Иванов"),
@@ -53,8 +48,6 @@ CsvTable column(const QString& header, const std::vector<CsvCell>& cells) {
 bool sameBits(std::optional<double> a, double b) {
     return a && std::bit_cast<std::uint64_t>(*a) == std::bit_cast<std::uint64_t>(b);
 }
-
-} // namespace
 
 class TestXlsxBook : public QObject {
     Q_OBJECT
@@ -101,8 +94,7 @@ private slots:
     }
 
     void numbersAreShownWithTheDigitsOfTheirColumn_data() {
-        QTest::addColumn<double>("largest");
-        QTest::addColumn<QString>("format");
+        addColumns<double, QString>("largest", "format");
         QTest::newRow("whole") << 54.0 << "0";
         QTest::newRow("micrometres") << 12.5 << "0.0000";
         QTest::newRow("small") << 0.01234 << "0.0000000";
@@ -356,7 +348,7 @@ private slots:
     }
 };
 
-} // namespace test_xlsx_book
+} // namespace sparkout::test_xlsx_book
 
 SPARKOUT_TEST(test_xlsx_book, TestXlsxBook)
 #include "test_xlsx_book.moc"

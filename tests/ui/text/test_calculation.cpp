@@ -6,16 +6,10 @@
 
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <random>
 
-namespace test_calculation {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_calculation {
 
 __extension__ using Wide = __int128;
 
@@ -86,18 +80,13 @@ QString decimalText(const Exact& exact) {
            + QStringLiteral("e-%1").arg(exact.decimals);
 }
 
-} // namespace
-
 class TestCalculation : public QObject {
     Q_OBJECT
 
 private slots:
     void whatIsTypedIsWorkedOutExactly_data() {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<double>("value");
-        const auto row = [](const char* text, double value) {
-            QTest::newRow(text) << QString::fromUtf8(text) << value;
-        };
+        addColumns<QString, double>("text", "value");
+        const auto row = [](const char* text, double value) { addRow(text, text, value); };
         row("0,25/2", 0.125);
         row("12+0.3", 12.3);
         row("(30-29,6)/2", 0.2); // in doubles 0.1999…93
@@ -143,11 +132,8 @@ private slots:
     }
 
     void aFaultIsNamed_data() {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("fault");
-        const auto row = [](const char* text, const char* fault) {
-            QTest::newRow(text) << QString::fromUtf8(text) << QString::fromUtf8(fault);
-        };
+        addColumns<QString, QString>("text", "fault");
+        const auto row = [](const char* text, const char* fault) { addRow(text, text, fault); };
         row("12+", "a number is missing at the end");
         row("*3", "a number is missing before “*3”");
         row("2**3", "a number is missing before “*3”");
@@ -236,7 +222,7 @@ private slots:
     }
 };
 
-} // namespace test_calculation
+} // namespace sparkout::test_calculation
 
 SPARKOUT_TEST(test_calculation, TestCalculation)
 #include "test_calculation.moc"

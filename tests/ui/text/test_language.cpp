@@ -7,14 +7,9 @@
 
 #include <QFile>
 #include <QRegularExpression>
-#include <QTest>
 #include <QXmlStreamReader>
 
-namespace test_language {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_language {
 
 const QRegularExpression parted(QStringLiteral("\\d %(?![0-9A-Za-z])"));
 
@@ -38,8 +33,6 @@ std::vector<std::pair<QByteArray, QByteArray>> textsWithPercents() {
     }
     return texts;
 }
-
-} // namespace
 
 class TestLanguage : public QObject {
     Q_OBJECT
@@ -74,7 +67,7 @@ private slots:
     }
 };
 
-} // namespace test_language
+} // namespace sparkout::test_language
 
 SPARKOUT_TEST(test_language, TestLanguage)
 #include "test_language.moc"

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wheel markings and tolerance classes as a user types them on the pages of the inputs.
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
+#include "tests/ui/support/typing.h"
+#include "tests/whole_project.h"
 
 #include <QLabel>
 #include <QLineEdit>
 
 #include <utility>
 
-namespace test_marking_fields {
+namespace sparkout::test_marking_fields {
 
-using namespace sparkout;
 using namespace catalogue_bench;
 
 class TestMarkingFields : public QObject {
@@ -25,9 +23,7 @@ private slots:
         auto* line = window.on<QLineEdit>("/wheel/marking");
         auto* meaning = window.on<QLabel>("markingMeaning");
         auto* fill = window.on<QPushButton>("fillFromMarking");
-        line->setFocus();
-        line->selectAll();
-        QTest::keyClicks(line, QStringLiteral("400x40x203 63C F80 K 8 V 30"));
+        typeOver(*line, QStringLiteral("400x40x203 63C F80 K 8 V 30"));
         QVERIFY2(meaning->text().contains(QStringLiteral("green silicon carbide")),
                  qPrintable(meaning->text()));
         QVERIFY(meaning->text().contains(QStringLiteral("0.185")));
@@ -44,9 +40,7 @@ private slots:
         window.document().undo();
         QCOMPARE(window.document().project().wheel->diameter_mm, before.wheel->diameter_mm);
         QCOMPARE(window.document().project().wheel->marking, before.wheel->marking);
-        line->setFocus();
-        line->selectAll();
-        QTest::keyClicks(line, QStringLiteral("the old one"));
+        typeOver(*line, QStringLiteral("the old one"));
         QVERIFY(meaning->text().startsWith(QStringLiteral("Not understood")));
         QVERIFY(!fill->isVisible());
     }
@@ -65,15 +59,11 @@ private slots:
     }
 
     void aToleranceClassFillsTheLimits_data() {
-        QTest::addColumn<QString>("typed");
-        QTest::addColumn<double>("nominal");
-        QTest::addColumn<double>("upper");
-        QTest::addColumn<double>("lower");
-        QTest::addColumn<QString>("shown");
-        QTest::newRow("30h6") << "30h6" << 30.0 << 0.0 << -13.0 << "30h6";
-        QTest::newRow("Cyrillic, comma")
-            << QString::fromUtf8("38,74к6") << 38.74 << 18.0 << 2.0 << "38.74k6";
-        QTest::newRow("letters alone") << "f7" << 30.0 << -20.0 << -41.0 << "30f7";
+        addColumns<QString, double, double, double, QString>("typed", "nominal", "upper", "lower",
+                                                             "shown");
+        addRow("30h6", "30h6", 30.0, 0.0, -13.0, "30h6");
+        addRow("Cyrillic, comma", QString::fromUtf8("38,74к6"), 38.74, 18.0, 2.0, "38.74k6");
+        addRow("letters alone", "f7", 30.0, -20.0, -41.0, "30f7");
     }
 
     void aToleranceClassFillsTheLimits() {
@@ -106,9 +96,7 @@ private slots:
     void aToleranceClassIsTakenWhenItIsLeft() {
         Window window(partPage);
         auto* size = window.on<QLineEdit>("sizeField");
-        size->setFocus();
-        size->selectAll();
-        QTest::keyClicks(size, QStringLiteral("40k6"));
+        typeOver(*size, QStringLiteral("40k6"));
         QVERIFY(window.on<QLabel>("sizeMeaning")->isVisible());
         QVERIFY(!window.document().canUndo());
         QTest::keyClick(size, Qt::Key_Tab);
@@ -122,9 +110,7 @@ private slots:
     void aToleranceClassIsTakenByACommand() {
         Window window(partPage);
         auto* size = window.on<QLineEdit>("sizeField");
-        size->setFocus();
-        size->selectAll();
-        QTest::keyClicks(size, QStringLiteral("40k6"));
+        typeOver(*size, QStringLiteral("40k6"));
         window.bench.window->inputs().endTyping(); // as Save does first
         QCOMPARE(window.document().project().part->diameter_mm, 40);
         QVERIFY(size->hasFocus());
@@ -149,9 +135,7 @@ private slots:
     void aRefusedClassDoesNotOutliveItsReason() {
         Window window(partPage);
         auto* size = window.on<QLineEdit>("sizeField");
-        size->setFocus();
-        size->selectAll();
-        QTest::keyClicks(size, QStringLiteral("30H7"));
+        typeOver(*size, QStringLiteral("30H7"));
         QTest::keyClick(size, Qt::Key_Tab);
         QCOMPARE(size->text(), QStringLiteral("30H7"));
         Project project = window.document().project();
@@ -169,9 +153,7 @@ private slots:
         for (const auto& [typed, said] :
              {std::pair("30H7", "Capital letters are for bores"), std::pair("30q6", "ISO 286 has"),
               std::pair("600h6", "ISO 286 has"), std::pair("thirty", "Not a size")}) {
-            size->setFocus();
-            size->selectAll();
-            QTest::keyClicks(size, QString::fromLatin1(typed));
+            typeOver(*size, QString::fromLatin1(typed));
             QVERIFY2(meaning->text().startsWith(QString::fromLatin1(said)),
                      qPrintable(meaning->text()));
             QTest::keyClick(size, Qt::Key_Return);
@@ -195,7 +177,7 @@ private slots:
     }
 };
 
-} // namespace test_marking_fields
+} // namespace sparkout::test_marking_fields
 
 SPARKOUT_TEST(test_marking_fields, TestMarkingFields)
 #include "test_marking_fields.moc"

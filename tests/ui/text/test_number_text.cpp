@@ -8,23 +8,15 @@
 
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <bit>
 #include <cmath>
 #include <random>
 
-namespace test_number_text {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_number_text {
 
 const QList<QLocale> locales{QLocale(QLocale::English, QLocale::UnitedStates),
                              QLocale(QLocale::Russian, QLocale::Russia),
                              QLocale(QLocale::German, QLocale::Germany)};
-
-} // namespace
 
 class TestNumberText : public QObject {
     Q_OBJECT
@@ -58,10 +50,9 @@ private slots:
     }
 
     void whatIsReadHasAPowerOfTen_data() {
-        QTest::addColumn<double>("value");
-        QTest::addColumn<QString>("text");
+        addColumns<double, QString>("value", "text");
         const auto row = [](double value, const QString& text) {
-            QTest::newRow(qPrintable(text)) << value << text;
+            addRow(qPrintable(text), value, text);
         };
         row(0, QStringLiteral("0"));
         row(1e-4, QStringLiteral("0,0001"));
@@ -124,11 +115,8 @@ private slots:
     }
 
     void smallNumbersAreShownInPlainDecimals_data() {
-        QTest::addColumn<double>("value");
-        QTest::addColumn<QString>("text");
-        const auto row = [](double value, const char* text) {
-            QTest::newRow(text) << value << QString::fromLatin1(text);
-        };
+        addColumns<double, QString>("value", "text");
+        const auto row = [](double value, const char* text) { addRow(text, value, text); };
         row(0, "0");
         row(1e-4, "0.0001");
         row(1e-7, "0.0000001");
@@ -181,11 +169,10 @@ private slots:
     }
 
     void whatPeopleTypeIsRead_data() {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<double>("value");
+        addColumns<QString, double>("text", "value");
         const auto row = [](const char16_t* text, double value) {
             const QString shown = QString::fromUtf16(text);
-            QTest::newRow(shown.toUtf8().constData()) << shown << value;
+            addRow(shown.toUtf8().constData(), shown, value);
         };
         row(u"0.005", 0.005);
         row(u"0,005", 0.005);
@@ -213,7 +200,7 @@ private slots:
         QTest::addColumn<QString>("text");
         for (const char* text : {"", " ", "abc", "1 000", "1,234.5", "1.234,5", "1..2", "--1",
                                  "+-1", "1e", "e5", "0x10", "nan", "inf", "1e999", "5 mm", "½"}) {
-            QTest::newRow(*text ? text : "empty") << QString::fromUtf8(text);
+            addRow(*text ? text : "empty", text);
         }
     }
 
@@ -223,10 +210,7 @@ private slots:
     }
 
     void aStepChangesTheLastDigitByOne_data() {
-        QTest::addColumn<QString>("before");
-        QTest::addColumn<int>("steps");
-        QTest::addColumn<bool>("zeroAllowed");
-        QTest::addColumn<QString>("after");
+        addColumns<QString, int, bool, QString>("before", "steps", "zeroAllowed", "after");
         const auto row = [](const char* before, int steps, bool zero, const char* after) {
             QTest::addRow("%s by %d", before, steps)
                 << QString::fromUtf8(before) << steps << zero << QString::fromUtf8(after);
@@ -253,7 +237,7 @@ private slots:
     }
 };
 
-} // namespace test_number_text
+} // namespace sparkout::test_number_text
 
 SPARKOUT_TEST(test_number_text, TestNumberText)
 #include "test_number_text.moc"

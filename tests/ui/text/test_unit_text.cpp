@@ -9,13 +9,8 @@
 
 #include <QRegularExpression>
 #include <QSet>
-#include <QTest>
 
-namespace test_unit_text {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_unit_text {
 
 void addUnits(const StructInfo& table, QSet<QByteArray>& units) {
     for (const Field& field : table.fields) {
@@ -26,8 +21,6 @@ void addUnits(const StructInfo& table, QSet<QByteArray>& units) {
     }
     units.remove({});
 }
-
-} // namespace
 
 class TestUnitText : public QObject {
     Q_OBJECT
@@ -52,7 +45,7 @@ private slots:
     }
 };
 
-} // namespace test_unit_text
+} // namespace sparkout::test_unit_text
 
 SPARKOUT_TEST(test_unit_text, TestUnitText)
 #include "test_unit_text.moc"

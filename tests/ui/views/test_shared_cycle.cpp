@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One moment of the cycle for all views of the window: the playback bar and each view move it, all
 // others follow.
-#include "core/project/material.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/views/feeds/feeds_plot.h"
@@ -17,24 +17,17 @@
 #include <QComboBox>
 #include <QSlider>
 #include <QSpinBox>
-#include <QTest>
 #include <QToolButton>
 
-#include <algorithm>
 #include <cmath>
 
-namespace test_shared_cycle {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_shared_cycle {
 
 struct CycleBench : Bench {
     CycleBench() : Bench(QStringLiteral("en")) {}
     [[nodiscard]] bool openFactory() {
         window->showView(QStringLiteral("feeds"));
-        return open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout"));
+        return open(examplePath("shaft-30h6-factory"));
     }
     template <typename Widget>
     [[nodiscard]] Widget& part(const char* name) const {
@@ -55,8 +48,6 @@ struct CycleBench : Bench {
     }
     [[nodiscard]] CycleCursor& cycle() const { return window->cursor(); }
 };
-
-} // namespace
 
 class TestSharedCycle : public QObject {
     Q_OBJECT
@@ -195,7 +186,7 @@ private slots:
     }
 };
 
-} // namespace test_shared_cycle
+} // namespace sparkout::test_shared_cycle
 
 SPARKOUT_TEST(test_shared_cycle, TestSharedCycle)
 #include "test_shared_cycle.moc"

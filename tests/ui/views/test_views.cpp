@@ -4,22 +4,15 @@
 #include "ui/charts/verdict_table.h"
 #include "ui/views/verdict/verdict_panel.h"
 
-#include <QApplication>
 #include <QClipboard>
 #include <QLabel>
 #include <QTableView>
-#include <QTest>
 
 #include <clocale>
-#include <cmath>
-#include <limits>
 
-namespace test_views {
+namespace sparkout::test_views {
 
-using namespace sparkout;
 using namespace fixtures;
-
-namespace {
 
 void settle(VerdictPanel& panel, const OutcomePtr& outcome) {
     panel.setOutcome(outcome);
@@ -39,189 +32,174 @@ ConstraintResult requirement(ConstraintKind kind, double margin, double relative
     return c;
 }
 
-} // namespace
-
 class TestViews : public QObject {
     Q_OBJECT
 private slots:
-    void initTestCase();
+    void initTestCase() {
+        setlocale(LC_NUMERIC, "C");
+        QLocale::setDefault(QLocale::c());
+        m_traverse = run(traverseProject());
+        QVERIFY(m_traverse->ran() && m_traverse->result.status == RunStatus::completed);
+    }
 
-    void theLightsSayHoldsCloseAndFails_data();
-    void theLightsSayHoldsCloseAndFails();
-    void theVerdictNamesTheWorstRequirement();
-    void aCycleThatCannotReachSizeSaysWhatRemains();
-    void refusedInputsGreyTheVerdict();
-    void copyGivesTabSeparatedText();
-    void theSelectedRowIsCopiedAlone();
-    void nothingIsClippedAt300Pixels();
-    void theVerdictIsRetranslated();
+    // --- verdict --------------------------------------------------------------------------------
+
+    void theLightsSayHoldsCloseAndFails_data() {
+        addColumns<double, double, QString>("margin", "relative", "word");
+        QTest::newRow("holds") << 6.4 << 0.4 << QString();
+        QTest::newRow("just holds") << 1.6 << 0.1 << QString();
+        QTest::newRow("close") << 1.59 << 0.0994 << QStringLiteral("close to the limit");
+        QTest::newRow("on the limit") << 0.0 << 0.0 << QStringLiteral("close to the limit");
+        QTest::newRow("fails") << -3.2 << -0.2 << QStringLiteral("fails");
+    }
+
+    void theLightsSayHoldsCloseAndFails() {
+        QFETCH(double, margin);
+        QFETCH(double, relative);
+        QFETCH(QString, word);
+        auto outcome = std::make_shared<Outcome>(*m_traverse);
+        outcome->constraints = {requirement(ConstraintKind::diameterMin, margin, relative)};
+        VerdictPanel panel;
+        settle(panel, outcome);
+        QCOMPARE(panel.model()->rowCount(), 2);
+        const QString cell = panel.model()->index(1, 0).data().toString();
+        QCOMPARE(cell.section(u'\n', 1), word);
+        QVERIFY(!panel.model()->index(1, 0).data(Qt::DecorationRole).value<QIcon>().isNull());
+    }
+
+    void theVerdictNamesTheWorstRequirement() {
+        auto outcome = std::make_shared<Outcome>(*m_traverse);
+        VerdictPanel panel;
+        auto* overall = panel.findChild<QLabel*>(QStringLiteral("overall"));
+        settle(panel, outcome);
+        QCOMPARE(overall->text(), QStringLiteral("Meets the drawing"));
+        outcome = std::make_shared<Outcome>(*m_traverse);
+        outcome->constraints = {requirement(ConstraintKind::diameterMax, 1, 0.05),
+                                requirement(ConstraintKind::diameterMin, -3.2, -0.2)};
+        settle(panel, outcome);
+        QCOMPARE(
+            overall->text(),
+            QStringLiteral("Does not hold: diameter in NZ is 3.20\u00a0µm below the lower limit"));
+        outcome = std::make_shared<Outcome>(*outcome);
+        outcome->constraints.pop_back();
+        settle(panel, outcome);
+        QVERIFY(overall->text().startsWith(QStringLiteral("Meets the drawing, but close")));
+    }
+
+    void aCycleThatCannotReachSizeSaysWhatRemains() {
+        auto outcome = std::make_shared<Outcome>(*m_traverse);
+        outcome->result.status = RunStatus::cannotReachSize;
+        outcome->result.gaugeReading_mm = 30.0124;
+        outcome->result.remainingStock_mm = 0.0102;
+        VerdictPanel panel;
+        settle(panel, outcome);
+        const QString text = panel.findChild<QLabel*>(QStringLiteral("status"))->text();
+        QVERIFY(text.contains(QStringLiteral("30.0124 mm")));
+        QVERIFY(text.contains(QStringLiteral("10.20 µm")));
+        QVERIFY(panel.findChild<QLabel*>(QStringLiteral("overall"))
+                    ->text()
+                    .startsWith(QStringLiteral("Does not hold")));
+    }
+
+    void refusedInputsGreyTheVerdict() {
+        VerdictPanel panel;
+        panel.show();
+        auto* notice = panel.findChild<QLabel*>(QStringLiteral("notice"));
+        auto* time = panel.findChild<QLabel*>(QStringLiteral("time"));
+        QCOMPARE(notice->text(), QStringLiteral("No result yet."));
+        settle(panel, m_traverse);
+        QVERIFY(!notice->isVisible());
+        const QString before = time->text();
+        const QColor colour = time->palette().color(QPalette::WindowText);
+        settle(panel, refused());
+        QVERIFY(notice->isVisible() && notice->text().contains(QStringLiteral("5000")));
+        QCOMPARE(time->text(), before);
+        QVERIFY(time->palette().color(QPalette::WindowText) != colour);
+        QVERIFY(panel.model()->index(1, 1).data(Qt::ForegroundRole).isValid());
+        settle(panel, m_traverse);
+        QCOMPARE(time->palette().color(QPalette::WindowText), colour);
+        QVERIFY(!panel.model()->index(1, 1).data(Qt::ForegroundRole).isValid());
+    }
+
+    void copyGivesTabSeparatedText() {
+        VerdictPanel panel;
+        panel.show();
+        settle(panel, m_traverse);
+        auto* table = panel.findChild<QTableView*>(QStringLiteral("requirements"));
+        table->setFocus();
+        QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
+        const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
+        QCOMPARE(lines.size(), 1 + static_cast<qsizetype>(m_traverse->constraints.size()));
+        for (const QString& line : lines) {
+            QCOMPARE(line.count(u'\t'), 6);
+        }
+        QVERIFY(lines[1].startsWith(QStringLiteral("RZ1\tMinimum diameter\t")));
+    }
+
+    /// The names of the groups are no rows to copy, and shift none.
+    void theSelectedRowIsCopiedAlone() {
+        VerdictPanel panel;
+        panel.show();
+        settle(panel, m_traverse);
+        auto* table = panel.findChild<QTableView*>(QStringLiteral("requirements"));
+        const QAbstractItemModel& model = *table->model();
+        int row = model.rowCount() - 1; // behind all groups
+        table->setFocus();
+        table->selectRow(row);
+        QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
+        const QString copied = QApplication::clipboard()->text();
+        QCOMPARE(copied.count(u'\n'), 1);
+        QCOMPARE(copied.section(u'\t', 2, 2), model.index(row, 1).data().toString());
+        table->selectRow(0); // a group
+        QVERIFY(!table->selectionModel()->isRowSelected(0));
+    }
+
+    void nothingIsClippedAt300Pixels() {
+        VerdictPanel panel;
+        panel.resize(300, 640);
+        panel.show();
+        settle(panel, m_traverse);
+        QCOMPARE(panel.width(), 300);
+        auto* table = panel.findChild<QTableView*>(QStringLiteral("requirements"));
+        QVERIFY(table->width() <= 300);
+        for (int row = 0; row < panel.model()->rowCount(); ++row) {
+            for (int column = 1; column < panel.model()->columnCount(); ++column) {
+                const QString text = panel.model()->index(row, column).data().toString();
+                QVERIFY(table->fontMetrics().horizontalAdvance(text) <= table->columnWidth(column));
+            }
+            const int lines = 1 + int(panel.model()->index(row, 0).data().toString().count(u'\n'));
+            QVERIFY(table->rowHeight(row) >= lines * table->fontMetrics().height());
+        }
+        for (const QLabel* label : panel.findChildren<QLabel*>()) {
+            if (label->isVisible() && !label->text().isEmpty()) {
+                QTRY_VERIFY(label->height() >= label->heightForWidth(label->width()));
+            }
+        }
+    }
+
+    void theVerdictIsRetranslated() {
+        VerdictPanel panel;
+        settle(panel, m_traverse);
+        Marking marking;
+        QApplication::installTranslator(&marking);
+        QCoreApplication::processEvents();
+        for (const QLabel* label : panel.findChildren<QLabel*>()) {
+            if (!label->isHidden() && !label->text().isEmpty()) {
+                QVERIFY2(label->text().contains(QChar(0x00AB)), qPrintable(label->text()));
+            }
+        }
+        QVERIFY(panel.model()->index(1, 0).data().toString().startsWith(QChar(0x00AB)));
+        QApplication::removeTranslator(&marking);
+        QCoreApplication::processEvents();
+        QCOMPARE(panel.model()->headerData(1, Qt::Horizontal, Qt::DisplayRole).toString(),
+                 QStringLiteral("Value"));
+    }
 
 private:
     OutcomePtr m_traverse;
 };
 
-void TestViews::initTestCase() {
-    setlocale(LC_NUMERIC, "C");
-    QLocale::setDefault(QLocale::c());
-    m_traverse = run(traverseProject());
-    QVERIFY(m_traverse->ran() && m_traverse->result.status == RunStatus::completed);
-}
-
-// --- verdict ------------------------------------------------------------------------------------
-
-void TestViews::theLightsSayHoldsCloseAndFails_data() {
-    QTest::addColumn<double>("margin");
-    QTest::addColumn<double>("relative");
-    QTest::addColumn<QString>("word");
-    QTest::newRow("holds") << 6.4 << 0.4 << QString();
-    QTest::newRow("just holds") << 1.6 << 0.1 << QString();
-    QTest::newRow("close") << 1.59 << 0.0994 << QStringLiteral("close to the limit");
-    QTest::newRow("on the limit") << 0.0 << 0.0 << QStringLiteral("close to the limit");
-    QTest::newRow("fails") << -3.2 << -0.2 << QStringLiteral("fails");
-}
-
-void TestViews::theLightsSayHoldsCloseAndFails() {
-    QFETCH(double, margin);
-    QFETCH(double, relative);
-    QFETCH(QString, word);
-    auto outcome = std::make_shared<Outcome>(*m_traverse);
-    outcome->constraints = {requirement(ConstraintKind::diameterMin, margin, relative)};
-    VerdictPanel panel;
-    settle(panel, outcome);
-    QCOMPARE(panel.model()->rowCount(), 2);
-    const QString cell = panel.model()->index(1, 0).data().toString();
-    QCOMPARE(cell.section(u'\n', 1), word);
-    QVERIFY(!panel.model()->index(1, 0).data(Qt::DecorationRole).value<QIcon>().isNull());
-}
-
-void TestViews::theVerdictNamesTheWorstRequirement() {
-    auto outcome = std::make_shared<Outcome>(*m_traverse);
-    VerdictPanel panel;
-    auto* overall = panel.findChild<QLabel*>(QStringLiteral("overall"));
-    settle(panel, outcome);
-    QCOMPARE(overall->text(), QStringLiteral("Meets the drawing"));
-    outcome = std::make_shared<Outcome>(*m_traverse);
-    outcome->constraints = {requirement(ConstraintKind::diameterMax, 1, 0.05),
-                            requirement(ConstraintKind::diameterMin, -3.2, -0.2)};
-    settle(panel, outcome);
-    QCOMPARE(overall->text(),
-             QStringLiteral("Does not hold: diameter in NZ is 3.20\u00a0µm below the lower limit"));
-    outcome = std::make_shared<Outcome>(*outcome);
-    outcome->constraints.pop_back();
-    settle(panel, outcome);
-    QVERIFY(overall->text().startsWith(QStringLiteral("Meets the drawing, but close")));
-}
-
-void TestViews::aCycleThatCannotReachSizeSaysWhatRemains() {
-    auto outcome = std::make_shared<Outcome>(*m_traverse);
-    outcome->result.status = RunStatus::cannotReachSize;
-    outcome->result.gaugeReading_mm = 30.0124;
-    outcome->result.remainingStock_mm = 0.0102;
-    VerdictPanel panel;
-    settle(panel, outcome);
-    const QString text = panel.findChild<QLabel*>(QStringLiteral("status"))->text();
-    QVERIFY(text.contains(QStringLiteral("30.0124 mm")));
-    QVERIFY(text.contains(QStringLiteral("10.20 µm")));
-    QVERIFY(panel.findChild<QLabel*>(QStringLiteral("overall"))
-                ->text()
-                .startsWith(QStringLiteral("Does not hold")));
-}
-
-void TestViews::refusedInputsGreyTheVerdict() {
-    VerdictPanel panel;
-    panel.show();
-    auto* notice = panel.findChild<QLabel*>(QStringLiteral("notice"));
-    auto* time = panel.findChild<QLabel*>(QStringLiteral("time"));
-    QCOMPARE(notice->text(), QStringLiteral("No result yet."));
-    settle(panel, m_traverse);
-    QVERIFY(!notice->isVisible());
-    const QString before = time->text();
-    const QColor colour = time->palette().color(QPalette::WindowText);
-    settle(panel, refused());
-    QVERIFY(notice->isVisible() && notice->text().contains(QStringLiteral("5000")));
-    QCOMPARE(time->text(), before);
-    QVERIFY(time->palette().color(QPalette::WindowText) != colour);
-    QVERIFY(panel.model()->index(1, 1).data(Qt::ForegroundRole).isValid());
-    settle(panel, m_traverse);
-    QCOMPARE(time->palette().color(QPalette::WindowText), colour);
-    QVERIFY(!panel.model()->index(1, 1).data(Qt::ForegroundRole).isValid());
-}
-
-void TestViews::copyGivesTabSeparatedText() {
-    VerdictPanel panel;
-    panel.show();
-    settle(panel, m_traverse);
-    auto* table = panel.findChild<QTableView*>(QStringLiteral("requirements"));
-    table->setFocus();
-    QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
-    const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
-    QCOMPARE(lines.size(), 1 + static_cast<qsizetype>(m_traverse->constraints.size()));
-    for (const QString& line : lines) {
-        QCOMPARE(line.count(u'\t'), 6);
-    }
-    QVERIFY(lines[1].startsWith(QStringLiteral("RZ1\tMinimum diameter\t")));
-}
-
-/// The names of the groups are no rows to copy, and shift none.
-void TestViews::theSelectedRowIsCopiedAlone() {
-    VerdictPanel panel;
-    panel.show();
-    settle(panel, m_traverse);
-    auto* table = panel.findChild<QTableView*>(QStringLiteral("requirements"));
-    const QAbstractItemModel& model = *table->model();
-    int row = model.rowCount() - 1; // behind all groups
-    table->setFocus();
-    table->selectRow(row);
-    QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
-    const QString copied = QApplication::clipboard()->text();
-    QCOMPARE(copied.count(u'\n'), 1);
-    QCOMPARE(copied.section(u'\t', 2, 2), model.index(row, 1).data().toString());
-    table->selectRow(0); // a group
-    QVERIFY(!table->selectionModel()->isRowSelected(0));
-}
-
-void TestViews::nothingIsClippedAt300Pixels() {
-    VerdictPanel panel;
-    panel.resize(300, 640);
-    panel.show();
-    settle(panel, m_traverse);
-    QCOMPARE(panel.width(), 300);
-    auto* table = panel.findChild<QTableView*>(QStringLiteral("requirements"));
-    QVERIFY(table->width() <= 300);
-    for (int row = 0; row < panel.model()->rowCount(); ++row) {
-        for (int column = 1; column < panel.model()->columnCount(); ++column) {
-            const QString text = panel.model()->index(row, column).data().toString();
-            QVERIFY(table->fontMetrics().horizontalAdvance(text) <= table->columnWidth(column));
-        }
-        const int lines = 1 + int(panel.model()->index(row, 0).data().toString().count(u'\n'));
-        QVERIFY(table->rowHeight(row) >= lines * table->fontMetrics().height());
-    }
-    for (const QLabel* label : panel.findChildren<QLabel*>()) {
-        if (label->isVisible() && !label->text().isEmpty()) {
-            QTRY_VERIFY(label->height() >= label->heightForWidth(label->width()));
-        }
-    }
-}
-
-void TestViews::theVerdictIsRetranslated() {
-    VerdictPanel panel;
-    settle(panel, m_traverse);
-    Marking marking;
-    QApplication::installTranslator(&marking);
-    QCoreApplication::processEvents();
-    for (const QLabel* label : panel.findChildren<QLabel*>()) {
-        if (!label->isHidden() && !label->text().isEmpty()) {
-            QVERIFY2(label->text().contains(QChar(0x00AB)), qPrintable(label->text()));
-        }
-    }
-    QVERIFY(panel.model()->index(1, 0).data().toString().startsWith(QChar(0x00AB)));
-    QApplication::removeTranslator(&marking);
-    QCoreApplication::processEvents();
-    QCOMPARE(panel.model()->headerData(1, Qt::Horizontal, Qt::DisplayRole).toString(),
-             QStringLiteral("Value"));
-}
-
-} // namespace test_views
+} // namespace sparkout::test_views
 
 SPARKOUT_TEST(test_views, TestViews)
 #include "test_views.moc"

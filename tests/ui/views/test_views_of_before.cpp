@@ -4,19 +4,13 @@
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QTest>
 
-namespace test_views_of_before {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_views_of_before {
 
 /// Every row, entry and box of a view, as if by a user.
 void chooseAll(const View& view) {
@@ -38,8 +32,6 @@ void chooseAll(const View& view) {
     }
 }
 
-} // namespace
-
 class TestViewsOfBefore : public QObject {
     Q_OBJECT
 
@@ -54,8 +46,7 @@ private slots:
     void nothingOfBeforeCanBeUsed() {
         QFETCH(QString, view);
         WarningCatcher warnings;
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         QVERIFY(bench.window->showView(view));
         bench.settle();
         View* const shown = bench.window->viewTabs().currentView();
@@ -74,7 +65,7 @@ private slots:
     }
 };
 
-} // namespace test_views_of_before
+} // namespace sparkout::test_views_of_before
 
 SPARKOUT_TEST(test_views_of_before, TestViewsOfBefore)
 #include "test_views_of_before.moc"

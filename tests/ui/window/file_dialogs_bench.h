@@ -5,6 +5,7 @@
 #include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/diameters.h"
 #include "tests/ui/support/file_trouble.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
@@ -16,18 +17,9 @@
 #include <memory>
 
 /// The window with a project of its own, whose questions about files are answered.
-namespace file_dialogs_bench {
+namespace sparkout::file_dialogs_bench {
 
-using namespace sparkout;
 using namespace std::chrono_literals;
-
-inline constexpr EditText editText{"Input", "Diameter"};
-
-inline QByteArray textWith(double diameter_mm) {
-    Project project = newProject(Operation::traverse);
-    project.part->diameter_mm = diameter_mm;
-    return QByteArray::fromStdString(writeProject(project));
-}
 
 /// A protected window with a project in a folder of its own.
 struct Bench {
@@ -40,11 +32,7 @@ struct Bench {
         trouble::write(path, textWith(30));
     }
     [[nodiscard]] bool open() { return window->files().openFile(path); }
-    void edit(double diameter_mm) {
-        Project project = document().project();
-        project.part->diameter_mm = diameter_mm;
-        document().edit(project, editText);
-    }
+    void edit(double diameter_mm) { setDiameter(document(), diameter_mm); }
     [[nodiscard]] Document& document() { return window->document(); }
     [[nodiscard]] double diameter() { return document().project().part->diameter_mm; }
     [[nodiscard]] QPushButton* noticeButton(const char* key, int index) {
@@ -62,6 +50,6 @@ struct Bench {
     std::unique_ptr<MainWindow> window;
 };
 
-} // namespace file_dialogs_bench
+} // namespace sparkout::file_dialogs_bench
 
 #define ANSWERED(answers) QVERIFY2((answers).fault().isEmpty(), qPrintable((answers).fault()))

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window/long_project.h"
+#include "tests/whole_project.h"
 
 #include "core/format/project_file.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/evaluate.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"

@@ -10,13 +10,10 @@
 #include <QAction>
 #include <QApplication>
 #include <QDesktopServices>
-#include <QDialog>
-#include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QTest>

@@ -8,11 +8,12 @@
 #include "core/batch/batch_run.h"
 #include "core/format/project_file.h"
 #include "core/optimisation/optimise.h"
-#include "core/project/batch.h"
 #include "tests/check_line.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/passport_bench.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/window/long_project.h"
@@ -24,20 +25,11 @@
 
 #include <QElapsedTimer>
 #include <QRandomGenerator>
-#include <QSignalSpy>
-#include <QTest>
 
-#include <algorithm>
 #include <chrono>
-#include <limits>
-#include <stop_token>
 #include <thread>
 
-namespace test_cancel {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_cancel {
 
 const int rounds = qEnvironmentVariableIsSet("SPARKOUT_LONG") ? 100 : 25;
 const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
@@ -69,8 +61,7 @@ template <typename Work>
 double worstStop_ms(const char* what, int ofLong, Work&& work) {
     const int moments = longTest ? ofLong : 4;
     QRandomGenerator random(21);
-    QElapsedTimer whole;
-    whole.start();
+    RunningTimer whole;
     if (work(std::stop_token())) {
         return never_ms; // it comes to nothing by itself
     }
@@ -110,8 +101,6 @@ Project largestProject() {
     return projectOfRuns(projectOfPages(factoryShaft(), 4), 1000);
 }
 
-} // namespace
-
 class TestCancel : public QObject {
     Q_OBJECT
 
@@ -136,8 +125,7 @@ private slots:
                 QTest::qWait(random.bounded(40));
                 const bool running = bench.window->runs().running();
                 QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
-                QElapsedTimer clock;
-                clock.start();
+                RunningTimer clock;
                 bench.window->document().startUntitled(quick);
                 const bool replaced = QTest::qWaitFor([&] { return shown.count() > 0; }, 20'000);
                 return running && replaced ? sinceStart_ms(clock) : never_ms;
@@ -158,8 +146,7 @@ private slots:
                 bench.window->document().startUntitled(longProject(longSections));
                 QTest::qWait(random.bounded(20));
                 const bool running = bench.window->runs().running();
-                QElapsedTimer clock;
-                clock.start();
+                RunningTimer clock;
                 const bool closed = bench.window->close();
                 bench.window.reset();
                 return running && closed ? sinceStart_ms(clock) : never_ms;
@@ -219,12 +206,8 @@ private slots:
     void anOpeningThatIsStoppedLeavesTheDocumentAlone() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("large.sparkout"));
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray::fromStdString(writeProject(largestProject())));
-        file.close();
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        on_disk::write(path, QByteArray::fromStdString(writeProject(largestProject())));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const Project before = bench.window->document().project();
         const QString name = bench.window->document().filePath();
         const DialogAnswers answers({QStringLiteral("stopWork")});
@@ -250,7 +233,7 @@ private slots:
     }
 };
 
-} // namespace test_cancel
+} // namespace sparkout::test_cancel
 
 SPARKOUT_TEST(test_cancel, TestCancel)
 #include "test_cancel.moc"

@@ -2,10 +2,6 @@
 // Labels: numbers
 // The parts between dressings in the window: what it says is what the engine finds.
 #include "core/dressing/dressing_interval.h"
-#include "core/project/batch.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -16,16 +12,9 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QLabel>
-#include <QPushButton>
 #include <QTemporaryDir>
-#include <QTest>
 
-namespace test_dressing_dialog {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_dressing_dialog {
 
 /// A plunge that its drive's limit ends after some parts.
 Setup dullingPlunge() {
@@ -41,8 +30,6 @@ Setup dullingPlunge() {
 QLabel& resultOf(DressingDialog& dialog) {
     return *dialog.findChild<QLabel*>(QStringLiteral("dressingResult"));
 }
-
-} // namespace
 
 class TestDressingDialog : public QObject {
     Q_OBJECT
@@ -97,8 +84,7 @@ private slots:
         Setup setup = dullingPlunge();
         setup.wear = {};
         setup_fixtures::writeSetupFile(setup, path);
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(path));
+        OpenBench bench(QStringLiteral("en"), path);
         QString said;
         int times = 0;
         DialogAnswers answers(
@@ -118,7 +104,7 @@ private slots:
     }
 };
 
-} // namespace test_dressing_dialog
+} // namespace sparkout::test_dressing_dialog
 
 SPARKOUT_TEST(test_dressing_dialog, TestDressingDialog)
 #include "test_dressing_dialog.moc"

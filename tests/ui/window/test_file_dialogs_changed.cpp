@@ -4,14 +4,9 @@
 #include "tests/ui/window/file_dialogs_bench.h"
 #include "ui/dialogs/notice_bar.h"
 
-#include <QLabel>
+namespace sparkout::test_file_dialogs_changed {
 
-namespace test_file_dialogs_changed {
-
-using namespace sparkout;
 using namespace file_dialogs_bench;
-
-namespace {
 
 /// Another program writes into the file of the window, which tells so.
 [[nodiscard]] bool changedOnDisk(Bench& bench) {
@@ -21,15 +16,12 @@ namespace {
         [&] { return bench.window->files().notices().holds(QStringLiteral("disk")); });
 }
 
-} // namespace
-
 class TestFileDialogsChanged : public QObject {
     Q_OBJECT
 
 private slots:
     void damagedSettingsAreReportedAtTheNextStart_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QString>("begins");
+        addColumns<QString, QString>("language", "begins");
         QTest::newRow("en") << QStringLiteral("en") << QStringLiteral("The settings ");
         QTest::newRow("ru") << QStringLiteral("ru") << QStringLiteral("Файл настроек ");
     }
@@ -130,7 +122,7 @@ private slots:
     }
 };
 
-} // namespace test_file_dialogs_changed
+} // namespace sparkout::test_file_dialogs_changed
 
 SPARKOUT_TEST(test_file_dialogs_changed, TestFileDialogsChanged)
 #include "test_file_dialogs_changed.moc"

@@ -5,9 +5,8 @@
 #include "ui/dialogs/notice_bar.h"
 #include "ui/window/dialogs/examples_dialog.h"
 
-namespace test_file_dialogs_lock {
+namespace sparkout::test_file_dialogs_lock {
 
-using namespace sparkout;
 using namespace file_dialogs_bench;
 
 class TestFileDialogsLock : public QObject {
@@ -94,7 +93,7 @@ private slots:
     }
 };
 
-} // namespace test_file_dialogs_lock
+} // namespace sparkout::test_file_dialogs_lock
 
 SPARKOUT_TEST(test_file_dialogs_lock, TestFileDialogsLock)
 #include "test_file_dialogs_lock.moc"

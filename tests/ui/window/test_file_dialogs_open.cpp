@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ways into the window: recent files, a dropped one, faulty and large ones.
 #include "core/project/wheel.h"
-#include "core/study/new_project.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
@@ -13,21 +12,13 @@
 #include "ui/window/recent_files_menu.h"
 
 #include <QDropEvent>
-#include <QLabel>
-#include <QListWidget>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QUrl>
 
-#include <algorithm>
-#include <limits>
+namespace sparkout::test_file_dialogs_open {
 
-namespace test_file_dialogs_open {
-
-using namespace sparkout;
 using namespace file_dialogs_bench;
-
-namespace {
 
 /// A project of some megabytes: a thousand kept runs with their summaries.
 QByteArray largeText() {
@@ -43,8 +34,6 @@ QByteArray largeText() {
     }
     return QByteArray::fromStdString(writeProject(project));
 }
-
-} // namespace
 
 class TestFileDialogsOpen : public QObject {
     Q_OBJECT
@@ -187,7 +176,7 @@ private slots:
     }
 };
 
-} // namespace test_file_dialogs_open
+} // namespace sparkout::test_file_dialogs_open
 
 SPARKOUT_TEST(test_file_dialogs_open, TestFileDialogsOpen)
 #include "test_file_dialogs_open.moc"

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Work of a crash, work that was discarded and earlier versions, offered by the window.
-#include "core/project/part.h"
-#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/window/file_dialogs_bench.h"
 #include "ui/dialogs/notice_bar.h"
 
-#include <QLabel>
 #include <QTreeWidget>
 
-namespace test_file_dialogs_recovery {
+namespace sparkout::test_file_dialogs_recovery {
 
-using namespace sparkout;
 using namespace file_dialogs_bench;
 
 class TestFileDialogsRecovery : public QObject {
@@ -161,7 +157,7 @@ private slots:
     }
 };
 
-} // namespace test_file_dialogs_recovery
+} // namespace sparkout::test_file_dialogs_recovery
 
 SPARKOUT_TEST(test_file_dialogs_recovery, TestFileDialogsRecovery)
 #include "test_file_dialogs_recovery.moc"

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window asks before it saves over something, and when saving fails.
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/window/file_dialogs_bench.h"
-
-#include <QDir>
 
 #include <cerrno>
 #include <cstring>
 
-namespace test_file_dialogs_save {
+namespace sparkout::test_file_dialogs_save {
 
-using namespace sparkout;
 using namespace file_dialogs_bench;
 
 class TestFileDialogsSave : public QObject {
@@ -21,7 +17,7 @@ private slots:
     void whatAnotherProgramWroteIsNotSavedOverUnasked_data() {
         QTest::addColumn<QString>("answer");
         for (const char* name : {"proceed", "elsewhere", "reload", "Escape"}) {
-            QTest::newRow(name) << QString::fromUtf8(name);
+            addRow(name, name);
         }
     }
 
@@ -57,12 +53,9 @@ private slots:
     }
 
     void aNewFileIsNamedAfterThePart_data() {
-        QTest::addColumn<QString>("part");
-        QTest::addColumn<QString>("title");
-        QTest::addColumn<QString>("name");
+        addColumns<QString, QString, QString>("part", "title", "name");
         const auto row = [](const char* part, const char* title, const char* name) {
-            QTest::newRow(name) << QString::fromUtf8(part) << QString::fromUtf8(title)
-                                << QString::fromUtf8(name) + QStringLiteral(".sparkout");
+            addRow(name, part, title, QString::fromUtf8(name) + QStringLiteral(".sparkout"));
         };
         row("Вал 30h6", "Exercise 3", "Вал 30h6");
         row("Вал: «КП»/1\\2 ", "", "Вал_ «КП»_1_2");
@@ -183,7 +176,7 @@ private slots:
     }
 };
 
-} // namespace test_file_dialogs_save
+} // namespace sparkout::test_file_dialogs_save
 
 SPARKOUT_TEST(test_file_dialogs_save, TestFileDialogsSave)
 #include "test_file_dialogs_save.moc"

@@ -7,9 +7,8 @@
 
 #include <QRegularExpression>
 
-namespace test_file_dialogs_unsaved {
+namespace sparkout::test_file_dialogs_unsaved {
 
-using namespace sparkout;
 using namespace file_dialogs_bench;
 
 class TestFileDialogsUnsaved : public QObject {
@@ -153,7 +152,7 @@ private slots:
     }
 };
 
-} // namespace test_file_dialogs_unsaved
+} // namespace sparkout::test_file_dialogs_unsaved
 
 SPARKOUT_TEST(test_file_dialogs_unsaved, TestFileDialogsUnsaved)
 #include "test_file_dialogs_unsaved.moc"

@@ -4,11 +4,11 @@
 // folder, and none of them empty or with a warning. With SPARKOUT_GALLERY set also two of them with
 // batch, sweep, search and comparison filled, in three themes, sizes of type and two of the window.
 #include "core/files/safe_file.h"
-#include "core/project/cycle.h"
-#include "core/project/wheel.h"
 #include "core/setup/setup_file.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/file_questions.h"
 #include "ui/files/file_lock.h"
@@ -24,10 +24,8 @@
 #include <QDir>
 #include <QPointer>
 #include <QPushButton>
-#include <QScopeGuard>
 #include <QSet>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 
 #include <cerrno>
@@ -36,11 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace test_gallery {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_gallery {
 
 constexpr int leastColours = 40; ///< an empty window of frames and grounds has fewer
 
@@ -88,9 +82,7 @@ void fill(Bench& bench) {
 
 /// Whether some of the looks that dialogs are drawn in are wanted.
 void dialogLooks() {
-    QTest::addColumn<QString>("language");
-    QTest::addColumn<int>("theme");
-    QTest::addColumn<int>("percent");
+    addColumns<QString, int, int>("language", "theme", "percent");
     if (!qEnvironmentVariableIsSet("SPARKOUT_GALLERY")) {
         QSKIP("SPARKOUT_GALLERY is not set");
     }
@@ -130,8 +122,6 @@ int drawModal(const Bench& bench, const QString& name, const std::function<void(
     return drawn;
 }
 
-} // namespace
-
 class TestGallery : public QObject {
     Q_OBJECT
 
@@ -141,14 +131,10 @@ private slots:
     }
 
     void everyExampleInEveryViewHasAPicture_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("theme");
-        QTest::addColumn<QSize>("size");
+        addColumns<QString, int, QSize>("language", "theme", "size");
         if (!qEnvironmentVariableIsSet("SPARKOUT_LONG")) { // each language and theme once
-            QTest::newRow("en light")
-                << QStringLiteral("en") << int(Theme::light) << QSize(1366, 768);
-            QTest::newRow("ru dark")
-                << QStringLiteral("ru") << int(Theme::dark) << QSize(1366, 768);
+            addRow("en light", "en", int(Theme::light), QSize(1366, 768));
+            addRow("ru dark", "ru", int(Theme::dark), QSize(1366, 768));
             return;
         }
         for (const char* language : {"en", "ru"}) {
@@ -196,24 +182,20 @@ private slots:
 
     /// With batch, sweep, search and comparison filled; the looks are changed while it runs.
     void everyViewFilledInEveryLook_data() {
-        QTest::addColumn<QString>("path");
-        QTest::addColumn<QString>("language");
+        addColumns<QString, QString>("path", "language");
         if (!qEnvironmentVariableIsSet("SPARKOUT_GALLERY")) {
             QSKIP("SPARKOUT_GALLERY is not set");
         }
         for (const char* name : {"shaft-30h6-factory", "setups/spindle"}) {
             for (const char* language : {"english", "russian"}) {
                 QTest::addRow("%s %s", name, language)
-                    << QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-                           .arg(QLatin1String(name))
-                    << QString::fromLatin1(language);
+                    << examplePath(name) << QString::fromLatin1(language);
             }
         }
     }
     void everyViewFilledInEveryLook() {
         QFETCH(QString, path);
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(QStringLiteral("en"));
         MainWindow& window = *bench.window;
         QVERIFY(bench.open(path));
@@ -250,11 +232,9 @@ private slots:
         QFETCH(QString, language);
         QFETCH(int, theme);
         QFETCH(int, percent);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         applyFontSize(percent);
         Bench bench(language, Theme(theme));
-        QVERIFY(bench.open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
+        QVERIFY(bench.open(examplePath("setups/spindle")));
         int seen = 0;
         for (const QAction* found : bench.window->findChildren<QAction*>()) {
             const QPointer<QAction> action = const_cast<QAction*>(found);
@@ -280,7 +260,6 @@ private slots:
         QFETCH(QString, language);
         QFETCH(int, theme);
         QFETCH(int, percent);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         applyFontSize(percent);
         Bench bench(language, Theme(theme));
         MainWindow& window = *bench.window;
@@ -348,7 +327,7 @@ private slots:
     }
 };
 
-} // namespace test_gallery
+} // namespace sparkout::test_gallery
 
 SPARKOUT_TEST(test_gallery, TestGallery)
 #include "test_gallery.moc"

@@ -5,15 +5,16 @@
 // done again: that one is the window's own. Fails only at four times the target, so that a busy
 // machine does not turn it red.
 #include "core/format/project_file.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
 #include "tests/check_line.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/heartbeat.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/window/long_project.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/plot/view.h"
 #include "ui/views/batch/batch_view.h"
@@ -21,29 +22,17 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QElapsedTimer>
-#include <QFile>
 #include <QProcess>
-#include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStyleOption>
 #include <QTemporaryDir>
-#include <QTest>
-#include <QTimer>
 #include <QToolButton>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <vector>
 
-namespace test_heartbeat {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_heartbeat {
 
 constexpr int frame_ms = 16; ///< 60 Hz
 const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
@@ -132,8 +121,7 @@ double swing(qint64 time_ms) {
 void dragSlider(QSlider& slider) {
     const QPoint start = handleOf(slider);
     QTest::mousePress(&slider, Qt::LeftButton, {}, start);
-    QElapsedTimer clock;
-    clock.start();
+    RunningTimer clock;
     while (clock.elapsed() < drag_ms) {
         const int x = 4 + int(swing(clock.elapsed()) * (slider.width() - 8));
         QTest::mouseMove(&slider, QPoint(x, start.y()));
@@ -143,8 +131,7 @@ void dragSlider(QSlider& slider) {
 }
 
 void dragFeed(Document& document) {
-    QElapsedTimer clock;
-    clock.start();
+    RunningTimer clock;
     while (clock.elapsed() < drag_ms) {
         Project project = document.project();
         project.cycle->stages.front().radial_feed_mm = 0.003 + 0.004 * swing(clock.elapsed());
@@ -177,16 +164,12 @@ QString exampleWithMostVisits() {
     return most;
 }
 
-} // namespace
-
 class TestHeartbeat : public QObject {
     Q_OBJECT
 
 private slots:
     void aValueIsDraggedForTenSeconds() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout")));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         QSlider* slider = nullptr;
         for (int page = static_cast<int>(bench.window->inputs().pages().size());
              !slider && page-- > 0;) {
@@ -210,8 +193,7 @@ private slots:
     void theLargestExampleIsOpened() {
         const QString path = exampleWithMostVisits();
         QVERIFY(!path.isEmpty());
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const QByteArray what = "opening " + nameOf(path).toUtf8();
         const double worst_ms = watched_ms(what.constData(), [&] {
             for (int time = 0; time < 5; ++time) {
@@ -224,8 +206,7 @@ private slots:
 
     /// The largest example, by radius at the highest speed, in every view that follows.
     void theCycleIsPlayed() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(exampleWithMostVisits()));
+        OpenBench bench(QStringLiteral("en"), exampleWithMostVisits());
         auto* const unit = bench.window->findChild<QComboBox*>(QStringLiteral("playUnit"));
         auto* const speed = bench.window->findChild<QComboBox*>(QStringLiteral("playSpeed"));
         auto* const play = bench.window->findChild<QToolButton*>(QStringLiteral("play"));
@@ -251,9 +232,7 @@ private slots:
     /// A hundred thousand parts in the long tests.
     void aLargeBatchIsRunAndShown() {
         const int parts = longTest ? 100'000 : 20'000;
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout")));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("batch")));
         auto* const view = bench.window->findChild<BatchView*>();
         QTRY_VERIFY_WITH_TIMEOUT(!view->busy(), 60'000);
@@ -278,9 +257,7 @@ private slots:
         const int wanted = longTest ? 200 : 20;
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("passport.pdf"));
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout")));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         bench.window->document().startUntitled(
             projectOfPages(bench.window->document().project(), wanted));
         QTRY_VERIFY_WITH_TIMEOUT(bench.window->outcome() && bench.window->outcome()->ran(), 60'000);
@@ -299,8 +276,7 @@ private slots:
     }
 
     void everyViewIsShownAndTheWindowResized() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(exampleWithMostVisits()));
+        OpenBench bench(QStringLiteral("en"), exampleWithMostVisits());
         for (const View* view : bench.window->views()) { // once, as they are made when first shown
             QVERIFY(bench.window->showView(view->objectName()));
             bench.settle();
@@ -320,9 +296,9 @@ private slots:
 
     /// Every view of each of five surfaces: each in its turn, then each surface in each view.
     void everyViewOfEverySurfaceIsShown() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(QStringLiteral(SPARKOUT_SOURCE_DIR
-                                          "/tests/data/setups/five-surfaces-by-hand.sparkout")));
+        OpenBench bench(QStringLiteral("en"),
+                        QStringLiteral(SPARKOUT_SOURCE_DIR
+                                       "/tests/data/setups/five-surfaces-by-hand.sparkout"));
         const std::size_t surfaces = bench.window->document().surfaceCount();
         QCOMPARE(surfaces, std::size_t(5));
         const int pause_ms = longTest ? 100 : 20;
@@ -370,7 +346,7 @@ private slots:
     }
 };
 
-} // namespace test_heartbeat
+} // namespace sparkout::test_heartbeat
 
 SPARKOUT_TEST(test_heartbeat, TestHeartbeat)
 #include "test_heartbeat.moc"

@@ -2,25 +2,20 @@
 // The pictures of README and help, drawn by the program as it is: they are put into help-pictures/
 // of the build folder, from where they are copied to resources/help/pictures. Each of those that
 // are shipped is drawn here.
-#include "core/project/cycle.h"
-#include "core/project/sweep.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QDir>
 #include <QPushButton>
-#include <QTest>
 
 #include <functional>
 #include <utility>
 
-namespace test_help_pictures {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_help_pictures {
 
 constexpr int patience_ms = 60'000;
 
@@ -99,8 +94,6 @@ const Scene& sceneOf(const QString& name) {
     qFatal("no scene %s", qPrintable(name));
 }
 
-} // namespace
-
 class TestHelpPictures : public QObject {
     Q_OBJECT
 
@@ -119,8 +112,7 @@ private slots:
         QFETCH(QString, name);
         const Scene& scene = sceneOf(name);
         Bench bench(QString::fromLatin1(scene.language), scene.theme);
-        const QString file = QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-                                 .arg(QLatin1String(scene.example));
+        const QString file = examplePath(scene.example);
         QVERIFY(bench.open(file));
         QVERIFY(bench.window->showView(QLatin1String(scene.view)));
         bench.settle();
@@ -138,7 +130,7 @@ private slots:
     }
 };
 
-} // namespace test_help_pictures
+} // namespace sparkout::test_help_pictures
 
 SPARKOUT_TEST(test_help_pictures, TestHelpPictures)
 #include "test_help_pictures.moc"

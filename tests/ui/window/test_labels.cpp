@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: own_language
 // Every text of the window has room on a small screen, and in a Russian window all are Russian.
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/plot/view.h"
@@ -19,16 +19,10 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QScopeGuard>
 #include <QScrollArea>
 #include <QTabBar>
-#include <QTest>
 
-namespace test_labels {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_labels {
 
 /// Goes through every view and every page of the inputs; neither takes room from the other.
 template <typename Visit>
@@ -92,15 +86,12 @@ void verifyPagesFit(const QWidget& window, const QString& place) {
     }
 }
 
-} // namespace
-
 class TestLabels : public QObject {
     Q_OBJECT
 
 private slots:
     void everyVisibleTextHasRoomOnASmallScreen_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QString>("path");
+        addColumns<QString, QString>("language", "path");
         for (const char* language : {"en", "ru"}) {
             for (const QString& path : examplePaths()) {
                 QTest::addRow("%s %s", language, qPrintable(nameOf(path)))
@@ -112,8 +103,7 @@ private slots:
     void everyVisibleTextHasRoomOnASmallScreen() {
         QFETCH(QString, language);
         QFETCH(QString, path);
-        Bench bench(language);
-        QVERIFY(bench.open(path));
+        OpenBench bench(language, path);
         QCOMPARE(bench.window->size(), QSize(1366, 768)); // nothing asks for more
         Offenders offenders;
         everyPlace(bench, [&](const QString& place) {
@@ -123,9 +113,7 @@ private slots:
     }
 
     void everyVisibleTextHasRoomWithLargerType_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("percent");
-        QTest::addColumn<QSize>("size");
+        addColumns<QString, int, QSize>("language", "percent", "size");
         for (const char* language : {"en", "ru"}) {
             for (const int percent : fontSizes) {
                 const bool smaller = percent < usualFontSize;
@@ -149,7 +137,6 @@ private slots:
         QFETCH(QString, language);
         QFETCH(int, percent);
         QFETCH(QSize, size);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         std::vector<const char*> names{"shaft-30h6-optimal"};
         if (qEnvironmentVariableIsSet("SPARKOUT_LONG")) {
             names.push_back("internal-plunge");
@@ -157,8 +144,7 @@ private slots:
         for (const char* name : names) {
             Bench bench(language);
             bench.window->resize(size);
-            QVERIFY(bench.open(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-                                   .arg(QLatin1String(name))));
+            QVERIFY(bench.open(examplePath(name)));
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
             bench.settle();
             QCOMPARE(bench.settings.fontSize(), percent);
@@ -173,8 +159,7 @@ private slots:
 
     void noPageNeedsScrollingSideways() {
         for (const char* language : {"en", "ru"}) {
-            Bench bench(QString::fromUtf8(language));
-            QVERIFY(bench.open(examplePaths().front()));
+            OpenBench bench(QString::fromUtf8(language), examplePaths().front());
             const QTabBar& tabs = *bench.window->findChild<ViewTabs*>()->tabBar();
             QVERIFY2(tabs.tabRect(tabs.count() - 1).right() < tabs.width(), language);
             for (View* view : bench.window->views()) { // by no other name
@@ -252,8 +237,7 @@ private slots:
     }
 
     void theChecksFindWhatTheyLookFor_data() {
-        QTest::addColumn<int>("width");
-        QTest::addColumn<int>("offenders");
+        addColumns<int, int>("width", "offenders");
         QTest::newRow("room for all") << 400 << 0;
         QTest::newRow("room for none") << 50 << 6;
     }
@@ -291,7 +275,7 @@ private slots:
     }
 };
 
-} // namespace test_labels
+} // namespace sparkout::test_labels
 
 SPARKOUT_TEST(test_labels, TestLabels)
 #include "test_labels.moc"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: own_language
 // Torn-off views, the layout that is remembered, and what becomes of a damaged one.
-#include "core/study/operation.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/inputs/inputs_panel.h"
@@ -11,26 +10,19 @@
 #include "ui/window/view_tabs.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
 #include <QRandomGenerator>
-#include <QScopeGuard>
 #include <QScrollBar>
 #include <QTabBar>
-#include <QTest>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
-namespace test_layout {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_layout {
 
 /// A view that shows nothing but its name.
 class PlainView : public View {
@@ -101,16 +93,13 @@ void verifyUsable(const Bench& bench) {
     }
 }
 
-} // namespace
-
 class TestLayout : public QObject {
     Q_OBJECT
 
 private slots:
     /// Wide again as soon as they have room.
     void tabsAreInNarrowTypeOnlyWhereTheyWouldNotAllBeInSight() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         const auto narrow = [&bench] {
             bench.settle();
             return bench.window->viewTabs().tabBar()->font().stretch() == 90;
@@ -237,8 +226,7 @@ private slots:
     }
 
     void everyViewOfTheWindowCanBeTornOffAndGoesOnShowingOutcomes() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         ViewTabs& tabs = bench.window->viewTabs();
         for (View* view : bench.window->views()) {
             tabs.showView(view);
@@ -284,8 +272,7 @@ private slots:
     }
 
     void aLanguageSwitchLeavesTheLayoutAsItIs() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         auto* verdict = bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"));
         auto* messages = bench.window->findChild<QDockWidget*>(QStringLiteral("messages"));
         messages->show(); // nothing is said: it was closed
@@ -327,8 +314,7 @@ private slots:
 
     // What presses the panels, and back: a view with much to choose, a narrow window, large type.
     void pressedPanelsTakeTheirRoomBack_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QString>("by");
+        addColumns<QString, QString>("language", "by");
         for (const char* language : {"en", "ru"}) {
             for (const char* by : {"scatter", "narrow", "type"}) {
                 QTest::addRow("%s %s", language, by)
@@ -384,8 +370,7 @@ private slots:
     }
 
     void aPanelThatTheUserMadeNarrowStaysSo() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         auto* verdict = bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"));
         const int before = verdict->width();
         const QPoint separator(verdict->x() - 2, verdict->y() + verdict->height() / 2);
@@ -413,8 +398,7 @@ private slots:
 
     // Closed while a narrow window presses them; opened again where there is room.
     void aLayoutThatWasPressedWhenItWasSavedComesBackAsItWasWanted() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         const auto verdictOf = [](const MainWindow& window) {
             return window.findChild<QDockWidget*>(QStringLiteral("verdict"))->width();
         };
@@ -431,8 +415,7 @@ private slots:
     }
 
     void whatOneDragsSaysNothingOfAnotherPanelThatIsPressed() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         auto* verdict = bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"));
         auto* inputs = bench.window->findChild<QDockWidget*>(QStringLiteral("inputs"));
         const auto drag = [&](QPoint from, int by) {
@@ -464,8 +447,7 @@ private slots:
 
     // A wide window gives its inputs two columns, until one drags them to another width.
     void aWideWindowHasRoomForTwoColumnsOfInputs() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         MainWindow& window = *bench.window;
         auto* inputs = window.findChild<InputsPanel*>();
         const int one = inputs->width();
@@ -499,9 +481,7 @@ private slots:
 
     // Large type has two columns, too, where the views keep what they need beside them.
     void aWideWindowHasRoomForTwoColumnsInLargeType() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         MainWindow& window = *bench.window;
         auto* inputs = window.findChild<InputsPanel*>();
         const auto* views = window.findChild<ViewTabs*>();
@@ -523,8 +503,7 @@ private slots:
     }
 
     void aThemeSwitchLeavesTheLayoutAsItIs() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const QStringList before = layoutOf(bench);
         for (const char* theme : {"theme-dark", "theme-contrast", "theme-light"}) {
             bench.action(theme)->trigger();
@@ -579,7 +558,7 @@ private slots:
     }
 };
 
-} // namespace test_layout
+} // namespace sparkout::test_layout
 
 SPARKOUT_TEST(test_layout, TestLayout)
 #include "test_layout.moc"

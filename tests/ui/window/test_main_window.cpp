@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
+#include "tests/ui/support/typing.h"
+#include "tests/whole_project.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/fields/number_field.h"
@@ -29,25 +27,16 @@
 
 #include <QAbstractButton>
 #include <QAction>
-#include <QApplication>
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QStatusBar>
-#include <QStyleFactory>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTest>
 
-#include <clocale>
-
-namespace test_main_window {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_main_window {
 
 QString example(const char* name) {
     return QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/") + QString::fromUtf8(name);
@@ -71,8 +60,6 @@ struct Bench {
     Language language;
     std::unique_ptr<MainWindow> window;
 };
-
-} // namespace
 
 class TestMainWindow : public QObject {
     Q_OBJECT
@@ -226,9 +213,7 @@ private slots:
         bench.open(example("shaft-30h6-factory.sparkout"));
         bench.window->inputs().showPage(0);
         auto* field = bench.window->findChild<NumberField*>(QStringLiteral("/part/diameter_mm"));
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClicks(field, QStringLiteral("thirty"));
+        typeOver(*field, QStringLiteral("thirty"));
         QTRY_COMPARE(bench.window->messages().item(0)->data(Qt::UserRole).toString(),
                      QStringLiteral("/part/diameter_mm"));
         const auto* notice = bench.window->findChild<QLabel*>(QStringLiteral("refusedFields"));
@@ -352,9 +337,7 @@ private slots:
         bench.window->inputs().showPage(0);
         auto* field = bench.window->findChild<NumberField*>(QStringLiteral("/part/diameter_mm"));
         bench.window->activateWindow();
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClicks(field, QStringLiteral("31"));
+        typeOver(*field, QStringLiteral("31"));
         QCOMPARE(bench.window->document().project().part->diameter_mm, 31.0);
         QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(bench.window->document().project().part->diameter_mm, 30.0);
@@ -364,7 +347,7 @@ private slots:
     }
 };
 
-} // namespace test_main_window
+} // namespace sparkout::test_main_window
 
 SPARKOUT_TEST(test_main_window, TestMainWindow)
 #include "test_main_window.moc"

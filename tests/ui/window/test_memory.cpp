@@ -12,17 +12,11 @@
 #include <QFile>
 #include <QPixmapCache>
 #include <QSignalSpy>
-#include <QTest>
 
-#include <algorithm>
 #include <malloc.h>
 #include <unistd.h>
 
-namespace test_memory {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_memory {
 
 /// Resident memory of this process [MB], after the free parts of the heap were given back.
 double resident_mb() {
@@ -41,8 +35,6 @@ qsizetype lastingObjects(const MainWindow& window) {
     return std::ranges::count_if(
         all, [](const QObject* each) { return !qobject_cast<const QAbstractAnimation*>(each); });
 }
-
-} // namespace
 
 class TestMemory : public QObject {
     Q_OBJECT
@@ -99,7 +91,7 @@ private slots:
     }
 };
 
-} // namespace test_memory
+} // namespace sparkout::test_memory
 
 SPARKOUT_TEST(test_memory, TestMemory)
 #include "test_memory.moc"

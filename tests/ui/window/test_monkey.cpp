@@ -5,18 +5,12 @@
 // choose.
 #include "core/setup/setup_file.h"
 #include "tests/check_line.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/ui/window/monkey.h"
 #include "ui/session/document.h"
 
-#include <QElapsedTimer>
-#include <QTest>
-
-namespace test_monkey {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_monkey {
 
 // Of each of the monkeys.
 constexpr int usualEvents = 2'500;
@@ -35,8 +29,6 @@ quint32 seed() {
     return own > 0 ? quint32(own) : 1u;
 }
 
-} // namespace
-
 class TestMonkey : public QObject {
     Q_OBJECT
 
@@ -45,8 +37,7 @@ private slots:
         const QString log = QStringLiteral(SPARKOUT_BUILD_DIR "/monkey-%1.log").arg(seed());
         qInfo("MONKEY seed %u, %d events, what it does is in %s", seed(), eventCount(),
               qPrintable(log));
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         Monkey monkey(seed(), eventCount(), log);
         const QString trouble = monkey.run();
         const double reached = 1 - double(monkey.missed().size()) / double(monkey.seen());
@@ -86,7 +77,7 @@ private slots:
     }
 };
 
-} // namespace test_monkey
+} // namespace sparkout::test_monkey
 
 SPARKOUT_TEST(test_monkey, TestMonkey)
 #include "test_monkey.moc"

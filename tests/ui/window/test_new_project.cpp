@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A new project: its drawing is yet to be given, and until then nothing is said of it.
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
@@ -16,22 +16,12 @@
 #include "ui/views/feeds/feeds_view.h"
 #include "ui/views/verdict/verdict_panel.h"
 #include "ui/window/file_commands.h"
-#include "ui/window/main_window.h"
 
 #include <QAction>
-#include <QApplication>
-#include <QLabel>
-#include <QTemporaryDir>
-#include <QTest>
 
-#include <cstdlib>
 #include <map>
 
-namespace test_new_project {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_new_project {
 
 const std::map<std::string, QString> drawing{{"/part/diameter_mm", QStringLiteral("40")},
                                              {"/part/upper_deviation_um", QStringLiteral("0")},
@@ -66,8 +56,6 @@ struct NewBench : Bench {
         });
     }
 };
-
-} // namespace
 
 class TestNewProject : public QObject {
     Q_OBJECT
@@ -104,9 +92,7 @@ private slots:
 
     /// Of the project before, with a batch, kept runs and measured parts, nothing is left.
     void noViewShowsTheProjectBefore() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(QStringLiteral(SPARKOUT_SOURCE_DIR
-                                          "/resources/examples/shaft-30h6-measured.sparkout")));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-measured"));
         for (const View* view : bench.window->views()) {
             QVERIFY(bench.window->showView(view->objectName()));
             bench.settle();
@@ -231,7 +217,7 @@ private slots:
     }
 };
 
-} // namespace test_new_project
+} // namespace sparkout::test_new_project
 
 SPARKOUT_TEST(test_new_project, TestNewProject)
 #include "test_new_project.moc"

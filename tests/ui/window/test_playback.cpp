@@ -7,14 +7,9 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QSlider>
-#include <QTest>
 #include <QToolButton>
 
-namespace test_playback {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_playback {
 
 struct Bench {
     Bench() : bar(cursor) {
@@ -41,8 +36,6 @@ struct Bench {
     CycleCursor cursor;
     PlaybackBar bar;
 };
-
-} // namespace
 
 class TestPlayback : public QObject {
     Q_OBJECT
@@ -149,7 +142,7 @@ private slots:
     }
 };
 
-} // namespace test_playback
+} // namespace sparkout::test_playback
 
 SPARKOUT_TEST(test_playback, TestPlayback)
 #include "test_playback.moc"

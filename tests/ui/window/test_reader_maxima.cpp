@@ -3,18 +3,9 @@
 // is shown with it, and the window goes on beating. The maxima are those of the readers' own tables
 // and constants; without SPARKOUT_LONG a small case of each is opened alone. Prints the worst gap
 // and the memory of each; fails at four times the target.
-#include "core/format/project_file.h"
 #include "core/format/table_reader.h"
 #include "core/lesson/text_markup.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
 #include "core/project/member.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/sweep.h"
-#include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "core/study/search_edits.h"
@@ -24,26 +15,15 @@
 #include "tests/ui/lesson/lesson_bench.h"
 #include "tests/ui/support/heartbeat.h"
 #include "tests/ui/window/long_project.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/forms/form_page.h"
-#include "ui/lesson/lesson_panel.h"
 
-#include <QFile>
 #include <QSignalSpy>
 #include <QTabWidget>
-#include <QTemporaryDir>
-#include <QTest>
 
-#include <algorithm>
-#include <functional>
 #include <set>
-#include <string>
-#include <vector>
 
-namespace test_reader_maxima {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_reader_maxima {
 
 const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
 constexpr double target_ms = 100;
@@ -483,8 +463,6 @@ bool opensAndShows(Bench& bench, const QString& path, bool isWork, Worst& worst)
     return isOpened && pages > 0;
 }
 
-} // namespace
-
 class TestReaderMaxima : public QObject {
     Q_OBJECT
 
@@ -544,7 +522,7 @@ private slots:
     }
 };
 
-} // namespace test_reader_maxima
+} // namespace sparkout::test_reader_maxima
 
 SPARKOUT_TEST(test_reader_maxima, TestReaderMaxima)
 #include "test_reader_maxima.moc"

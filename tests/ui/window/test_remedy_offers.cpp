@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What would help, beneath the verdict: offered after a run, taken by a click, undone.
 #include "core/format/project_file.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/study/evaluate.h"
 #include "core/study/operation.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/kit/font_size.h"
-#include "ui/session/project_io.h"
 #include "ui/session/remedy_finder.h"
 #include "ui/views/verdict/remedy_section.h"
 #include "ui/views/verdict/remedy_text.h"
@@ -19,23 +16,12 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QScopeGuard>
 #include <QScrollArea>
 #include <QSignalSpy>
-#include <QTest>
 
 #include <algorithm>
 
-namespace test_remedy_offers {
-
-using namespace sparkout;
-
-namespace {
-
-QString example(const char* name) {
-    return QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-        .arg(QString::fromUtf8(name));
-}
+namespace sparkout::test_remedy_offers {
 
 /// The parts of the section in a window.
 struct Offers {
@@ -79,15 +65,12 @@ bool holds(const Outcome& outcome) {
            && std::ranges::all_of(outcome.constraints, &ConstraintResult::holds);
 }
 
-} // namespace
-
 class TestRemedyOffers : public QObject {
     Q_OBJECT
 
 private slots:
     void aClickTakesARemedyAndUndoBringsBackWhatWas() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("slender-shaft")));
+        OpenBench bench(QStringLiteral("en"), examplePath("slender-shaft"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         QVERIFY(offers.section.isVisible());
@@ -124,8 +107,7 @@ private slots:
     }
 
     void theKeyboardReachesAndTakesIt() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("slender-shaft")));
+        OpenBench bench(QStringLiteral("en"), examplePath("slender-shaft"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         const OutcomePtr outcome = bench.window->outcome();
@@ -140,8 +122,7 @@ private slots:
     }
 
     void aRussianWindowHasRussianWordsAndNumbers() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(example("slender-shaft")));
+        OpenBench bench(QStringLiteral("ru"), examplePath("slender-shaft"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         bool feeds = false;
@@ -162,8 +143,7 @@ private slots:
 
     void whereNoneHelpsTheRequirementsAreNamed() {
         for (const char* language : {"en", "ru"}) {
-            Bench bench(QString::fromUtf8(language));
-            QVERIFY(bench.open(example("plunge-shaft-two-stage")));
+            OpenBench bench(QString::fromUtf8(language), examplePath("plunge-shaft-two-stage"));
             Project project = bench.window->document().project();
             project.machine->geometric_runout_um = 6;
             bench.window->document().edit(project, {"Edit", "x"});
@@ -179,8 +159,7 @@ private slots:
     }
 
     void nothingIsOfferedWhereAllHoldsWithRoom() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         QVERIFY(!offers.section.isVisible());
@@ -192,8 +171,7 @@ private slots:
     }
 
     void anEditEndsTheSearchOfTheInputsBefore() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("slender-shaft")));
+        OpenBench bench(QStringLiteral("en"), examplePath("slender-shaft"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         QSignalSpy found(&offers.finder, &RemedyFinder::found);
@@ -215,8 +193,7 @@ private slots:
     // Of slow cycles what is found stands there while the rest is looked for, with a button to
     // stop.
     void aSlowSearchShowsItsProgressAndIsStopped() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("plunge-shaft-two-stage")));
+        OpenBench bench(QStringLiteral("en"), examplePath("plunge-shaft-two-stage"));
         Project project = withSections(bench.window->document().project(), 200);
         project.part->radii_per_section = 360;
         project.part->tolerance.radial_runout_um = 1.5;
@@ -240,11 +217,9 @@ private slots:
     }
 
     void theLinesHaveRoomAlsoInLargeType() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         for (const char* language : {"en", "ru"}) {
             for (const int percent : {100, 130}) {
-                Bench bench(QString::fromUtf8(language));
-                QVERIFY(bench.open(example("slender-shaft")));
+                OpenBench bench(QString::fromUtf8(language), examplePath("slender-shaft"));
                 if (percent != usualFontSize) {
                     bench.action(("fontSize-" + QByteArray::number(percent)).constData())
                         ->trigger();
@@ -266,7 +241,7 @@ private slots:
     }
 };
 
-} // namespace test_remedy_offers
+} // namespace sparkout::test_remedy_offers
 
 SPARKOUT_TEST(test_remedy_offers, TestRemedyOffers)
 #include "test_remedy_offers.moc"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the views have of the window of a small laptop.
-#include "core/project/cycle.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/forms/stage_table.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
@@ -24,12 +24,10 @@
 #include <QListView>
 #include <QPainter>
 #include <QPushButton>
-#include <QScopeGuard>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStatusBar>
 #include <QTableView>
-#include <QTest>
 #include <QToolBar>
 #include <QToolButton>
 #include <qcustomplot.h>
@@ -37,17 +35,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace test_room {
-
-using namespace sparkout;
-
-namespace {
-
-QString example(const char* name) {
-    const QStringList all = examplePaths();
-    const auto found = std::ranges::find(all, QString::fromLatin1(name), nameOf);
-    return found == all.end() ? QString() : *found;
-}
+namespace sparkout::test_room {
 
 void wait(const Bench& bench) {
     bench.settle();
@@ -83,23 +71,14 @@ QListView* keepAs(const Bench& bench, const QString& name) {
     return list;
 }
 
-void languages() {
-    QTest::addColumn<QString>("language");
-    QTest::newRow("en") << QStringLiteral("en");
-    QTest::newRow("ru") << QStringLiteral("ru");
-}
-
-} // namespace
-
 class TestRoom : public QObject {
     Q_OBJECT
 
 private slots:
-    void theViewsHaveTheirShareOfTheWindow_data() { languages(); }
+    void theViewsHaveTheirShareOfTheWindow_data() { addLanguages(); }
     void theViewsHaveTheirShareOfTheWindow() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         wait(bench);
         QCOMPARE(bench.window->size(), QSize(1366, 768));
         QVERIFY(dock(bench, "inputs")->isVisible() && dock(bench, "verdict")->isVisible());
@@ -115,11 +94,10 @@ private slots:
         }
     }
 
-    void theNinePlotsOfFeedsAreLargeEnough_data() { languages(); }
+    void theNinePlotsOfFeedsAreLargeEnough_data() { addLanguages(); }
     void theNinePlotsOfFeedsAreLargeEnough() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         wait(bench);
         const auto* view = bench.window->findChild<FeedsView*>();
@@ -132,12 +110,10 @@ private slots:
     }
 
     /// Where the window is too small for nine of them, they are scrolled.
-    void thePlotsOfFeedsAreLegibleInLargeType_data() { languages(); }
+    void thePlotsOfFeedsAreLegibleInLargeType_data() { addLanguages(); }
     void thePlotsOfFeedsAreLegibleInLargeType() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         const auto* view = bench.window->findChild<FeedsView*>();
         const auto* area = view->findChild<QScrollArea*>(QStringLiteral("feedsArea"));
@@ -165,12 +141,10 @@ private slots:
 
     /// Where the views are too small for both of their plots, they are scrolled; so are the zones
     /// of a batch.
-    void theOtherPlotsAreLegibleInLargeType_data() { languages(); }
+    void theOtherPlotsAreLegibleInLargeType_data() { addLanguages(); }
     void theOtherPlotsAreLegibleInLargeType() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         for (const int percent : {115, 130}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
             for (const char* name : {"compare", "optimise", "batch", "profiles", "constraints"}) {
@@ -205,8 +179,7 @@ private slots:
     /// The plots of three zones have room beside each other, no bar scrolls them by a few pixels;
     /// and their figures are read in full.
     void theZonesOfABatchHaveRoom_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QString>("name");
+        addColumns<QString, QString>("language", "name");
         for (const char* language : {"en", "ru"}) {
             for (const char* name : {"shaft-38-74h6", "plunge-shaft-two-stage"}) {
                 QTest::addRow("%s %s", language, name)
@@ -217,10 +190,9 @@ private slots:
     void theZonesOfABatchHaveRoom() {
         QFETCH(QString, language);
         QFETCH(QString, name);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         bench.action("fontSize-130")->trigger();
-        QVERIFY(bench.open(example(qPrintable(name))));
+        QVERIFY(bench.open(examplePath(qPrintable(name))));
         QVERIFY(bench.window->showView(QStringLiteral("batch")));
         const View* const view = bench.window->viewTabs().currentView();
         QTRY_VERIFY_WITH_TIMEOUT(!view->busy(), 60'000);
@@ -241,12 +213,10 @@ private slots:
     }
 
     /// A text that is longer than the legend is wide is wrapped.
-    void noLegendIsElided_data() { languages(); }
+    void noLegendIsElided_data() { addLanguages(); }
     void noLegendIsElided() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         keepAs(bench,
                QStringLiteral("Radial feed 0.004, axial feed 1400, the second stage as it was"));
         for (const int percent : {130, 100}) {
@@ -273,12 +243,10 @@ private slots:
     }
 
     /// Of the present run and two kept ones, neither curves nor what differs.
-    void nothingOfCompareIsScrolledSideways_data() { languages(); }
+    void nothingOfCompareIsScrolledSideways_data() { addLanguages(); }
     void nothingOfCompareIsScrolledSideways() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         (void)keepAs(bench, language == u"ru" ? QStringLiteral("Заводской")
                                               : QStringLiteral("Factory")); // beside the best one
         Project project = bench.window->document().project();
@@ -303,9 +271,7 @@ private slots:
     }
 
     void theNameOfARunIsWrapped() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("ru"), examplePath("shaft-30h6-factory"));
         bench.action("fontSize-130")->trigger();
         const QString name = QStringLiteral("Припуск 0,11, вторая ступень прежняя, круг новый");
         const QListView* const list = keepAs(bench, name);
@@ -319,12 +285,10 @@ private slots:
         QVERIFY(row.data(Qt::ToolTipRole).toString().contains(name));
     }
 
-    void theRequirementsOfConstraintsHaveRoom_data() { languages(); }
+    void theRequirementsOfConstraintsHaveRoom_data() { addLanguages(); }
     void theRequirementsOfConstraintsHaveRoom() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("constraints")));
         auto* table = bench.window->findChild<QTableView*>(QStringLiteral("margins"));
         QVERIFY(table);
@@ -349,12 +313,10 @@ private slots:
         }
     }
 
-    void theCyclesFoundAreReadWithoutScrolling_data() { languages(); }
+    void theCyclesFoundAreReadWithoutScrolling_data() { addLanguages(); }
     void theCyclesFoundAreReadWithoutScrolling() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("optimise")));
         wait(bench);
         auto* run = bench.window->findChild<QPushButton*>(QStringLiteral("optimiseRun"));
@@ -378,10 +340,9 @@ private slots:
     }
 
     /// Also when the program starts so.
-    void theToolsAreAllShownWhateverTheType_data() { languages(); }
+    void theToolsAreAllShownWhateverTheType_data() { addLanguages(); }
     void theToolsAreAllShownWhateverTheType() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         for (const int percent : fontSizes) {
             applyFontSize(percent);
             Bench bench(language);
@@ -398,7 +359,6 @@ private slots:
 
     /// A box is measured anew in another type and language, also in a view that is not shown.
     void theBoxesAreAsWideAsInAFreshWindow() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         const auto widthsIn = [](const Bench& bench) {
             QStringList widths;
             for (const char* name : {"feeds", "profiles", "batch", "compare", "layers"}) {
@@ -419,12 +379,10 @@ private slots:
         };
         QStringList fresh;
         {
-            Bench bench(QStringLiteral("ru"));
-            QVERIFY(bench.open(example("shaft-30h6-factory")));
+            OpenBench bench(QStringLiteral("ru"), examplePath("shaft-30h6-factory"));
             fresh = widthsIn(bench);
         }
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         for (const char* step : {"fontSize-130", "theme-dark", "russian", "theme-contrast",
                                  "fontSize-100", "theme-light"}) {
             (void)widthsIn(bench);
@@ -434,7 +392,6 @@ private slots:
     }
 
     void theTitlesOfThePanelsFollowTheType() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(QStringLiteral("en"));
         for (const int percent : {130, 100, 115}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
@@ -445,12 +402,10 @@ private slots:
     }
 
     /// Longer than any hint: the values of a pass with their spread.
-    void theValuesUnderThePointerHaveRoomInLargeType_data() { languages(); }
+    void theValuesUnderThePointerHaveRoomInLargeType_data() { addLanguages(); }
     void theValuesUnderThePointerHaveRoomInLargeType() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         auto* view = bench.window->findChild<FeedsView*>();
         const auto* values = view->findChild<QLabel*>(QStringLiteral("feedsValues"));
@@ -468,12 +423,10 @@ private slots:
         }
     }
 
-    void noCaptionOfFeedsAndProfilesIsCutOff_data() { languages(); }
+    void noCaptionOfFeedsAndProfilesIsCutOff_data() { addLanguages(); }
     void noCaptionOfFeedsAndProfilesIsCutOff() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         int captions = 0;
         for (const int percent : {130, 100, 115}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
@@ -500,12 +453,10 @@ private slots:
         QVERIFY(captions > 30);
     }
 
-    void theNamesOfAxesHaveRoom_data() { languages(); }
+    void theNamesOfAxesHaveRoom_data() { addLanguages(); }
     void theNamesOfAxesHaveRoom() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         int names = 0;
         for (const int percent : {130, 100}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
@@ -537,12 +488,10 @@ private slots:
     }
 
     /// Beside or below its mark, in whatever type.
-    void aLongFeedWithAWarningIsReadInFull_data() { languages(); }
+    void aLongFeedWithAWarningIsReadInFull_data() { addLanguages(); }
     void aLongFeedWithAWarningIsReadInFull() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         Document& document = bench.window->document();
         Project project = document.project();
         project.cycle->stages.front().axial_feed_mm_min = 12500;
@@ -567,13 +516,10 @@ private slots:
     }
 
     /// Also the titles of boxes that say what all surfaces of a part share.
-    void theInputsOfSeveralSurfacesHaveRoom_data() { languages(); }
+    void theInputsOfSeveralSurfacesHaveRoom_data() { addLanguages(); }
     void theInputsOfSeveralSurfacesHaveRoom() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(language);
-        QVERIFY(bench.open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
+        OpenBench bench(language, examplePath("setups/spindle"));
         InputsPanel& inputs = bench.window->inputs();
         for (const int percent : {100, 130}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
@@ -587,8 +533,7 @@ private slots:
     }
 
     void playbackStandsWhereThereIsAMoment() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         const auto* bar = bench.window->findChild<QWidget*>(QStringLiteral("playback"));
         const auto* place = bench.window->findChild<QWidget*>(QStringLiteral("playPlace"));
         for (const auto& [view, moment] : {std::pair{"feeds", true},
@@ -613,8 +558,7 @@ private slots:
 
     /// Not before there is a cycle, nor where the one before is of another document.
     void anEmptyDrawingHasNothingToPlay() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         wait(bench);
         const auto* bar = bench.window->findChild<QWidget*>(QStringLiteral("playback"));
@@ -638,8 +582,7 @@ private slots:
     }
 
     void messagesTakeRoomOnlyWhenSomethingIsSaid() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         wait(bench);
         const QDockWidget* messages = dock(bench, "messages");
         auto* button = bench.window->findChild<QToolButton*>(QStringLiteral("messagesButton"));
@@ -664,8 +607,7 @@ private slots:
     }
 
     void theStepThatMendsIsNoMessageOfItsOwn() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         wait(bench);
         Project project = bench.window->document().project();
         project.cycle->stages.front().stock_mm += 0.01;
@@ -676,18 +618,16 @@ private slots:
     }
 
     /// The strip of the part does not take the room of the panels, whatever the type.
-    void thePartStripLeavesTheVerdictItsWidth_data() { languages(); }
+    void thePartStripLeavesTheVerdictItsWidth_data() { addLanguages(); }
     void thePartStripLeavesTheVerdictItsWidth() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         for (const int percent : fontSizes) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-            QVERIFY(bench.open(example("shaft-30h6-factory")));
+            QVERIFY(bench.open(examplePath("shaft-30h6-factory")));
             wait(bench);
             const int width = dock(bench, "verdict")->width();
-            QVERIFY(bench.open(
-                QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
+            QVERIFY(bench.open(examplePath("setups/spindle")));
             wait(bench);
             const auto* strip = bench.window->findChild<QWidget*>(QStringLiteral("partStrip"));
             QVERIFY(strip->isVisible());
@@ -700,10 +640,7 @@ private slots:
 
     /// Type and language are changed in a wide window that then is a small one again.
     void theVerdictHasItsWidthAgainInTheSmallWindow() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
+        OpenBench bench(QStringLiteral("en"), examplePath("setups/spindle"));
         for (const char* language : {"english", "russian"}) {
             bench.action(language)->trigger();
             for (const int percent : {100, 115, 130}) {
@@ -724,8 +661,7 @@ private slots:
     }
 
     void theVerdictKeepsItsWidthWhateverIsShown() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("ru"), examplePath("shaft-30h6-factory"));
         wait(bench);
         const int width = dock(bench, "verdict")->width();
         for (const View* view : bench.window->views()) {
@@ -736,7 +672,7 @@ private slots:
     }
 };
 
-} // namespace test_room
+} // namespace sparkout::test_room
 
 SPARKOUT_TEST(test_room, TestRoom)
 #include "test_room.moc"

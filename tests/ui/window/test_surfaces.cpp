@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window on a set-up of several surfaces, as its user has it.
-#include "core/project/batch.h"
-#include "core/project/wheel.h"
 #include "core/setup/setup_run.h"
 #include "core/setup/worn_project.h"
 #include "core/study/batch_edits.h"
 #include "core/study/search.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/search_fixtures.h"
 #include "tests/ui/support/setup_fixtures.h"
 #include "tests/ui/support/text_checks.h"
@@ -27,28 +26,17 @@
 #include "ui/window/file_commands.h"
 #include "ui/window/view_tabs.h"
 
-#include <QAbstractButton>
 #include <QAction>
-#include <QLabel>
 #include <QListView>
-#include <QListWidget>
-#include <QPushButton>
 #include <QSignalSpy>
 #include <QTabBar>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTest>
 
-#include <algorithm>
-#include <memory>
-#include <string>
+namespace sparkout::test_surfaces {
 
-namespace test_surfaces {
-
-using namespace sparkout;
 using namespace setup_fixtures;
-
-namespace {
+using on_disk::bytesOf;
 
 /// A window with the stepped shaft in a file of its own.
 struct Desk {
@@ -114,13 +102,6 @@ Setup searchedSetup() {
     setup.wear.dulling_per_mm2 = 1e-4;
     return setup;
 }
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-} // namespace
 
 class TestSurfaces : public QObject {
     Q_OBJECT
@@ -629,7 +610,7 @@ private slots:
     }
 };
 
-} // namespace test_surfaces
+} // namespace sparkout::test_surfaces
 
 SPARKOUT_TEST(test_surfaces, TestSurfaces)
 #include "test_surfaces.moc"

@@ -5,22 +5,16 @@
 #include "tests/ui/support/window_bench.h"
 #include "ui/help/glossary.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/window/main_window.h"
 
 #include <QAbstractItemModel>
 #include <QHeaderView>
 #include <QLabel>
 #include <QTabBar>
 #include <QTableView>
-#include <QTest>
 
 #include <algorithm>
 
-namespace test_term_tips {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_term_tips {
 
 class Terms {
 public:
@@ -71,8 +65,6 @@ QStringList bareIn(const QTableView& table, const Terms& terms, int& seen) {
     return bare;
 }
 
-} // namespace
-
 class TestTermTips : public QObject {
     Q_OBJECT
 
@@ -85,8 +77,7 @@ private slots:
     void everyTermIsExplained() {
         QFETCH(QString, language);
         const Terms terms(language == QStringLiteral("ru"));
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         MainWindow& window = *bench.window;
         int seen = 0;
         QStringList bare;
@@ -123,7 +114,7 @@ private slots:
     }
 };
 
-} // namespace test_term_tips
+} // namespace sparkout::test_term_tips
 
 SPARKOUT_TEST(test_term_tips, TestTermTips)
 #include "test_term_tips.moc"

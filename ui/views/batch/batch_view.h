@@ -34,7 +34,6 @@ public:
     [[nodiscard]] HistogramPlot* histograms() const { return m_histograms; }
     [[nodiscard]] SensitivityPlot* sensitivity() const { return m_sensitivity; }
     [[nodiscard]] ScatterPlot* scatter() const { return m_scatter; }
-    [[nodiscard]] ParetoPlot* pareto() const { return m_pareto; }
     [[nodiscard]] const BatchOutcomePtr& batch() const { return studies().batch.result(); }
     [[nodiscard]] const SobolIndicesPtr& indices() const { return studies().indices(); }
     [[nodiscard]] bool busy() const override; ///< runs a batch, or its Sobol indices

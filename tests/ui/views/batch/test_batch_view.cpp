@@ -3,15 +3,11 @@
 // The view "Batch": its figures are the engine's, a stop keeps what was done, the newest wins, the
 // worst part is reproduced by its inputs.
 #include "core/batch/batch_check.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/batch_edits.h"
 #include "core/study/evaluate.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/value_model.h"
@@ -30,20 +26,12 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTest>
 #include <QThread>
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <memory>
 #include <string_view>
 
-namespace test_batch_view {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_batch_view {
 
 constexpr int patience_ms = 60'000;
 constexpr int endless = 1'000'000; ///< parts: a minute or so, too many to run by itself
@@ -84,6 +72,10 @@ struct Bench {
     BatchView view;
 };
 
+struct SettledBench : Bench {
+    explicit SettledBench(const Project& project) : Bench(project) { QVERIFY(settled()); }
+};
+
 /// A cell of the figures on the screen.
 QString cell(Bench& bench, const char* key, int column) {
     const auto& model =
@@ -96,8 +88,6 @@ QString cell(Bench& bench, const char* key, int column) {
         .toString();
 }
 
-} // namespace
-
 class TestBatchView : public QObject {
     Q_OBJECT
 
@@ -106,8 +96,7 @@ private slots:
 
     void aQuickBatchRunsByItselfAndShowsTheFiguresOfTheEngine() {
         const Project project = fixtures::shaftBatch(50);
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         const BatchSummary engine = summarise(runBatch(project));
         for (const char* name : {"diameter", "radial_runout", "time"}) {
             bench.choose(name);
@@ -145,8 +134,7 @@ private slots:
 
     void theCopiedTableHasEveryCharacteristicWithAllItsDigits() {
         const Project project = fixtures::shaftBatch(50);
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         auto& table = bench.part<CopyTable>("batchFigures");
         table.setFocus();
         QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
@@ -177,8 +165,7 @@ private slots:
     }
 
     void afterAnEditTheBatchIsMarkedAndTheNewestWins() {
-        Bench bench(fixtures::shaftBatch(50));
-        QVERIFY(bench.settled());
+        SettledBench bench(fixtures::shaftBatch(50));
         Project edited = fixtures::shaftBatch(endless);
         edited.batch->seed = 7;
         bench.view.setOutcome(run(edited));
@@ -198,8 +185,7 @@ private slots:
 
     void aNameOrANoteMakesNoOtherBatch() {
         Project project = fixtures::shaftBatch(50);
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         const BatchOutcomePtr shown = bench.view.batch();
         project.title = "Another name";
         project.notes = "and a note";
@@ -212,8 +198,7 @@ private slots:
     void theInputsOfTheWorstPartReproduceItsValues() {
         Project project = fixtures::shaftBatch(50);
         project.title = "Mine";
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         Project taken = project;
         QSignalSpy edits(&bench.view, &BatchView::editWanted);
         bool refused = false;
@@ -360,10 +345,9 @@ private slots:
         Project project = fixtures::shaftBatch(60);
         project.part->tolerance.roundness_um = 1e-6;
         project.part->tolerance.radial_runout_um = 1e-6;
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         bench.part<QComboBox>("batchContent").setCurrentIndex(3);
-        ParetoPlot& plot = *bench.view.pareto();
+        ParetoPlot& plot = *bench.view.findChild<ParetoPlot*>();
         QVERIFY(plot.isVisible() && !plot.empty());
         const std::vector<RejectCause>& causes = bench.view.batch()->summary.causes;
         QCOMPARE(plot.bars()->data()->size(), static_cast<int>(causes.size()));
@@ -383,8 +367,7 @@ private slots:
     }
 
     void textsBelowNarrowCellsDoNotMeet() {
-        Bench bench(fixtures::shaftBatch(50));
-        QVERIFY(bench.settled());
+        SettledBench bench(fixtures::shaftBatch(50));
         HistogramPlot& plot = *bench.view.histograms();
         QFont font = bench.view.font();
         font.setPointSizeF(font.pointSizeF() * 1.3);
@@ -427,8 +410,7 @@ private slots:
     }
 
     void theTextOnTheRunIsReadInANarrowViewAndInLargeType() {
-        Bench bench(fixtures::shaftBatch(50));
-        QVERIFY(bench.settled());
+        SettledBench bench(fixtures::shaftBatch(50));
         QFont font = bench.view.font();
         font.setPointSizeF(font.pointSizeF() * 1.3);
         bench.view.setFont(font);
@@ -473,8 +455,7 @@ private slots:
     void cornersTellExtremesAndCountsOnly() {
         Project project = fixtures::shaftBatch(50);
         project.batch->scenarios = Scenarios::corners;
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         QCOMPARE(bench.view.batch()->summary.parts, std::int64_t{8});
         QVERIFY(cell(bench, "max", 0) != QStringLiteral("–"));
         for (const char* row :
@@ -485,8 +466,7 @@ private slots:
 
     void theWeightsAreTheRankRegressionOfTheEngineThenItsSobolIndices() {
         const Project project = fixtures::shaftBatch(50);
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         bench.part<QComboBox>("batchContent").setCurrentIndex(1);
         const BatchResult result = runBatch(project);
         const std::vector<std::size_t> places = placesOf(summarise(result), "diameter");
@@ -513,8 +493,7 @@ private slots:
 
     void everyKeptPartIsAPointOfTheScatter() {
         const Project project = fixtures::shaftBatch(50);
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         bench.part<QComboBox>("batchContent").setCurrentIndex(2);
         const ScatterPlot& plot = *bench.view.scatter(); // stock against the first diameter
         const QCPGraph& good = *plot.graph(ScatterPlot::goodKey);
@@ -540,18 +519,14 @@ private slots:
         for (const char* name :
              {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-factory", "shaft-38-74h6",
               "slender-shaft", "spark-out-until-size", "wheel-dull", "wheel-sharp"}) {
-            const QString path =
-                QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-                    .arg(QString::fromLatin1(name));
-            const Project usual =
-                withUsualBatch(loadProject(path).setup.value().surfaces.front().project);
+            const Project usual = withUsualBatch(exampleProject(name));
             QVERIFY2(checkBatch(usual).empty(), name);
             QVERIFY2(givenFactors(usual).size() >= 2, name);
         }
     }
 };
 
-} // namespace test_batch_view
+} // namespace sparkout::test_batch_view
 
 SPARKOUT_TEST(test_batch_view, TestBatchView)
 #include "test_batch_view.moc"

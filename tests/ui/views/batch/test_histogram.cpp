@@ -4,15 +4,7 @@
 #include "tests/registry.h"
 #include "ui/views/batch/histogram_plot.h"
 
-#include <QTest>
-
-#include <string>
-
-namespace test_histogram {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_histogram {
 
 /// The mean diameter of the three zones of a batch.
 std::vector<CharacteristicSummary> diameters(int parts) {
@@ -25,8 +17,6 @@ std::vector<CharacteristicSummary> diameters(int parts) {
     }
     return found;
 }
-
-} // namespace
 
 class TestHistogram : public QObject {
     Q_OBJECT
@@ -133,7 +123,7 @@ private slots:
     }
 };
 
-} // namespace test_histogram
+} // namespace sparkout::test_histogram
 
 SPARKOUT_TEST(test_histogram, TestHistogram)
 #include "test_histogram.moc"

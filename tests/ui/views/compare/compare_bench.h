@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/cycle.h"
-#include "core/project/wheel.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/charts/compare_plot.h"
 #include "ui/charts/run_table.h"
@@ -21,9 +19,7 @@
 #include <utility>
 
 /// The view "Compare" and what stands in it.
-namespace compare_bench {
-
-using namespace sparkout;
+namespace sparkout::compare_bench {
 
 inline constexpr EditText editText{"Input", "Diameter"};
 
@@ -82,9 +78,14 @@ struct Desk {
     CompareView view{kept};
 };
 
+/// With its first run kept.
+struct KeptDesk : Desk {
+    KeptDesk() { keep(); }
+};
+
 inline void quicker(Project& project) {
     project.cycle->stages[0].axial_feed_mm_min = 2400;
     project.wheel->dullness = 0.03;
 }
 
-} // namespace compare_bench
+} // namespace sparkout::compare_bench

@@ -12,14 +12,10 @@
 #include <algorithm>
 #include <cmath>
 #include <variant>
-#include <vector>
 
-namespace test_compare_plot {
+namespace sparkout::test_compare_plot {
 
-using namespace sparkout;
 using namespace compare_bench;
-
-namespace {
 
 /// The curve of a quantity as the run's own feeds have it, by minutes.
 void compareWithFeeds(const QCPGraph& graph, const FeedSeries& feeds, std::size_t column,
@@ -35,8 +31,6 @@ void compareWithFeeds(const QCPGraph& graph, const FeedSeries& feeds, std::size_
         QVERIFY(found);
     }
 }
-
-} // namespace
 
 class TestComparePlot : public QObject {
     Q_OBJECT
@@ -148,8 +142,7 @@ private slots:
     }
 
     void theLegendHidesAQuantityOrARun() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.change(quicker);
         auto* legend = desk.view.findChild<LegendStrip*>();
         QCOMPARE(legend->entries().size(), 6u);
@@ -170,8 +163,7 @@ private slots:
     }
 
     void theMouseReadsBothRunsAndAClickMovesTheCycle() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.change(quicker);
         const QRect rect = desk.plot().axisRects()[1]->rect();
         const QPoint at(rect.left() + rect.width() / 4, rect.center().y());
@@ -187,8 +179,7 @@ private slots:
     }
 
     void zoomGoesBackAndFits() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         QCPAxis* const time = desk.plot().axisRects()[0]->axis(QCPAxis::atBottom);
         const QCPRange all = time->range();
         fixtures::wheel(&desk.plot(), desk.plot().axisRects()[0]->rect().center(), 240);
@@ -204,7 +195,7 @@ private slots:
     }
 };
 
-} // namespace test_compare_plot
+} // namespace sparkout::test_compare_plot
 
 SPARKOUT_TEST(test_compare_plot, TestComparePlot)
 #include "test_compare_plot.moc"

@@ -3,8 +3,6 @@
 // The view "Compare": the table holds what differs and nothing else, and the list keeps, restores,
 // renames and deletes.
 #include "core/format/project_file.h"
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/views/compare/compare_bench.h"
@@ -21,14 +19,12 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QTemporaryDir>
 
 #include <variant>
 
-namespace test_compare_view {
+namespace sparkout::test_compare_view {
 
-using namespace sparkout;
 using namespace compare_bench;
 
 class TestCompareView : public QObject {
@@ -65,8 +61,7 @@ private slots:
     }
 
     void aStageThatOnlyOneRunHasStandsBesideADash() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.change([](Project& project) {
             Stage last = project.cycle->stages.back();
             project.cycle->stages.back().stock_mm /= 2;
@@ -83,8 +78,7 @@ private slots:
     }
 
     void theValuesThatDifferAreInSight() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         auto* table = desk.view.findChild<CopyTable*>(QStringLiteral("compareTable"));
         auto* curves = desk.view.plot();
         const int alone = curves->height();
@@ -101,8 +95,7 @@ private slots:
     }
 
     void theTableGoesToASpreadsheetWithAllDigits() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.change(quicker);
         auto* table = desk.view.findChild<CopyTable*>(QStringLiteral("compareTable"));
         table->setFocus();
@@ -118,8 +111,7 @@ private slots:
     }
 
     void aRunIsDeletedWhileItsNameIsTyped() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         auto* list = desk.view.list();
         list->setCurrentIndex(list->model()->index(1, 0));
         list->setFocus();
@@ -133,8 +125,7 @@ private slots:
     }
 
     void renamingTwiceGoesOnWithTheNameBeingTyped() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         auto* list = desk.view.list();
         list->setCurrentIndex(list->model()->index(1, 0));
         WarningCatcher warnings;
@@ -163,8 +154,7 @@ private slots:
     }
 
     void spaceTakesARunOutOfThePlotAndBackIn() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.change(quicker);
         desk.keep();
         QCOMPARE(desk.plot().runs().size(), 3u);
@@ -215,8 +205,7 @@ private slots:
     void theNameTheProgramGaveFollowsTheLanguage() {
         Language language;
         language.apply(QStringLiteral("en"));
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.keep();
         desk.kept.rename(1, QStringLiteral("Run 2 of mine"));
         QVERIFY(desk.kept.keep(*desk.outcome, QString::fromStdString(givenRunName(
@@ -244,8 +233,7 @@ private slots:
     }
 
     void refusedInputsLeaveThePresentRunDimmed() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.view.setOutcome(fixtures::refused());
         desk.settle();
         QVERIFY(desk.text("compareNotice").contains(QStringLiteral("refused")));
@@ -253,8 +241,7 @@ private slots:
     }
 
     void theWindowKeepsTheRunOfTheInputsJustTyped() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         Project project = bench.window->document().project();
         const std::size_t before = project.runs.size();
         project.part->initial_runout_mm *= 0.5;
@@ -270,10 +257,9 @@ private slots:
     /// The summary was kept by another version and one value of it is another.
     void aRunWithoutItsResultsHasNoLight_data() {
         QTest::addColumn<QByteArray>("summary");
-        QTest::newRow("empty") << QByteArray("{}");
-        QTest::newRow("no requirement")
-            << QByteArray(R"({"status":"completed","requirements":[]})");
-        QTest::newRow("nonsense") << QByteArray(R"({"status":7})");
+        addRow("empty", QByteArray("{}"));
+        addRow("no requirement", QByteArray(R"({"status":"completed","requirements":[]})"));
+        addRow("nonsense", QByteArray(R"({"status":7})"));
     }
 
     void aRunWithoutItsResultsHasNoLight() {
@@ -324,8 +310,7 @@ private slots:
         project.runs[0].engine_version = "0.0.1";
         QVERIFY(!saveContent([&project] { return projectText(plainSetup(project)); }, path).error);
 
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(path));
+        OpenBench bench(QStringLiteral("en"), path);
         NoticeBar& notices = bench.window->files().notices();
         QTRY_VERIFY(notices.holds(QStringLiteral("changed-runs")));
         QVERIFY(notices.textOf(QStringLiteral("changed-runs")).contains(QStringLiteral("spring")));
@@ -345,7 +330,7 @@ private slots:
     }
 };
 
-} // namespace test_compare_view
+} // namespace sparkout::test_compare_view
 
 SPARKOUT_TEST(test_compare_view, TestCompareView)
 #include "test_compare_view.moc"

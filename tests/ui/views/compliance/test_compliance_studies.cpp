@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "Where to put the gauge" and "coupled against independent" in the view "Compliance".
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/simulation/simulate.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/session/project_io.h"
 #include "ui/text/names.h"
 #include "ui/views/compliance/compliance_curves.h"
@@ -23,28 +22,14 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTest>
 
-#include <algorithm>
 #include <cmath>
 
-namespace test_compliance_studies {
-
-using namespace sparkout;
-
-namespace {
-
-Project example(const char* name) {
-    return loadProject(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-                           .arg(QString::fromLatin1(name)))
-        .setup.value()
-        .surfaces.front()
-        .project;
-}
+namespace sparkout::test_compliance_studies {
 
 /// A stepped shaft between centres, ground by plunge in sections that can be coupled.
 Project steppedShaft() {
-    Project project = example("plunge-shaft-two-stage");
+    Project project = exampleProject("plunge-shaft-two-stage");
     project.machine->compliance_mm_per_n = std::monostate{};
     project.machine->stiffness_n_um = Stiffness{15, 5, 50}; // soft, and unlike at its ends
     project.cycle->stages.back().radial_feed_mm_min = 0.4;
@@ -109,8 +94,6 @@ struct Window {
     Bench bench;
     ComplianceView* view = nullptr;
 };
-
-} // namespace
 
 class TestComplianceStudies : public QObject {
     Q_OBJECT
@@ -210,7 +193,7 @@ private slots:
     }
 
     void inTraverseEachZoneIsAskedAndNothingCanBePut() {
-        const Project project = example("shaft-30h6-factory");
+        const Project project = exampleProject("shaft-30h6-factory");
         Window window(project);
         window.choose(ComplianceContent::gauge);
         const GaugeCurves& gauge = window.plot().gauge();
@@ -255,7 +238,7 @@ private slots:
 
     void whereItDoesNotApplyItIsExplained() {
         for (const char* name : {"shaft-30h6-factory", "plunge-shaft-two-stage"}) {
-            Window window(example(name));
+            Window window(exampleProject(name));
             window.choose(ComplianceContent::coupling);
             QVERIFY2(window.label("complianceNotice").isVisible(), name);
             QVERIFY(window.plot().legendEntries().empty());
@@ -272,8 +255,7 @@ private slots:
         for (int i = 0; i < 5; ++i) {
             const double edit_ms = leastOfTries_ms(200, [&] { // four times 50 ms
                 project.part->stock_mm += 0.001;
-                QElapsedTimer clock;
-                clock.start();
+                RunningTimer clock;
                 window.bench.window->document().edit(project, {"Input", "Stock per side"});
                 return clock.elapsed();
             });
@@ -327,14 +309,13 @@ private slots:
 private:
     /// Closing stops what is being computed.
     static void clockedClose(Window& window) {
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         window.bench.window.reset();
         QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
     }
 };
 
-} // namespace test_compliance_studies
+} // namespace sparkout::test_compliance_studies
 
 SPARKOUT_TEST(test_compliance_studies, TestComplianceStudies)
 #include "test_compliance_studies.moc"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Compliance": what it draws is the engine's, the part is to scale, the legend works.
 #include "core/format/project_file.h"
-#include "core/project/machine.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_tools.h"
@@ -14,24 +14,13 @@
 #include "tests/registry.h"
 
 #include <QLabel>
-#include <QTest>
 
 #include <cmath>
 
-namespace test_compliance_view {
-
-using namespace sparkout;
-
-namespace {
-
-Project projectOf(const QString& name) {
-    const QString path =
-        QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout").arg(name);
-    return loadProject(path).setup.value().surfaces.front().project;
-}
+namespace sparkout::test_compliance_view {
 
 OutcomePtr example(const char* name) {
-    return evaluate(projectOf(QString::fromLatin1(name)), {});
+    return evaluate(exampleProject(name), {});
 }
 
 /// A view as it stands in the window, with a run drawn.
@@ -61,8 +50,6 @@ double graphAt(const QCPGraph& graph, double x) {
     return before->value
            + (x - before->key) / (after->key - before->key) * (after->value - before->value);
 }
-
-} // namespace
 
 class TestComplianceView : public QObject {
     Q_OBJECT
@@ -119,8 +106,7 @@ private slots:
 
     /// Wherever the wheel stands, and however wide the drawing is.
     void theWordsStandBesideTheWheelAndEachOther_data() {
-        QTest::addColumn<QString>("file");
-        QTest::addColumn<bool>("fromTailstock");
+        addColumns<QString, bool>("file", "fromTailstock");
         for (const char* file : {"slender-shaft", "plunge-shaft-two-stage", "setups/spindle"}) {
             for (const bool fromTailstock : {false, true}) {
                 QTest::addRow("%s%s", file, fromTailstock ? " from the tailstock" : "")
@@ -132,7 +118,7 @@ private slots:
     void theWordsStandBesideTheWheelAndEachOther() {
         QFETCH(QString, file);
         QFETCH(bool, fromTailstock);
-        Project project = projectOf(file);
+        Project project = exampleProject(qPrintable(file));
         project.machine->entry_side = fromTailstock ? EntrySide::tailstock : EntrySide::headstock;
         Bench bench(evaluate(project, {}));
         const auto* scene = bench.plot().findChild<ShaftScene*>();
@@ -173,7 +159,7 @@ private slots:
 
     /// The part is the same, what yields is another: the axis follows, but not where it was zoomed.
     void anotherRunOfThePartIsInSight() {
-        Project project = projectOf(QStringLiteral("shaft-30h6-factory"));
+        Project project = exampleProject("shaft-30h6-factory");
         Bench bench(evaluate(project, {}));
         QCPAxis& axis = *bench.plot().curveRect()->axis(QCPAxis::atLeft);
         const auto yieldTimes = [&](double factor) {
@@ -226,7 +212,7 @@ private slots:
     }
 };
 
-} // namespace test_compliance_view
+} // namespace sparkout::test_compliance_view
 
 SPARKOUT_TEST(test_compliance_view, TestComplianceView)
 #include "test_compliance_view.moc"

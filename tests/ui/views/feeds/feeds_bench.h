@@ -11,9 +11,8 @@
 #include <clocale>
 
 /// The view "Feeds by stage" on a traverse and a plunge.
-namespace feeds_bench {
+namespace sparkout::feeds_bench {
 
-using namespace sparkout;
 using namespace fixtures;
 
 inline void show(FeedsView& view, const OutcomePtr& outcome) {
@@ -21,6 +20,10 @@ inline void show(FeedsView& view, const OutcomePtr& outcome) {
     view.show();
     draw(view, outcome);
 }
+
+struct ShownFeeds : FeedsView {
+    explicit ShownFeeds(const OutcomePtr& outcome) { feeds_bench::show(*this, outcome); }
+};
 
 inline QCPRange xRange(const FeedsView& view, int column, int row) {
     return view.plot()->cell(column, row)->axis(QCPAxis::atBottom)->range();
@@ -41,4 +44,4 @@ protected:
     OutcomePtr m_traverse, m_plunge;
 };
 
-} // namespace feeds_bench
+} // namespace sparkout::feeds_bench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The traces of a cycle below the feeds: measured, simulated, difference, over the same times.
 #include "tests/registry.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/traced_project.h"
 #include "tests/ui/support/view_fixtures.h"
@@ -15,18 +16,10 @@
 
 #include <QScopeGuard>
 #include <QScrollArea>
-#include <QTest>
-#include <QToolButton>
 
-#include <algorithm>
-#include <cmath>
+namespace sparkout::test_traces_plot {
 
-namespace test_traces_plot {
-
-using namespace sparkout;
 using namespace fixtures;
-
-namespace {
 
 /// A window with a project in the view of the feeds, its traces compared.
 struct Shown {
@@ -59,8 +52,6 @@ double range(const QCPAxisRect* rect, bool upper) {
     const QCPRange range = rect->axis(QCPAxis::atBottom)->range();
     return upper ? range.upper : range.lower;
 }
-
-} // namespace
 
 class TestTracesPlot : public QObject {
     Q_OBJECT
@@ -182,15 +173,7 @@ private slots:
         QVERIFY(!shown.traces().isVisible());
     }
 
-    void thePlotsAreLegibleAtAnySize_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("percent");
-        for (const char* language : {"en", "ru"}) {
-            for (const int percent : {100, 130}) {
-                QTest::addRow("%s %d", language, percent) << QString::fromUtf8(language) << percent;
-            }
-        }
-    }
+    void thePlotsAreLegibleAtAnySize_data() { addLanguagesAndSizes(); }
 
     void thePlotsAreLegibleAtAnySize() {
         QFETCH(QString, language);
@@ -226,7 +209,7 @@ private slots:
     }
 };
 
-} // namespace test_traces_plot
+} // namespace sparkout::test_traces_plot
 
 SPARKOUT_TEST(test_traces_plot, TestTracesPlot)
 #include "test_traces_plot.moc"

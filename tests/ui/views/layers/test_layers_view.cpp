@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Layers": what is painted adds up to the stock, the cursor cuts it off, the surface
 // turns.
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/plot/legend_strip.h"
@@ -15,16 +13,10 @@
 
 #include <QComboBox>
 #include <QLabel>
-#include <QSignalSpy>
-#include <QTest>
 
 #include <cmath>
 
-namespace test_layers_view {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_layers_view {
 
 /// A view as it stands in the window, with a run drawn.
 struct Bench {
@@ -63,8 +55,6 @@ double micrometresIn(const LayersPlot& plot, double pixels) {
     QCPAxis* const y = plot.cell()->axis(QCPAxis::atLeft);
     return std::abs(y->pixelToCoord(pixels) - y->pixelToCoord(0));
 }
-
-} // namespace
 
 class TestLayersView : public QObject {
     Q_OBJECT
@@ -286,7 +276,7 @@ private slots:
     }
 };
 
-} // namespace test_layers_view
+} // namespace sparkout::test_layers_view
 
 SPARKOUT_TEST(test_layers_view, TestLayersView)
 #include "test_layers_view.moc"

@@ -7,17 +7,11 @@
 #include "ui/views/layers/layers_surface.h"
 #include "ui/views/layers/surface_grid.h"
 
-#include <QTest>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
-namespace test_surface {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_surface {
 
 /// A surface alone, with a run.
 struct Alone {
@@ -46,8 +40,6 @@ double sumAfter_um(const LayerSeries& series, const LayerColumn& column, double 
     const auto index = static_cast<std::size_t>(std::distance(series.spans.begin(), span));
     return span == series.spans.end() ? 0 : column.sum_mm[index] * units::umPerMm;
 }
-
-} // namespace
 
 class TestSurface : public QObject {
     Q_OBJECT
@@ -113,7 +105,7 @@ private slots:
     }
 };
 
-} // namespace test_surface
+} // namespace sparkout::test_surface
 
 SPARKOUT_TEST(test_surface, TestSurface)
 #include "test_surface.moc"

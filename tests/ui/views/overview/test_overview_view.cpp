@@ -2,10 +2,6 @@
 // The view "Overview": its numbers are the engine's, its bars lead to their views, what is empty
 // says what will be there.
 #include "core/batch/batch_summary.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/diameter_shares.h"
 #include "core/quality/run_summary.h"
 #include "core/quality/usage.h"
@@ -17,7 +13,6 @@
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/bars/bar_plot.h"
-#include "ui/kit/font_size.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/plot/view.h"
@@ -31,25 +26,12 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QFile>
-#include <QLabel>
-#include <QPushButton>
-#include <QScopeGuard>
 #include <QScrollArea>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-namespace test_overview_view {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_overview_view {
 
 using enum OverviewChart;
 
@@ -58,6 +40,7 @@ struct Desk {
     explicit Desk(const QString& language = QStringLiteral("en")) : bench(language) {
         view = bench.window->findChild<OverviewView*>();
     }
+    explicit Desk(const Project& project) : Desk() { QVERIFY(open(project)); }
     [[nodiscard]] bool open(const Project& project) const {
         bench.window->document().startUntitled(project);
         const bool came = QTest::qWaitFor(
@@ -123,8 +106,6 @@ bool runBatch(const Desk& desk) {
     return came;
 }
 
-} // namespace
-
 class TestOverviewView : public QObject {
     Q_OBJECT
 
@@ -138,8 +119,7 @@ private slots:
     // --- the numbers ----------------------------------------------------------------------------
 
     void timesAreThoseOfTheEngine() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         const BarChart& chart = desk.plot(times).chart();
         const SimulationResult& result = desk.outcome().result;
         QCOMPARE(chart.categories.size(), qsizetype(result.timeByStage_s.size()));
@@ -154,8 +134,7 @@ private slots:
     }
 
     void stockIsThatOfTheEngineZoneByZone() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         const BarChart& chart = desk.plot(stock).chart();
         const auto stages = desk.outcome().steps.time_s.size();
         QCOMPARE(chart.categories.size(), qsizetype(3 * stages));
@@ -172,8 +151,7 @@ private slots:
     }
 
     void aDiametersSharesAddUpToItsDeviation() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         const BarChart& chart = desk.plot(diameters).chart();
         const auto& sections = desk.outcome().result.sections;
         QCOMPARE(chart.sums.size(), 2 * sections.size());
@@ -188,8 +166,7 @@ private slots:
     }
 
     void requirementsAreThoseOfTheEngineTheWorstFirst() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         const BarChart& chart = desk.plot(requirements).chart();
         const auto shown = OverviewCharts::requirementsShown(desk.outcome());
         QVERIFY(shown.size() > 2);
@@ -203,8 +180,7 @@ private slots:
     }
 
     void theBatchIsThatOfTheEngine() {
-        const Desk desk;
-        QVERIFY(desk.open(batchProject()));
+        const Desk desk(batchProject());
         QVERIFY(runBatch(desk));
         const BatchSummary& summary = desk.bench.window->findChild<BatchView*>()->batch()->summary;
         const BarChart& ring = desk.plot(parts).chart();
@@ -230,8 +206,7 @@ private slots:
     }
 
     void keptRunsStandBesideThePresentOne() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         QVERIFY(desk.view->tile(runs)->isEmpty());
         auto& keep = desk.part<QPushButton>("overviewRunsStep");
         QVERIFY(keep.isVisible());
@@ -264,8 +239,7 @@ private slots:
     // --- where bars lead ------------------------------------------------------------------------
 
     void aBarLeadsToItsView() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         QVERIFY(desk.click(times, 1));
         QCOMPARE(desk.current(), QStringLiteral("feeds"));
         QCOMPARE(desk.part<QComboBox>("span").currentData().toInt(), 2);
@@ -283,8 +257,7 @@ private slots:
     }
 
     void barsOfTheBatchLeadToIt() {
-        const Desk desk;
-        QVERIFY(desk.open(batchProject()));
+        const Desk desk(batchProject());
         QVERIFY(runBatch(desk));
         for (const OverviewChart chart : {boxes, parts}) {
             QVERIFY(desk.click(chart, 0));
@@ -293,8 +266,7 @@ private slots:
     }
 
     void whatIsEmptySaysWhatWillBeThereAndLeadsThere() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         for (const OverviewChart chart : {boxes, parts, runs}) {
             QVERIFY(desk.view->tile(chart)->isEmpty());
             QVERIFY(desk.view->tile(chart)->emptyText().size() > 20);
@@ -328,8 +300,7 @@ private slots:
     // --- page, look, words ----------------------------------------------------------------------
 
     void aChartIsEnlargedAndBack() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         QVERIFY(desk.see(times));
         const int before = desk.plot(times).height();
         QTest::mouseClick(&desk.part<QToolButton>("overviewTimesEnlarge"), Qt::LeftButton);
@@ -343,8 +314,7 @@ private slots:
     }
 
     void aLegendLeavesOutAStep() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         QVERIFY(desk.see(times));
         auto& legend = desk.part<LegendStrip>("overviewTimesLegend");
         const std::size_t before = desk.plot(times).drawing().parts().size();
@@ -354,9 +324,7 @@ private slots:
     }
 
     void languageThemeAndTypeFollowAtOnce() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         QVERIFY(desk.see(times));
         desk.bench.action("russian")->trigger();
         desk.bench.settle();
@@ -386,8 +354,7 @@ private slots:
 
     void everyChartIsSavedAsPictureAndTable() {
         const QTemporaryDir folder;
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         for (const OverviewChart chart : {times, stock, diameters, requirements}) {
             PlotTools& tools = *desk.plot(chart).tools();
             QVERIFY(!tools.fit->isVisible()); // all is in sight
@@ -479,8 +446,7 @@ private slots:
     }
 
     void hiddenItDoesNothing() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         desk.bench.window->showView(QStringLiteral("feeds"));
         desk.bench.settle();
         int changes = 0;
@@ -518,7 +484,7 @@ private slots:
     }
 };
 
-} // namespace test_overview_view
+} // namespace sparkout::test_overview_view
 
 SPARKOUT_TEST(test_overview_view, TestOverviewView)
 #include "test_overview_view.moc"

@@ -20,9 +20,8 @@
 #include <cmath>
 
 /// The view "Zone profiles" on cycles, and a hand on its plots.
-namespace profiles_bench {
+namespace sparkout::profiles_bench {
 
-using namespace sparkout;
 using fixtures::hover;
 using fixtures::Marking;
 using fixtures::plungeProject;
@@ -45,6 +44,10 @@ inline void show(ProfilesView& view, const OutcomePtr& outcome) {
     }
     fixtures::draw(view, outcome);
 }
+
+struct ShownProfiles : ProfilesView {
+    explicit ShownProfiles(const OutcomePtr& outcome) { profiles_bench::show(*this, outcome); }
+};
 
 inline void settle() {
     QTest::qWait(30);
@@ -118,4 +121,4 @@ struct Cycles {
     OutcomePtr traverse, plunge, many;
 };
 
-} // namespace profiles_bench
+} // namespace sparkout::profiles_bench

@@ -2,13 +2,9 @@
 // Size against stock in the view "Sweep": chosen, given a range and stopped with mouse and keys;
 // what is drawn, said and tabulated is what the engine decides and what single cycles come to.
 #include "core/phases/phase_decision.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/part.h"
 #include "core/simulation/simulate.h"
-#include "core/study/evaluate.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/fields/number_field.h"
 #include "ui/plot/read_curves.h"
@@ -20,24 +16,17 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>
 
-namespace test_phase_plot {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_phase_plot {
 
 constexpr int patience_ms = 60'000;
 constexpr double fine_um = 1e-6;
 
 Project shaft() {
-    const auto read = loadProject(
-        QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout"));
-    Project project = read.setup.value().surfaces.front().project;
+    Project project = exampleProject("shaft-30h6-factory");
     project.gauge->control = Control::gauge;
     return project;
 }
@@ -121,8 +110,6 @@ void compareCurve(const QCPCurve& curve, const std::vector<DecidedPiece>& pieces
         QVERIFY(std::isnan(at[2].value));
     }
 }
-
-} // namespace
 
 class TestPhasePlot : public QObject {
     Q_OBJECT
@@ -351,7 +338,7 @@ private slots:
     }
 };
 
-} // namespace test_phase_plot
+} // namespace sparkout::test_phase_plot
 
 SPARKOUT_TEST(test_phase_plot, TestPhasePlot)
 #include "test_phase_plot.moc"

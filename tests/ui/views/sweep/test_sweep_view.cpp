@@ -2,16 +2,12 @@
 // Labels: numbers
 // The view "Sweep": chosen, run, stopped and taken from with mouse and keys; its curves are the
 // engine's; a project from which the varied stage has gone does no harm.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
 #include "core/project/number_input.h"
-#include "core/project/part.h"
-#include "core/project/sweep.h"
-#include "core/project/wheel.h"
 #include "core/study/evaluate.h"
 #include "core/study/sweep_edits.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_fixtures.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "ui/fields/number_field.h"
@@ -25,23 +21,15 @@
 #include "ui/views/sweep/sweep_view.h"
 
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRandomGenerator>
-#include <QSignalSpy>
 #include <QSpinBox>
-#include <QTest>
 
-#include <cmath>
 #include <set>
 
-namespace test_sweep_view {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_sweep_view {
 
 constexpr int patience_ms = 60'000;
 const std::string dullness = "/wheel/dullness";
@@ -119,8 +107,6 @@ struct Bench {
     Document document;
     SweepView view;
 };
-
-} // namespace
 
 class TestSweepView : public QObject {
     Q_OBJECT
@@ -328,8 +314,7 @@ private slots:
             bench.click("sweepRun");
             const bool busy = bench.view.busy();
             QTest::qWait(500);
-            QElapsedTimer clock;
-            clock.start();
+            RunningTimer clock;
             bench.click("sweepStop");
             return busy && QTest::qWaitFor([&] { return !bench.view.busy(); }, patience_ms)
                        ? double(clock.elapsed())
@@ -510,7 +495,7 @@ private slots:
     }
 };
 
-} // namespace test_sweep_view
+} // namespace sparkout::test_sweep_view
 
 SPARKOUT_TEST(test_sweep_view, TestSweepView)
 #include "test_sweep_view.moc"
