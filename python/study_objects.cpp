@@ -4,6 +4,7 @@
 #include "core/course/work_file.h"
 #include "core/deadline_stop.h"
 #include "core/files/file_step_text.h"
+#include "core/files/file_system.h"
 #include "core/lesson/lesson_file.h"
 #include "core/optimisation/search_names.h"
 #include "core/project/part.h"
@@ -349,6 +350,12 @@ void bindSweep(py::module_& module) {
 
 // --- search -------------------------------------------------------------------------------------
 
+void warn(const std::string& text) {
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) {
+        throw py::error_already_set();
+    }
+}
+
 /// Raises OSError, or ValueError where the file is of something else.
 void openKept(KeptSearch& kept, const std::filesystem::path& file) {
     if (const auto fault = kept.open()) {
@@ -356,7 +363,7 @@ void openKept(KeptSearch& kept, const std::filesystem::path& file) {
             raiseFileError(*error);
         }
         throw py::value_error(
-            "resume: " + file.string() + ": "
+            "resume: " + utf8(file) + ": "
             + searchStateRefusal(std::get<ReadSearchState>(*fault), kept.question()));
     }
 }
@@ -394,11 +401,11 @@ SearchOutcomePtr runSearchOf(const ValidProject& project, SearchWish wish,
         return found;
     });
     if (lost) { // its answer stands
-        const std::string text =
-            "the progress is not kept: " + lost->path + ": " + fileStepText(lost->step);
-        if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) {
-            throw py::error_already_set();
-        }
+        warn("the progress is not kept: " + lost->path + ": " + fileStepText(lost->step));
+    }
+    if (kept && kept->journal().hasRefused()) {
+        warn("resume: a cycle in the file is not of this search, or does not take the time that "
+             "stands there; that search was made anew");
     }
     if (!outcome->ran()) {
         Issues issues = outcome->issues;

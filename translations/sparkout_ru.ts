@@ -7834,7 +7834,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Runs every cycle of the grid, and proves the same answer without pruning. A large grid takes hours or days; for the minimum time and the maximum margin it can be stopped and continued</source>
-            <translation>Рассчитывает все циклы сетки и доказывает тот же ответ без отсечения. Большая сетка занимает часы и дни; при поиске наименьшего времени и наибольшего запаса его можно остановить и продолжить</translation>
+            <translation>Рассчитывает все циклы сетки и доказывает тот же ответ без отсечения. Перебор большой сетки занимает часы или дни; при поиске наименьшего времени и наибольшего запаса перебор можно остановить и продолжить</translation>
         </message>
         <message>
             <source>A heuristic for plunge grinding, as published: of all ways to a level of stock with a feed only the quickest is kept. It is quick, but proves nothing and may find no cycle where there is one</source>
@@ -14378,7 +14378,7 @@ target, µm</source>
             <translation>Продолжить</translation>
         </message>
         <message>
-            <source>Continue the search where it was stopped; its answer is that of one that was not</source>
+            <source>Continue the search from where it was stopped; the answer is the same as without the stop</source>
             <translation>Продолжить поиск с места остановки; ответ тот же, что и у поиска без остановки</translation>
         </message>
     </context>

@@ -141,7 +141,6 @@ private:
         options.method = m_wish.method;
         options.threads = m_wish.threads;
         options.stop = m_stop;
-        options.journal = m_wish.journal;
         options.marginWithin_us = m_outcome->marginWithin_us;
         options.onProgress = [this, stages](const SearchProgress& progress) {
             if (progress.best && !m_robust && !m_outcome->wear) {
@@ -173,7 +172,9 @@ private:
     }
 
     void searchRound() {
-        m_now.grid = searchGrid(m_now.searched, optionsFor(0));
+        SearchOptions options = optionsFor(0);
+        options.journal = m_wish.journal;
+        m_now.grid = searchGrid(m_now.searched, options);
         if (m_now.grid.hasBest()) {
             Noted& answer = noteBest(m_now.grid, 0);
             answer.isAnswer = true;
@@ -318,7 +319,11 @@ private:
             if (m_stop.stop_requested() || Variants(project, m_stop).fault() != GridFault::none) {
                 continue; // else the stock cannot be divided so often
             }
-            const SearchedGrid grid = searchGrid(project, optionsFor(stages));
+            SearchOptions options = optionsFor(stages);
+            if (options.method == SearchMethod::full) {
+                options.method = SearchMethod::pruned; // which proves the same sooner
+            }
+            const SearchedGrid grid = searchGrid(project, options);
             if (grid.hasBest()) {
                 noteBest(grid, candidates).isOtherSample = m_robust && isSampled;
             }

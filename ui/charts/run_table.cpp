@@ -249,8 +249,7 @@ ValueTable runTable(const std::vector<RunRow>& rows, const QStringList& runs) {
             row.unit.isEmpty() ? row.what : QStringLiteral("%1, %2").arg(row.what, row.unit);
         std::vector<ValueCell> cells{{.text = inOneLine(name)}};
         for (const QString& shown : row.shown) {
-            cells.push_back({.text = briefly(shown, longestCell),
-                             .tip = shown.size() > longestCell ? shown : QString()});
+            cells.push_back({.text = briefly(shown, longestCell), .said = shown});
         }
         table.addRow({.text = name}, std::move(cells));
     }

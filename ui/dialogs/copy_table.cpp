@@ -124,6 +124,7 @@ void CopyTable::addSaving(QMenu& menu) {
 }
 
 void CopyTable::setArrangeable(Settings* settings) {
+    Q_ASSERT(m_values);
     m_arrangeable = true;
     m_settings = settings;
     m_hidden = settings ? settings->hiddenColumns(objectName()) : QStringList();
@@ -142,7 +143,8 @@ void CopyTable::setArrangeable(Settings* settings) {
 void CopyTable::hideColumns() {
     const std::vector<ValueHead>& columns = m_values->table().columns;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        setColumnHidden(static_cast<int>(i), m_hidden.contains(QLatin1String(columns[i].key)));
+        setColumnHidden(static_cast<int>(i),
+                        i > 0 && m_hidden.contains(QLatin1String(columns[i].key)));
     }
 }
 
@@ -166,6 +168,9 @@ void CopyTable::addColumns(QMenu& menu) {
     const std::vector<ValueHead>& heads = m_values->table().columns;
     for (std::size_t i = 1; i < heads.size(); ++i) {
         const QString key = QString::fromLatin1(heads[i].key);
+        if (key.isEmpty()) {
+            continue; // one of many alike: the points of a step
+        }
         QAction* const action = columns->addAction(heads[i].fullName());
         action->setCheckable(true);
         action->setChecked(!m_hidden.contains(key));

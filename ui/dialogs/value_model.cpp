@@ -25,11 +25,15 @@ const auto& itemOf(const List& list, int index) {
     return list.at(static_cast<std::size_t>(index));
 }
 
-/// Marked up, or a tool tip does not wrap; V_k with its index below the line.
-QString paragraphs(const QStringList& texts) {
-    QString tip;
-    for (const QString& text : texts.join(u'\n').split(u'\n', Qt::SkipEmptyParts)) {
-        tip += QStringLiteral("<p>%1</p>").arg(withIndices(text));
+/// Marked up, or a tool tip does not wrap; V_k with its index below the line. What the user or a
+/// file has named stands as it is.
+QString paragraphs(const QString& named, bool hasSymbols, const QStringList& tips) {
+    const auto paragraph = [](const QString& markup) {
+        return markup.isEmpty() ? QString() : QStringLiteral("<p>%1</p>").arg(markup);
+    };
+    QString tip = paragraph(hasSymbols ? withIndices(named) : named.toHtmlEscaped());
+    for (const QString& text : tips.join(u'\n').split(u'\n', Qt::SkipEmptyParts)) {
+        tip += paragraph(withIndices(text));
     }
     return tip;
 }
@@ -95,7 +99,8 @@ int ValueModel::lineOf(int row) const {
 void ValueModel::arrange() {
     m_order.resize(m_table.rows.size());
     std::iota(m_order.begin(), m_order.end(), std::size_t{0});
-    if (m_sorted < 0 || m_sorted >= columnsShown() || !m_table.isList) {
+    if (m_sorted < 0 || m_sorted >= columnsShown() || !m_table.isList
+        || std::ranges::any_of(m_table.rows, &ValueHead::isGroup)) {
         return;
     }
     std::vector<SortKey> keys;
@@ -141,17 +146,18 @@ Qt::ItemFlags ValueModel::flags(const QModelIndex& index) const {
 }
 
 QString ValueModel::spoken(int line, int column) const {
-    const ValueHead& row = headOf(line);
+    const ValueHead &row = headOf(line), &head = itemOf(m_table.columns, column);
     const ValueCell& cell = itemOf(itemOf(m_table.cells, rowAt(line)), column);
-    if (row.isGroup || cell.text == row.fullName()) {
+    if (row.isGroup) {
         return cell.text;
     }
-    if (!cell.said.isEmpty()) {
-        return QStringLiteral("%1: %2").arg(row.fullName(), cell.said);
+    if (m_table.isList && column == 0 && head.isText) { // it names the row
+        return cell.said.isEmpty() ? row.fullName()
+                                   : QStringLiteral("%1: %2").arg(row.fullName(), cell.said);
     }
     const QString said =
         QStringLiteral("%1, %2: %3")
-            .arg(itemOf(m_table.columns, column).fullName(), row.fullName(), cell.text);
+            .arg(head.fullName(), row.fullName(), cell.said.isEmpty() ? cell.text : cell.said);
     return cell.remark.isEmpty() ? said : said + QStringLiteral("; ") + cell.remark;
 }
 
@@ -188,7 +194,8 @@ QVariant ValueModel::cell(int line, int column, int role) const {
     case Qt::AccessibleDescriptionRole: return cell.fault;
     case Qt::ToolTipRole:
         return row.isGroup ? QVariant()
-                           : paragraphs({cell.fault, spoken(line, column), cell.tip, row.tip});
+                           : paragraphs(spoken(line, column), !m_table.isList,
+                                        {cell.fault, cell.tip, row.tip});
     default: return {};
     }
 }
@@ -207,11 +214,11 @@ QVariant ValueModel::head(int column, int role) const {
                : headData(of, role, !of.isText);
 }
 
-QVariant ValueModel::headData(const ValueHead& head, int role, bool right) {
+QVariant ValueModel::headData(const ValueHead& head, int role, bool right) const {
     switch (role) {
     case Qt::DisplayRole: return head.text;
     case Qt::AccessibleTextRole: return head.fullName();
-    case Qt::ToolTipRole: return paragraphs({head.fullName(), head.tip});
+    case Qt::ToolTipRole: return paragraphs(head.fullName(), !m_table.isList, {head.tip});
     case Qt::TextAlignmentRole: return aligned(right);
     default: return {};
     }

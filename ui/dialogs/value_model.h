@@ -34,7 +34,7 @@ private:
     [[nodiscard]] QVariant cell(int line, int column, int role) const override;
     [[nodiscard]] QVariant head(int column, int role) const override;
     [[nodiscard]] QVariant side(int line, int role) const override;
-    [[nodiscard]] static QVariant headData(const ValueHead& head, int role, bool right);
+    [[nodiscard]] QVariant headData(const ValueHead& head, int role, bool right) const;
     [[nodiscard]] const ValueHead& headOf(int line) const;
     [[nodiscard]] QString spoken(int line, int column) const;
     [[nodiscard]] QVariant inkOf(const ValueCell& cell) const;

@@ -129,7 +129,7 @@ void MarksDialog::build() {
     });
     m_export = button(tr("&Export CSV…"), "marksExport", [this] { exportCsv(); });
     m_book = button(tr("Export &XLSX…"), "marksBook", [this] {
-        saveTable(this, &m_settings, {{m_lessonName, tr("marks")}, m_model->shown()},
+        saveTable(this, &m_settings, {{m_lessonName, tr("marks")}, m_model->table().asTable()},
                   TableFormat::xlsx);
     });
     auto* layout = new QVBoxLayout(this);

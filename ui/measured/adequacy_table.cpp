@@ -20,9 +20,17 @@ struct AdequacyTable {
     Q_DECLARE_TR_FUNCTIONS(AdequacyTable)
 };
 
+/// To sort by; what is not there comes last.
+template <class Of, class Number>
+CsvCell orNone(const std::optional<Of>& of, Number Of::*number) {
+    return of ? CsvCell(static_cast<double>((*of).*number)) : CsvCell(QString());
+}
+
 template <class Owner>
 QString hintOf(std::span<const Output<Owner>> rows, std::string_view key) {
-    return outputHint(*std::ranges::find(rows, key, &Output<Owner>::key));
+    const auto row = std::ranges::find(rows, key, &Output<Owner>::key);
+    Q_ASSERT(row != rows.end());
+    return outputHint(*row);
 }
 
 std::vector<ValueHead> headsOf() {
@@ -79,10 +87,13 @@ ValueTable adequacyTable(const Project& project, const std::vector<AdequacyRow>&
                                       {.text = MeasuredText::briefVerdict(row.verdict),
                                        .tip = MeasuredText::verdict(row.verdict)},
                                       {.text = QString::number(row.measured.count), .value = count},
-                                      {.text = MeasuredText::mean(row)},
-                                      {.text = MeasuredText::predicted(row)},
-                                      {.text = MeasuredText::scatter(row)},
-                                      {.text = MeasuredText::share(row)}});
+                                      {.text = MeasuredText::mean(row), .value = row.measured.mean},
+                                      {.text = MeasuredText::predicted(row),
+                                       .value = orNone(row.predicted, &PredictedRange::low)},
+                                      {.text = MeasuredText::scatter(row),
+                                       .value = orNone(row.scatter, &VarianceRatio::ratio)},
+                                      {.text = MeasuredText::share(row),
+                                       .value = orNone(row.share, &InsideShare::inside)}});
     }
     return table;
 }

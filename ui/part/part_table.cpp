@@ -92,7 +92,7 @@ QString requirementName(const std::vector<SurfaceStatus>& statuses, ConstraintKi
 ValueCell requirementCell(const SurfaceStatus& status, ConstraintKind kind) {
     const auto found = std::ranges::find(status.requirements, kind, &ConstraintResult::kind);
     if (found == status.requirements.end()) {
-        return {.text = QStringLiteral("—"), .value = QString()};
+        return {.text = QStringLiteral("–"), .value = QString()};
     }
     const bool isEstimate = kind == ConstraintKind::roughness && status.isRoughnessEstimate;
     const Light light = lightOf(*found);

@@ -14,10 +14,15 @@ SearchStudy::SearchStudy() : StudyOf(sameSearch) {}
 void SearchStudy::start(const Project& project, const SearchWish& wish) {
     endAnswer();
     auto shared = std::make_shared<Shared>();
+    SearchOutcomePtr before;
+    if (isContinued(project, wish)) {
+        shared->record = m_shared->record; // stays should the search be dropped at once
+        before = stale() ? nullptr : result();
+    }
+    shared->project = project;
     shared->wish = wish;
-    const SearchRecord begun = isContinued(project, wish) ? m_shared->record : SearchRecord();
     m_shared = shared;
-    StudyOf::start(project, 0, [this, project, shared, wish, begun](const Job::Means& means) {
+    StudyOf::start(project, 0, [this, project, shared, wish, before](const Job::Means& means) {
         const auto note = [&shared](const SearchState& state) {
             const std::lock_guard lock(shared->mutex);
             shared->state = state;
@@ -25,28 +30,31 @@ void SearchStudy::start(const Project& project, const SearchWish& wish) {
         const auto answer = [this, &means](const SearchOutcomePtr& outcome) {
             means.post([this, outcome] { take(outcome); });
         };
-        SearchJournal journal(begun);
+        SearchJournal journal(shared->record);
         SearchWish own = wish;
         own.threads = static_cast<unsigned>(means.threads);
         own.journal = isResumable(project, wish.method) ? &journal : nullptr;
         SearchOutcomePtr outcome =
             search(project, own, means.stop, {.note = note, .answer = answer});
-        const SearchRecord& record = journal.record();
-        if (means.stop.stop_requested() && (record.begun || !record.finished.empty())) {
-            const std::lock_guard lock(shared->mutex);
-            shared->stopped = outcome;
-            shared->record = record;
-        }
-        return outcome;
+        const bool isStopped = means.stop.stop_requested();
+        const std::lock_guard lock(shared->mutex);
+        shared->record = isStopped ? journal.record() : SearchRecord();
+        // Stopped before the kept best was confirmed, it still is the best so far.
+        return isStopped && before && before->best() && !outcome->best() ? before : outcome;
     });
 }
 
 /// A refinement and margins by time come after what is recorded.
 bool SearchStudy::isContinued(const Project& project, const SearchWish& wish) const {
     const std::lock_guard lock(m_shared->mutex);
-    return m_shared->stopped && m_shared->stopped == result() && !running()
+    return !running() && (m_shared->record.begun || !m_shared->record.finished.empty())
            && wish.method == m_shared->wish.method && wish.phases == m_shared->wish.phases
-           && isOf(project);
+           && m_shared->project && sameSearch(*m_shared->project, project);
+}
+
+void SearchStudy::forget() {
+    StudyOf::forget();
+    m_shared = std::make_shared<Shared>();
 }
 
 void SearchStudy::follow(const Project* present) {

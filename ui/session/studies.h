@@ -99,8 +99,9 @@ public:
     SearchStudy();
 
     void start(const Project& project, const SearchWish& wish);
-    /// The result is of this search, which was stopped: started again it is continued, and gives
-    /// the answer of one that was not.
+    void forget(); ///< another document comes
+    /// The last search was this one, and was stopped: started again it is continued, and its answer
+    /// is the same as without the stop.
     [[nodiscard]] bool isContinued(const Project& project, const SearchWish& wish) const;
     [[nodiscard]] SearchState state() const; ///< of the one that is running
     /// The answer of what is running stands; its front is still looked for.
@@ -113,9 +114,9 @@ private:
     struct Shared {
         std::mutex mutex;
         SearchState state;
+        std::optional<Project> project; ///< that is searched; none: nothing was
         SearchWish wish;
-        SearchOutcomePtr stopped; ///< what it gave, where the record says how to continue it
-        SearchRecord record;
+        SearchRecord record; ///< how to continue it; empty: not at all
     };
     std::shared_ptr<Shared> m_shared = std::make_shared<Shared>();
 };

@@ -28,7 +28,7 @@ struct ValueCell {
     QString text = {};
     QString remark = {}; ///< why a cell is marked with an icon; empty: it is not
     QString tip = {};    ///< plain text with indices as V_k
-    QString said = {};   ///< aloud behind the row's name, in place of its text; empty: the text
+    QString said = {};   ///< aloud in place of its text; empty: the text
     CsvCell value = {};  ///< for a spreadsheet and to sort by; nothing: the text
     QString fault = {};  ///< why it cannot be read; empty: it can
     QIcon icon = {};

@@ -8,6 +8,7 @@
 #include "ui/charts/shop_table.h"
 #include "ui/text/output_text.h"
 
+#include <QLocale>
 #include <QTest>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ private slots:
             QVERIFY(project.has_value());
             const OutcomePtr outcome = evaluate(*project, {});
             const ValueTable table = shopTable(*outcome);
-            std::fputs(qPrintable(table.asTsv()), stdout);
+            std::fputs(qPrintable(tabSeparated(table.asTable(), QLocale())), stdout);
             QCOMPARE(table.columns.size(), outcome->shop.stages.size() + 1);
             for (const Output<ShopColumn>& row : shopColumnOutputs()) {
                 const bool isGiven =

@@ -6,6 +6,7 @@
 
 int main(int argc, char** argv) {
 #ifndef Q_OS_WIN
+    using namespace sparkout;
     using file_guard_bench::smallDisk;
     QTemporaryDir folder;
     if (trouble::mountSmallDisk(folder.path(), 64)) {

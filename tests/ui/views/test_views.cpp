@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
-#include "ui/charts/verdict_table.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/views/verdict/verdict_panel.h"
 
 #include <QClipboard>

@@ -442,16 +442,7 @@ bool OptimiseView::isFaint(const ViewPlot& plot) const {
 }
 
 void OptimiseView::showState() {
-    nameRun(); // by which the notice asks for it
-    PlotView::showState();
-    tools()->setEnabled(hasCurves());
-    m_add->setVisible(good() && !isGiven());
-    m_choice->setVisible(isGiven() || isFound()); // else there is nothing to choose
     const bool searching = studies().search.running(), grid = showsGrid();
-    m_bar->setVisible(!grid);
-    m_gridBar->setVisible(grid && isGiven());
-    m_gridBar->showState(!refused());
-    m_bar->showRunning(searching, isGiven() && !refused());
     for (QWidget* part : std::initializer_list<QWidget*>{m_method, m_phases, m_refine}) {
         part->setVisible(!searching); // the progress takes their room
         part->setEnabled(isGiven());
@@ -462,6 +453,15 @@ void OptimiseView::showState() {
         m_refine->setEnabled(false); // it looks for the least time alone
     }
     m_phases->setEnabled(isGiven() && !betweenDressings);
+    nameRun(); // by which the notice asks for it
+    PlotView::showState();
+    tools()->setEnabled(hasCurves());
+    m_add->setVisible(good() && !isGiven());
+    m_choice->setVisible(isGiven() || isFound()); // else there is nothing to choose
+    m_bar->setVisible(!grid);
+    m_gridBar->setVisible(grid && isGiven());
+    m_gridBar->showState(!refused());
+    m_bar->showRunning(searching, isGiven() && !refused());
     m_bar->state()->setText(isGiven() && !searching
                                 ? OptimiseText::gridSize(sparkout::gridSize(good()->result.project))
                                 : QString());
@@ -581,8 +581,8 @@ void OptimiseView::nameRun() {
     tell(*m_method, tr("Method of the search"), OptimiseText::methodHint(method));
     if (good() && studies().search.isContinued(good()->result.project, wish())) {
         tellButton(*m_bar->run(), tr("Continue"),
-                   tr("Continue the search where it was stopped; its answer is that of one that "
-                      "was not"));
+                   tr("Continue the search from where it was stopped; the answer is the same as "
+                      "without the stop"));
     } else {
         tellButton(*m_bar->run(), tr("Search"),
                    tr("Find the quickest cycle of the grid that holds every requirement"));
