@@ -324,4 +324,5 @@ def search(
     front: bool = False,
     method: str = "search",
     time_limit_s: Optional[float] = None,
+    resume: Optional[str | os.PathLike[str]] = None,
 ) -> Search: ...

@@ -7825,7 +7825,7 @@ With another name both versions stay as they are.</source>
             <translation>Динамическое программирование</translation>
         </message>
         <message>
-            <source>Label-setting search</source>
+            <source>Label-setting method</source>
             <translation>Метод меток</translation>
         </message>
         <message>

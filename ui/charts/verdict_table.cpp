@@ -86,9 +86,12 @@ std::vector<ValueHead> heads() {
 }
 
 std::vector<CsvCell> copiedCells(const ConstraintResult& c) {
-    return {Names::where(c),       requirementName(c, Names::constraint(c.kind), Names::where(c)),
-            Names::value(c),       Names::limit(c),
-            Names::besideLimit(c), unitText(requirementOf(c.kind).unit),
+    return {Names::where(c),
+            requirementName(c, Names::constraint(c.kind), Names::where(c)),
+            Names::value(c),
+            Names::limit(c),
+            withoutPlus(Names::besideLimit(c)),
+            unitText(requirementOf(c.kind).unit),
             lightName(c)};
 }
 
@@ -140,14 +143,17 @@ std::vector<const ConstraintResult*> verdictRows(const Outcome& outcome) {
     return rows;
 }
 
-ValueTable verdictTable(const Outcome& outcome, const std::array<QIcon, 3>& icons) {
+ValueTable verdictTable(const Outcome* outcome, const std::array<QIcon, 3>& icons) {
     ValueTable table{.columns = heads(), .isList = true, .atTop = true};
     table.sheet.header << VerdictTable::tr("Zone or section");
     for (const ValueHead& column : table.columns) {
         table.sheet.header << column.text;
     }
     table.sheet.header << VerdictTable::tr("Unit") << VerdictTable::tr("Verdict");
-    const std::vector<const ConstraintResult*> rows = verdictRows(outcome);
+    if (!outcome) {
+        return table;
+    }
+    const std::vector<const ConstraintResult*> rows = verdictRows(*outcome);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (!rows[i]) {
             table.addRow({.isGroup = true}, {{.text = groupName(*rows[i + 1])}, {}, {}, {}});
@@ -155,10 +161,11 @@ ValueTable verdictTable(const Outcome& outcome, const std::array<QIcon, 3>& icon
         }
         const ConstraintResult& c = *rows[i];
         table.sheet.rows.push_back(copiedCells(c));
-        table.addRow(headOf(c, outcome.result.project), {nameCell(c, outcome.result.project, icons),
-                                                         {.text = Names::value(c)},
-                                                         {.text = Names::limit(c)},
-                                                         {.text = Names::besideLimit(c)}});
+        table.addRow(headOf(c, outcome->result.project),
+                     {nameCell(c, outcome->result.project, icons),
+                      {.text = Names::value(c)},
+                      {.text = Names::limit(c)},
+                      {.text = Names::besideLimit(c)}});
     }
     return table;
 }

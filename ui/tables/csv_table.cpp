@@ -2,7 +2,6 @@
 #include "ui/tables/csv_table.h"
 
 #include "core/tables/csv_line.h"
-#include "ui/tables/pasted_cells.h"
 #include "ui/text/texts.h"
 
 namespace sparkout {
@@ -19,9 +18,6 @@ QString pastedCell(const CsvCell& cell, const TableDialect& dialect) {
         return {};
     }
     const QString plain = harmlessText(*text).simplified();
-    if (pastedNumber(plain)) {
-        return plain; // "+0.52" is a number with its sign
-    }
     return readsAsFormula(text->toStdString()) || readsAsFormula(plain.toStdString())
                ? u'\'' + plain
                : plain;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tables/value_table.h"
 
+#include "ui/tables/pasted_cells.h"
+
 #include <QStringList>
 
 #include <algorithm>
@@ -9,6 +11,10 @@
 #include <utility>
 
 namespace sparkout {
+
+QString withoutPlus(const QString& shown) {
+    return shown.startsWith(u'+') && pastedNumber(shown) ? shown.mid(1) : shown;
+}
 
 void ValueTable::addRow(ValueHead head, std::vector<ValueCell> of) {
     rows.push_back(std::move(head));
@@ -59,7 +65,8 @@ CsvTable ValueTable::inOrder(const std::vector<std::size_t>& order) const {
         QStringList said;
         for (std::size_t column = 0; column < columns.size(); ++column) {
             const ValueCell& cell = cells[row][column];
-            line.push_back(cell.value.index() == 0 ? CsvCell(cell.text) : cell.value);
+            const QString shown = columns[column].isText ? cell.text : withoutPlus(cell.text);
+            line.push_back(cell.value.index() == 0 ? CsvCell(shown) : cell.value);
             if (!cell.remark.isEmpty()) {
                 said << QStringLiteral("%1: %2").arg(columns[column].fullName(), cell.remark);
             }

@@ -42,6 +42,9 @@ struct ValueCell {
     }
 };
 
+/// A number as it is shown, for a spreadsheet, which takes no text for one that begins with "+".
+[[nodiscard]] QString withoutPlus(const QString& shown);
+
 /// A table as a value: the words and numbers of its heads and cells in the present language.
 struct ValueTable {
     QString corner = {};  ///< names the heads of the rows

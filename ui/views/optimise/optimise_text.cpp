@@ -76,7 +76,7 @@ QString OptimiseText::method(SearchMethod method) {
     case SearchMethod::pruned: return tr("Pruned search");
     case SearchMethod::full: return tr("Full enumeration");
     case SearchMethod::published: return tr("Dynamic programming");
-    case SearchMethod::labels: return tr("Label-setting search");
+    case SearchMethod::labels: return tr("Label-setting method");
     }
     return {};
 }

@@ -116,6 +116,7 @@ void VerdictPanel::buildTable() {
     m_table->setObjectName(QStringLiteral("requirements"));
     m_table->setWordWrap(true);
     m_table->verticalHeader()->hide();
+    showRequirements(); // the heads
     QHeaderView* header = m_table->horizontalHeader();
     setRelativeFont(*header, smallHead);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -266,10 +267,8 @@ void VerdictPanel::grey(bool on) {
 }
 
 void VerdictPanel::showRequirements() {
-    if (m_good) {
-        const bool isOld = m_latest && !m_latest->ran();
-        m_model->setTable(verdictTable(*m_good, lightIcons(*m_table, isOld)));
-    }
+    const bool isOld = m_good && m_latest && !m_latest->ran();
+    m_model->setTable(verdictTable(m_good.get(), lightIcons(*m_table, isOld)));
 }
 
 /// The table is as high as its rows; the panel scrolls as one.

@@ -177,7 +177,7 @@ private slots:
         const std::string last = std::to_string(project.cycle->stages.size() - 1);
         QCOMPARE(verdict::inputPath(*verdict::worst(*outcome)),
                  "/cycle/stages/" + last + "/axial_feed_mm_min");
-        const ValueTable table = verdictTable(*outcome, {});
+        const ValueTable table = verdictTable(outcome.get(), {});
         const auto constraints = verdictRows(*outcome);
         QStringList limits;
         for (std::size_t row = 0; row < table.rows.size(); ++row) {
@@ -208,7 +208,7 @@ private slots:
         const QString text = verdict::overall(*outcome);
         QVERIFY2(text.contains(QStringLiteral("overlap B/s in stage 1 is 0.8, below 1: strips")),
                  qPrintable(text));
-        const ValueTable table = verdictTable(*outcome, {});
+        const ValueTable table = verdictTable(outcome.get(), {});
         const auto constraints = verdictRows(*outcome);
         int surface = 0;
         for (std::size_t line = 0; line < table.rows.size(); ++line) {
