@@ -8,6 +8,7 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMenu>
 #include <QTimer>
 
@@ -50,8 +51,9 @@ CopyTable::CopyTable(std::function<QString()> text, QWidget* parent)
             [this](const QModelIndex& index) { emit rowEntered(rowOf(index)); });
 }
 
-CopyTable::CopyTable(ValueModel& model, QWidget* parent)
-    : CopyTable([&model] { return model.asTsv(); }, parent) {
+CopyTable::CopyTable(ValueModel& model, QWidget* parent, std::function<QString()> text)
+    : CopyTable(
+        text ? std::move(text) : [&model] { return model.asTsv(); }, parent) {
     m_values = &model;
     setModel(&model);
 }
@@ -65,6 +67,10 @@ void CopyTable::copy() const {
 }
 
 void CopyTable::copySelected() const {
+    if (m_values) {
+        copySelectedRows();
+        return;
+    }
     const QString text = m_text();
     const QStringList lines = text.split(u'\n', Qt::SkipEmptyParts);
     const int rows = model() ? model()->rowCount() : 0;
@@ -80,6 +86,17 @@ void CopyTable::copySelected() const {
         }
     }
     CopiedCells::toClipboard(selected.isEmpty() ? text : selected);
+}
+
+void CopyTable::copySelectedRows() const {
+    std::vector<std::size_t> rows;
+    for (int line = 0; line < m_values->rowCount(); ++line) {
+        if (selectionModel()->isRowSelected(line)) {
+            rows.push_back(static_cast<std::size_t>(m_values->rowAt(line)));
+        }
+    }
+    const QString selected = tabSeparated(m_values->table().inOrder(rows), QLocale());
+    CopiedCells::toClipboard(rows.empty() ? m_text() : selected.mid(selected.indexOf(u'\n') + 1));
 }
 
 void CopyTable::setSaving(std::function<CsvTable()> table, std::function<QString()> project,

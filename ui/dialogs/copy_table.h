@@ -23,7 +23,9 @@ public:
     /// @param text the table as tab-separated text: a line of heads and one for each row that can
     /// be selected, as the name of a group cannot
     explicit CopyTable(std::function<QString()> text, QWidget* parent = nullptr);
-    explicit CopyTable(ValueModel& model, QWidget* parent = nullptr);
+    /// @param text the whole as it is copied [the model]
+    explicit CopyTable(ValueModel& model, QWidget* parent = nullptr,
+                       std::function<QString()> text = {});
 
     /// What the context menu saves under the table's accessible name and the project's title; an
     /// empty table is not offered.
@@ -55,6 +57,7 @@ protected:
 private:
     static void measure(QHeaderView& header);
     void fitUniformRows();
+    void copySelectedRows() const;
     void addSaving(QMenu& menu);
     void addColumns(QMenu& menu);
     void hideColumns(); ///< those that were chosen to be

@@ -94,7 +94,8 @@ ValueTable marksTable(const Lesson& lesson, const std::vector<GradedWork>& works
     table.columns = headsOf(lesson);
     for (const GradedWork& work : works) {
         std::vector<ValueCell> cells = cellsOf(work, lesson.steps.size());
-        table.addRow({.text = cells.front().text}, std::move(cells));
+        const QString name = cells.front().text;
+        table.addRow({.text = name}, std::move(cells));
     }
     return table;
 }

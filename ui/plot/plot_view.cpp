@@ -187,10 +187,11 @@ CopyTable* PlotView::addTable(QAbstractItemModel& model, std::function<CsvTable(
 }
 
 CopyTable* PlotView::addTable(ValueModel& model, std::function<CsvTable()> saved) {
-    auto* const view = new CopyTable(model, this);
     if (!saved) {
         saved = [&model] { return model.shown(); };
     }
+    const auto whole = [saved] { return tabSeparated(saved(), QLocale()); };
+    auto* const view = new CopyTable(model, this, whole);
     setUpTable(*view, std::move(saved));
     return view;
 }

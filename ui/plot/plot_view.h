@@ -91,7 +91,7 @@ protected:
     CopyTable* addTable(QAbstractItemModel& model, std::function<CsvTable()> table,
                         std::function<QString()> text = {});
     /// The same of a table as a value.
-    /// @param saved what is saved of it [the table itself]
+    /// @param saved what is saved of it, and copied of the whole [the table itself]
     CopyTable* addTable(ValueModel& model, std::function<CsvTable()> saved = {});
     /// Texts in the present language; what was chosen stays.
     static void fillChoice(QComboBox& box, const QStringList& texts);

@@ -66,7 +66,7 @@ struct Shown {
     /// The entry of the menu that shows and hides a column; null: there is none.
     [[nodiscard]] QAction* columnEntry(const QString& name) {
         QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5}, view.mapToGlobal(QPoint(5, 5)));
-        QCoreApplication::sendEvent(&view, &event);
+        QCoreApplication::sendEvent(view.viewport(), &event);
         for (QMenu* menu : view.findChildren<QMenu*>()) {
             for (QAction* action : menu->actions()) {
                 if (action->isCheckable() && action->text() == name) {
@@ -87,6 +87,9 @@ class TestValueTable : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase() { QLocale::setDefault(QLocale(QStringLiteral("en"))); } // which sorts words
+    void cleanupTestCase() { QLocale::setDefault(QLocale::system()); }
+
     void aClickOnAHeadSortsAndTheThirdPutsBack() {
         Settings settings = Settings::transient();
         Shown shown(settings);
