@@ -150,6 +150,9 @@ void CopyTable::setArrangeable(Settings* settings) {
     head.setSortIndicatorClearable(true);
     head.setSortIndicator(-1, Qt::AscendingOrder); // else it would be sorted by its first column
     setSortingEnabled(true);
+    head.setSortIndicatorShown(false); // it takes room of every column
+    connect(&head, &QHeaderView::sortIndicatorChanged, &head,
+            [&head](int column) { head.setSortIndicatorShown(column >= 0); });
     head.setContextMenuPolicy(Qt::CustomContextMenu);
     connect(&head, &QHeaderView::customContextMenuRequested, this,
             [this, &head](const QPoint& at) { openMenu(head.viewport()->mapToGlobal(at)); });
