@@ -233,7 +233,7 @@ private slots:
         const int heads = book.rows(3) - rows;
         QVERIFY(heads == 1 || heads == 2);
         for (int row = 0; row < rows; ++row) {
-            QVERIFY(sameBits(book.number(3, heads + row, 1),
+            QVERIFY(sameBits(book.number(3, heads + row, 0),
                              outcome.found[static_cast<std::size_t>(row)].time_s / 60));
         }
         const std::vector<const FoundCycle*> front = outcome.front();
