@@ -305,7 +305,7 @@ private slots:
     void whoReadsGetsAllAndWhoGuessesNothing() {
         QFETCH(QString, file);
         const Lesson lesson = lessonIn(file);
-        const auto count = static_cast<std::size_t>(samples::sized(2, 1, 25));
+        const auto count = static_cast<std::size_t>(samples::sized(2, 1, 10));
         const samples::GivenOut out = samples::giveOut(lesson, count, 20261126);
         QCOMPARE(out.works.size(), count);
         for (std::size_t i = 0; i < count; ++i) {
@@ -327,7 +327,7 @@ private slots:
         QFETCH(int, work);
         const auto file = samples::lessonFiles()[static_cast<std::size_t>(work) - 1];
         const Lesson lesson = lessonIn(QString::fromStdString(file.string()));
-        const auto count = static_cast<std::size_t>(samples::sized(3, 1, 25));
+        const auto count = static_cast<std::size_t>(samples::sized(3, 1, 10));
         const MadeVariants made = makeVariants(lesson, count, 77);
         QCOMPARE(made.variants.size(), count);
         for (const MadeVariant& variant : made.variants) {
@@ -342,7 +342,7 @@ private slots:
         QFETCH(QString, file);
         const Lesson lesson = lessonIn(file);
         for (const MadeVariant& variant :
-             makeVariants(lesson, static_cast<std::size_t>(samples::sized(2, 1, 25)), 3).variants) {
+             makeVariants(lesson, static_cast<std::size_t>(samples::sized(2, 1, 10)), 3).variants) {
             const Lesson given = withVariant(lesson, variant.levels, {});
             for (std::size_t i = 0; i < given.steps.size(); ++i) {
                 const Goal& goal = given.steps[i].goal;

@@ -186,7 +186,7 @@ private slots:
 
     void cutAndFlippedTextsAreAnswered() {
         std::string text = samples::lessonText();
-        const auto step = static_cast<std::size_t>(samples::sized(211, 2111, 23));
+        const auto step = static_cast<std::size_t>(samples::sized(211, 2111, 71));
         for (std::size_t length = 0; length < text.size(); length += step) {
             const std::string fault = faultOfLesson(readLesson(text.substr(0, length)));
             QVERIFY2(fault.empty(), (fault + " at " + std::to_string(length)).c_str());
@@ -206,7 +206,7 @@ private slots:
         auto pick = samples::fromSeed(20261126);
         const json whole = lessonJsonOf();
         int accepted = 0;
-        const int tries = samples::sized(400, 40, 20'000);
+        const int tries = samples::sized(400, 40, 6'000);
         for (int i = 0; i < tries; ++i) {
             json file = whole;
             for (int changes = 1 + pick(3); changes > 0; --changes) {

@@ -476,7 +476,7 @@ private slots:
     }
     void noCycleOfAnyKindIsQuickerThanItsOwnLimit() {
         QFETCH(bool, plunge);
-        const int wanted = samples::sized(500, 60, 5000);
+        const int wanted = samples::sized(500, 60, 1500);
         int held = 0, special = 0;
         double nearest = 0;
         for (unsigned seed = 0; special < wanted; ++seed) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random projects with coupled sections [MODEL-6]: every balance is solved. SPARKOUT_QUICK=1: 200
-// (sanitizers). SPARKOUT_LONG=1: 100,000.
+// (sanitizers). SPARKOUT_LONG=1: 30,000.
 #include "core/process/compliance.h"
 #include "core/project/validate.h"
 
@@ -191,7 +191,7 @@ class TestCoupledRandom : public QObject {
 
 private slots:
     void everyRandomProjectIsSolved() {
-        const int projects = samples::sized(3000, 200, 100'000);
+        const int projects = samples::sized(3000, 200, 30'000);
         int cut = 0, refused = 0;
         for (int seed = 0; seed < projects; ++seed) {
             const Project p = randomProject(static_cast<std::uint64_t>(seed));

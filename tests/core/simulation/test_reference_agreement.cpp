@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The engine against the second implementation, on random projects that cover every option.
-// SPARKOUT_QUICK=1: every tenth project (sanitizers). SPARKOUT_LONG=1: 20,000 projects.
+// SPARKOUT_QUICK=1: every tenth project (sanitizers). SPARKOUT_LONG=1: 6,000 projects.
 #include "core/simulation/simulate.h"
 
 #include "tests/check_line.h"
@@ -19,7 +19,7 @@ using nlohmann::json;
 constexpr int rowLength = 100;
 
 int projects() {
-    return qEnvironmentVariableIsSet("SPARKOUT_LONG") ? 20'000 : 1'000;
+    return qEnvironmentVariableIsSet("SPARKOUT_LONG") ? 6'000 : 1'000;
 }
 int stride() {
     return qEnvironmentVariableIsSet("SPARKOUT_QUICK") ? 10 : 1;
