@@ -23,7 +23,7 @@ enum class VerdictColumn { requirement, value, limit, margin };
 [[nodiscard]] std::vector<const ConstraintResult*> verdictRows(const Outcome& outcome);
 
 /// The same as a table with their lights. It is copied with zone and light in columns of their own.
-/// Null: there is no outcome yet.
+/// Without an outcome (null) the table has its heads only.
 [[nodiscard]] ValueTable verdictTable(const Outcome* outcome, const std::array<QIcon, 3>& icons);
 
 } // namespace sparkout

@@ -51,7 +51,7 @@ struct ValueTable {
     QString remarks = {}; ///< head of the column of remarks in a copy; empty: it has none
     std::vector<ValueHead> columns = {}, rows = {};
     std::vector<std::vector<ValueCell>> cells = {}; ///< row by row
-    /// What is copied in place of the cells: a row for each one that is no group. Empty: the cells.
+    /// What is copied in place of the cells, without the names of groups. Empty: the cells.
     CsvTable sheet = {};
     /// A row is an item: the first columns name it, and the heads of the rows are not copied.
     bool isList = false;
