@@ -551,7 +551,8 @@ py::object measuredOf(const ValidProject& given, const std::optional<std::string
         }
         return measuredJson(project, answer);
     });
-    if (answer.fit && !answer.fit->issues.empty()) {
+    if (answer.fit && answer.fit->status == IdentificationStatus::notRun
+        && !answer.fit->issues.empty()) {
         raiseFaults(answer.fit->issues);
     }
     return fromJson(json);

@@ -1163,8 +1163,8 @@
             <translation>наилучшие значения не найдены</translation>
         </message>
         <message>
-            <source>with the values that would fit the parts the gauge ends the cycle elsewhere: under gauge control finished parts hardly tell these parameters; record the size at the gauge over a cycle, or correct the command of the gauge</source>
-            <translation>при значениях, которые подошли бы к деталям, прибор закончит цикл в другом месте: при активном контроле готовые детали почти ничего не говорят об этих параметрах; запишите размер на приборе за цикл или исправьте команду прибора</translation>
+            <source>the model does not fit: more is left than chance leaves</source>
+            <translation>модель не подходит: остаётся больше случайного</translation>
         </message>
         <message>
             <source>stopped</source>
@@ -1243,12 +1243,40 @@
             <translation>начало цикла в записи</translation>
         </message>
         <message>
-            <source>something else than these parameters differs between the project and the recording, and the values and their intervals may be wrong</source>
-            <translation>проект и запись различаются чем-то кроме этих параметров, и значения с интервалами могут быть неверны</translation>
+            <source>the difference grows with time, as of a gauge or a sensor that drifts</source>
+            <translation>разность растёт со временем, как при дрейфе прибора или датчика</translation>
+        </message>
+        <message>
+            <source>the trace lags behind where it changes fast, as of a damped gauge or a filter</source>
+            <translation>запись запаздывает там, где быстро меняется, как у демпфированного прибора или после фильтра</translation>
+        </message>
+        <message>
+            <source>the difference lies in one stage: is its feed that of the recording?</source>
+            <translation>разность приходится на одну ступень: та ли у неё подача, что при записи?</translation>
+        </message>
+        <message>
+            <source>the difference lies in a few values far off: let outliers weigh less, or leave them out</source>
+            <translation>разность создают несколько выпавших значений: уменьшите вес выбросов или исключите их</translation>
+        </message>
+        <message>
+            <source>something else than these parameters differs between the project and the recording</source>
+            <translation>проект и запись различаются чем-то кроме этих параметров</translation>
         </message>
         <message>
             <source>runout of the blank</source>
             <translation>биение заготовки</translation>
+        </message>
+        <message>
+            <source>time constant of the gauge</source>
+            <translation>постоянная времени прибора</translation>
+        </message>
+        <message>
+            <source>drift of the gauge</source>
+            <translation>дрейф прибора</translation>
+        </message>
+        <message>
+            <source>diameter at which the gauge ends the cycle</source>
+            <translation>диаметр, на котором прибор заканчивает цикл</translation>
         </message>
         <message>
             <source>size at the gauge</source>
@@ -18070,6 +18098,10 @@ good</source>
             <translation>По этим данным не различаются: %1. Что поможет: %2.</translation>
         </message>
         <message>
+            <source>Only the product is told by the data: %1. What would help: %2.</source>
+            <translation>По этим данным определяется только произведение: %1. Что поможет: %2.</translation>
+        </message>
+        <message>
             <source>Not told by the data: %1. What would help: %2.</source>
             <translation>По этим данным не определяется: %1. Что поможет: %2.</translation>
         </message>
@@ -18082,12 +18114,16 @@ good</source>
             </translation>
         </message>
         <message>
-            <source>Out of step: %1 seems to be %2 ± %3 s and was not fitted. The values found are wrong by it: fitted too, %4 would be %5 instead of %6.</source>
-            <translation>Записи расходятся по времени: %1, по-видимому, %2 ± %3 с и не определялось. Найденные значения из-за этого неверны: если определить и его, %4 составит %5 вместо %6.</translation>
+            <source>Left out: %1 seems to be %2 ± %3 and was not fitted. The values found are wrong by it: fitted too, %4 would be %5 instead of %6.</source>
+            <translation>Не учтено: %1, по-видимому, %2 ± %3 и не определялось. Найденные значения из-за этого неверны: если определить и его, %4 составит %5 вместо %6.</translation>
         </message>
         <message>
-            <source>In doubt: %1: the RMS is %2 times the noise of the trace; up to %3 is usual: %4.</source>
-            <translation>Сомнительно: %1: СКО остатков в %2 раза больше шума записи, обычно — не более чем в %3: %4.</translation>
+            <source>Does not fit: %1: %2 times what the noise leaves; by chance up to %3: %4.</source>
+            <translation>Не подходит: %1: в %2 раза больше того, что оставляет шум; случайно — не более чем в %3: %4.</translation>
+        </message>
+        <message>
+            <source>%1 (stage %2)</source>
+            <translation>%1 (ступень %2)</translation>
         </message>
     </context>
     <context>
@@ -18179,6 +18215,10 @@ good</source>
             <translation>Значений нет: %1.</translation>
         </message>
         <message>
+            <source>Not to be used: %1.</source>
+            <translation>Использовать нельзя: %1.</translation>
+        </message>
+        <message>
             <source>A current without its factor in kW per A was left out.</source>
             <translation>Ток без коэффициента в кВт на А не учтён.</translation>
         </message>
@@ -18259,18 +18299,6 @@ good</source>
             <translation>&amp;Принять</translation>
         </message>
         <message>
-            <source>The fit is in doubt</source>
-            <translation>Подбор вызывает сомнение</translation>
-        </message>
-        <message>
-            <source>&amp;Apply anyway</source>
-            <translation>&amp;Всё равно применить</translation>
-        </message>
-        <message>
-            <source>&amp;Cancel</source>
-            <translation>О&amp;тмена</translation>
-        </message>
-        <message>
             <source>all values alike</source>
             <translation>все значения равноправны</translation>
         </message>
@@ -18317,6 +18345,10 @@ good</source>
         <message>
             <source>These values cannot be taken over. %1. %2</source>
             <translation>Эти значения принять нельзя. %1. %2</translation>
+        </message>
+        <message>
+            <source>These values cannot be taken over: the model does not fit. %1</source>
+            <translation>Эти значения принять нельзя: модель не подходит. %1</translation>
         </message>
         <message>
             <source>Unusual: %1. %2</source>
@@ -18441,12 +18473,12 @@ good</source>
             <translation>&amp;Закрыть</translation>
         </message>
         <message>
-            <source>There is nothing yet that the cycle could be fitted to: no recorded trace, no diameters of single parts. Statistics of a batch do not serve.
+            <source>There is nothing yet that the cycle could be fitted to: no recorded trace, no diameters of finished parts.
 
 Import measurements… reads them from tables: the size at the gauge, the power of the wheel, the current of its spindle or the normal force over the time of one cycle, or the diameters of finished parts by zone or section.
 
 The size alone gives α and β, that is the compliance with the force together; the power adds its two shares; with the normal force compliance, flow stress and dullness are told apart.</source>
-            <translation>Пока не к чему подбирать цикл: нет ни записей, ни диаметров отдельных деталей. Статистика партии для этого не годится.
+            <translation>Пока не к чему подбирать цикл: нет ни записей, ни диаметров готовых деталей.
 
 Команда «Импорт измерений…» читает их из таблиц: размер на приборе активного контроля, мощность круга, ток его шпинделя или нормальную силу за время одного цикла либо диаметры готовых деталей по зонам или сечениям.
 

@@ -27,8 +27,8 @@ constexpr Output<Identification> identificationRows[] = {
      [](const Identification& i) {
          return i.normality ? std::optional(i.normality->probability) : std::nullopt;
      }},
-    {{.key = "in_doubt", .hint = "the residuals of a trace are more than its noise"},
-     [](const Identification& i) { return i.isInDoubt(); }},
+    {{.key = "in_doubt", .hint = "the model does not fit, and the values are not to be used"},
+     [](const Identification& i) { return i.status == IdentificationStatus::doesNotFit; }},
     {{.key = "measured_values"}, [](const Identification& i) { return std::int64_t(i.count); }},
 };
 
@@ -46,10 +46,29 @@ constexpr Output<FitResiduals> residualsRows[] = {
      [](const FitResiduals& r) { return std::int64_t{r.trace}; }},
     {{.key = "count"}, [](const FitResiduals& r) { return std::int64_t(r.values.size()); }},
     {{.key = "rms"}, [](const FitResiduals& r) { return r.rms; }},
-    {{.key = "noise", .hint = "of a trace, from the trace itself"},
-     [](const FitResiduals& r) { return r.noise; }},
-    {{.key = "in_doubt", .hint = "more is left than the noise"},
-     [](const FitResiduals& r) { return r.isInDoubt(); }},
+    {{.key = "noise", .hint = "of a trace, from what neighbouring values differ by"},
+     [](const FitResiduals& r) {
+         return r.noise ? std::optional(std::sqrt(r.noise->variance())) : std::nullopt;
+     }},
+    {{.key = "noise_follows", .hint = "share of the noise that follows itself"},
+     [](const FitResiduals& r) {
+         return r.noise ? std::optional(r.noise->share()) : std::nullopt;
+     }},
+    {{.key = "lack_of_fit", .hint = "mean square of stretches over that of the noise; 1 is usual"},
+     [](const FitResiduals& r) { return r.noise ? std::optional(r.lack.ratio) : std::nullopt; }},
+    {{.key = "in_doubt", .hint = "more is left than noise leaves"},
+     [](const FitResiduals& r) { return r.lack.isLacking(); }},
+    {{.key = "unlike", .hint = "what is left: drift, lag, stage, spike or other"},
+     [](const FitResiduals& r) {
+         return r.lack.isLacking() ? std::optional<std::string>(wordsOf(r.unlike.kind).key)
+                                   : std::nullopt;
+     }},
+    {{.key = "unlike_stage", .hint = "where what is left lies in one stage, from 1"},
+     [](const FitResiduals& r) {
+         return r.lack.isLacking() && r.unlike.stage >= 0
+                    ? std::optional<std::int64_t>(r.unlike.stage + 1)
+                    : std::nullopt;
+     }},
     {{.key = "unit"}, [](const FitResiduals& r) { return std::string(unitOf(r.source)); }},
 };
 
@@ -57,9 +76,8 @@ constexpr Output<OutOfStepOf> outOfStepRows[] = {
     {{.key = "parameter", .hint = "a time that was not fitted"},
      [](const OutOfStepOf& o) { return std::string(keyOf(o.time.kind)); }},
     {{.key = "value", .hint = "with it fitted too"},
-     [](const OutOfStepOf& o) { return o.time.delay_s; }},
-    {{.key = "error", .hint = "standard error"},
-     [](const OutOfStepOf& o) { return o.time.error_s; }},
+     [](const OutOfStepOf& o) { return o.time.amount; }},
+    {{.key = "error", .hint = "standard error"}, [](const OutOfStepOf& o) { return o.time.error; }},
     {{.key = "unit"}, [](const OutOfStepOf& o) { return std::string(unitOf(o.time.kind)); }},
     {{.key = "moves", .hint = "the parameter that it moves most"},
      [](const OutOfStepOf& o) { return parameterName(o.parameters[o.time.parameter]); }},
@@ -90,8 +108,9 @@ ordered_json fitJson(const Identification& found, const std::vector<FittedParame
         for (const std::size_t i : one.parameters) {
             names.push_back(parameterName(requested[i]));
         }
-        json["cannot_tell"].push_back(
-            {{"parameters", std::move(names)}, {"measure", wordsOf(one.advice).key}});
+        json["cannot_tell"].push_back({{"parameters", std::move(names)},
+                                       {"measure", wordsOf(one.advice).key},
+                                       {"product_is_told", one.isProduct}});
     }
     return json;
 }

@@ -40,13 +40,10 @@ MeasuredWords wordsOf(IdentificationStatus status) {
                                                      "size")};
     case IdentificationStatus::notConverged:
         return {"not_converged", SPARKOUT_NOOP("Measured", "no best values were found")};
-    case IdentificationStatus::againstGauge:
-        return {"against_gauge",
-                SPARKOUT_NOOP("Measured",
-                              "with the values that would fit the parts the gauge ends the cycle "
-                              "elsewhere: under gauge control finished parts hardly tell these "
-                              "parameters; record the size at the gauge over a cycle, or correct "
-                              "the command of the gauge")};
+    case IdentificationStatus::doesNotFit:
+        return {
+            "does_not_fit",
+            SPARKOUT_NOOP("Measured", "the model does not fit: more is left than chance leaves")};
     case IdentificationStatus::stopped: break;
     }
     return {"stopped", SPARKOUT_NOOP("Measured", "stopped")};
@@ -103,6 +100,13 @@ MeasuredWords wordsOf(FittedKind kind) {
         return {"force_delay", SPARKOUT_NOOP("Measured", "delay of the force trace")};
     case FittedKind::blank_runout:
         return {"blank_runout", SPARKOUT_NOOP("Measured", "runout of the blank")};
+    case FittedKind::gauge_lag:
+        return {"gauge_lag", SPARKOUT_NOOP("Measured", "time constant of the gauge")};
+    case FittedKind::gauge_drift:
+        return {"gauge_drift", SPARKOUT_NOOP("Measured", "drift of the gauge")};
+    case FittedKind::gauge_setting:
+        return {"gauge_setting",
+                SPARKOUT_NOOP("Measured", "diameter at which the gauge ends the cycle")};
     case FittedKind::count_: break;
     }
     return {"", ""};
@@ -118,20 +122,39 @@ MeasuredWords wordsOf(FitSource source) {
     return {"parts", SPARKOUT_NOOP("Measured", "diameters of parts")};
 }
 
-const char* doubtText() {
-    return SPARKOUT_NOOP("Measured",
-                         "something else than these parameters differs between the project and "
-                         "the recording, and the values and their intervals may be wrong");
+MeasuredWords wordsOf(Unlike unlike) {
+    switch (unlike) {
+    case Unlike::drift:
+        return {"drift", SPARKOUT_NOOP("Measured", "the difference grows with time, as of a gauge "
+                                                   "or a sensor that drifts")};
+    case Unlike::lag:
+        return {"lag", SPARKOUT_NOOP("Measured", "the trace lags behind where it changes fast, as "
+                                                 "of a damped gauge or a filter")};
+    case Unlike::stage:
+        return {"stage", SPARKOUT_NOOP("Measured", "the difference lies in one stage: is its feed "
+                                                   "that of the recording?")};
+    case Unlike::spike:
+        return {"spike", SPARKOUT_NOOP("Measured", "the difference lies in a few values far off: "
+                                                   "let outliers weigh less, or leave them out")};
+    case Unlike::other:
+    case Unlike::count_: break;
+    }
+    return {"other",
+            SPARKOUT_NOOP("Measured", "something else than these parameters differs between the "
+                                      "project and the recording")};
 }
 
 const char* unitOf(FittedKind kind) {
     switch (kind) {
     case FittedKind::idle_power: return "kW";
     case FittedKind::size_offset:
+    case FittedKind::gauge_setting:
     case FittedKind::blank_runout: return "mm";
     case FittedKind::time_shift:
     case FittedKind::power_delay:
-    case FittedKind::force_delay: return "s";
+    case FittedKind::force_delay:
+    case FittedKind::gauge_lag: return "s";
+    case FittedKind::gauge_drift: return "mm/min";
     default: return "";
     }
 }

@@ -18,8 +18,8 @@ struct MeasuredWords {
 [[nodiscard]] MeasuredWords wordsOf(Advice advice);
 [[nodiscard]] MeasuredWords wordsOf(FittedKind kind);
 [[nodiscard]] MeasuredWords wordsOf(FitSource source);
-/// What a fit that leaves more than the noise of a trace is in doubt for.
-[[nodiscard]] const char* doubtText();
+/// What a trace has that the cycle that was run has not.
+[[nodiscard]] MeasuredWords wordsOf(Unlike unlike);
 
 /// In English, as the others.
 [[nodiscard]] const char* textOf(AdequacyVerdict verdict);

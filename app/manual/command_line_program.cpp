@@ -350,16 +350,15 @@ std::vector<Option> measuredOptions() {
          {"finds parameters from the traces and diameters: alpha, beta, compliance (of all, or "
           "compliance:N of one zone or section), flow_stress, dullness, chip_power, "
           "friction_power, "
-          "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout; names what "
-          "the data cannot tell and "
-          "what to measure",
+          "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout, gauge_lag, "
+          "gauge_drift, of finished parts gauge_setting; names what the data cannot tell and what "
+          "to measure; exit status 4 when the model does not fit",
           "находит параметры по записям и диаметрам: alpha, beta, compliance (всех мест или "
           "compliance:N одной зоны или сечения), flow_stress, dullness, chip_power, "
           "friction_power, "
-          "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout; называет "
-          "то, чего по данным "
-          "определить "
-          "нельзя, и что измерить"}},
+          "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout, gauge_lag, "
+          "gauge_drift, по готовым деталям gauge_setting; называет то, чего по данным определить "
+          "нельзя, и что измерить; код завершения 4, если модель не подходит"}},
         {"--roundness",
          "",
          Kind::none,

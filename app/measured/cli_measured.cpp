@@ -22,6 +22,7 @@
 #include "words/measured_words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <optional>
@@ -92,23 +93,27 @@ std::string fitText(const Identification& found, const std::vector<FittedParamet
         text += std::string(wordsOf(group.source).text) + ": residuals of "
                 + std::to_string(group.values.size()) + " values, RMS " + fixed(group.rms, 5) + ' '
                 + unitOf(group.source);
-        text += group.noise
-                    ? ", noise of the trace " + fixed(*group.noise, 5) + ' ' + unitOf(group.source)
-                    : "";
+        text += group.noise ? ", noise of the trace " + fixed(std::sqrt(group.noise->variance()), 5)
+                                  + ' ' + unitOf(group.source)
+                            : "";
         text += '\n';
     }
     for (const FitResiduals& group : found.residuals) {
-        if (group.isInDoubt()) {
-            text += std::string("in doubt: ") + wordsOf(group.source).text + ": the RMS is "
-                    + fixed(group.rms / *group.noise, 2) + " times the noise, above "
-                    + fixed(mostRmsOfNoise, 1) + ": " + doubtText() + '\n';
+        if (group.lack.isLacking()) {
+            text += std::string("does not fit: ") + wordsOf(group.source).text + ": "
+                    + fixed(group.lack.ratio, 1) + " times what the noise leaves, at most "
+                    + fixed(group.lack.most, 1) + " by chance: " + wordsOf(group.unlike.kind).text
+                    + (group.unlike.stage >= 0
+                           ? " (stage " + std::to_string(group.unlike.stage + 1) + ")"
+                           : "")
+                    + '\n';
         }
     }
     for (const OutOfStep& one : found.outOfStep) {
         constexpr double normal95 = 1.96;
         text += std::string("out of step: ") + wordsOf(one.kind).text + " seems to be "
-                + fixed(one.delay_s, digits) + " ± " + fixed(normal95 * one.error_s, digits)
-                + " s and was not fitted; with " + wordsOf(one.kind).key + " too, "
+                + fixed(one.amount, digits) + " ± " + fixed(normal95 * one.error, digits) + ' '
+                + unitOf(one.kind) + " and was not fitted; with " + wordsOf(one.kind).key + " too, "
                 + parameterName(requested[one.parameter]) + " would be " + fixed(one.value, digits)
                 + '\n';
     }
@@ -120,7 +125,8 @@ std::string fitText(const Identification& found, const std::vector<FittedParamet
         for (const std::size_t i : one.parameters) {
             names += (names.empty() ? "" : ", ") + parameterName(requested[i]);
         }
-        text += "cannot be told: " + names + "; " + wordsOf(one.advice).text + '\n';
+        text += (one.isProduct ? "only the product is told of: " : "cannot be told: ") + names
+                + "; " + wordsOf(one.advice).text + '\n';
     }
     return text;
 }
@@ -149,12 +155,12 @@ int statusOf(const MeasuredAnswer& answer, const Options& options) {
     if (answer.fit) {
         switch (answer.fit->status) {
         case IdentificationStatus::fitted:
-            if (options.check && (answer.fit->isInDoubt() || !answer.fit->outOfStep.empty())) {
+            if (options.check && !answer.fit->outOfStep.empty()) {
                 return requirementFails;
             }
             break;
-        case IdentificationStatus::cannotTell:
-        case IdentificationStatus::againstGauge: return options.check ? requirementFails : done;
+        case IdentificationStatus::cannotTell: return options.check ? requirementFails : done;
+        case IdentificationStatus::doesNotFit: return requirementFails;
         case IdentificationStatus::notRun:
             return answer.fit->issues.empty() ? cannotReachSize : refused;
         default: return refused;

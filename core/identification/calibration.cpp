@@ -64,6 +64,7 @@ public:
                {{FittedKind::friction_power, 1}, {FittedKind::alpha, 1}, {FittedKind::beta, -1}},
                has(FittedKind::friction_power));
         changeRunout();
+        changeSetting();
         return std::move(m_made);
     }
 
@@ -181,6 +182,15 @@ private:
         if (at < m_result.values.size()) {
             m_made.part->initial_runout_mm = m_result.values[at].value;
             record("/part/initial_runout_mm", m_result.values[at].error);
+        }
+    }
+
+    void changeSetting() {
+        const std::size_t at = find(FittedKind::gauge_setting, {});
+        if (at < m_result.values.size()) {
+            const FittedValue& value = m_result.values[at];
+            m_made.part->target_diameter_mm = value.value;
+            record("/part/target_diameter_mm", value.error / value.value);
         }
     }
 

@@ -200,6 +200,31 @@ std::vector<int> stepsByGauge(const Project& project, const CycleFactors& factor
     return result.status == RunStatus::completed ? result.countsByStage : std::vector<int>();
 }
 
+// Along a straight piece y(t) with the slope r the reading is y − r·τ and what is left of the
+// difference at its beginning. Pieces long past are forgotten.
+double laggedAt(const std::vector<double>& times, const std::vector<double>& values, double time,
+                double lag_s) {
+    constexpr double least_s = 1e-6, forgotten = 40;
+    if (lag_s < least_s || times.size() < 2 || time <= times.front()) {
+        return valueAt(times, values, time - std::min(lag_s, 0.0));
+    }
+    const auto from = std::lower_bound(times.begin(), times.end(), time - forgotten * lag_s);
+    auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(from - times.begin() - 1, 0));
+    double reading = values[at];
+    for (; at + 1 < times.size() && times[at] < time; ++at) {
+        const double slope = (values[at + 1] - values[at]) / (times[at + 1] - times[at]);
+        const double over_s = std::min(time, times[at + 1]) - times[at];
+        const double behind = slope * lag_s;
+        reading = values[at] + slope * over_s - behind
+                  + (reading - values[at] + behind) * std::exp(-over_s / lag_s);
+    }
+    if (time > times.back()) {
+        reading =
+            values.back() + (reading - values.back()) * std::exp(-(time - times.back()) / lag_s);
+    }
+    return reading;
+}
+
 double valueAt(const std::vector<double>& times, const std::vector<double>& values, double time) {
     if (times.empty() || time <= times.front()) {
         return values.empty() ? 0 : values.front();

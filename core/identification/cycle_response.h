@@ -41,4 +41,9 @@ struct CycleResponse {
 [[nodiscard]] double valueAt(const std::vector<double>& times, const std::vector<double>& values,
                              double time);
 
+/// The same through a gauge that follows by an exponential of this time constant, from rest at the
+/// first value; below 0 it leads.
+[[nodiscard]] double laggedAt(const std::vector<double>& times, const std::vector<double>& values,
+                              double time, double lag_s);
+
 } // namespace sparkout

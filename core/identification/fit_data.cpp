@@ -61,6 +61,23 @@ FitGroup groupOf(const MeasuredTrace& trace, int number) {
         group.idle_kw = *trace.idle * factor;
     }
     group.noise = weightOf(group);
+    group.step = stepOf(group.values);
+    group.measured = static_cast<std::int64_t>(group.values.size());
+    return group;
+}
+
+/// The mean sizes that are summed up.
+FitGroup summariesOf(const Project& project) {
+    FitGroup group;
+    group.source = FitSource::parts;
+    for (const MeasuredSummary& summary : project.measured->summaries) {
+        if (summary.quantity == MeasuredQuantity::diameter_deviation
+            && summary.place < placeCount(project)) {
+            group.places.push_back(summary.place);
+            group.values.push_back(summary.mean_um);
+            group.measured += summary.count;
+        }
+    }
     return group;
 }
 
@@ -76,6 +93,7 @@ FitGroup partsOf(const Project& project) {
             group.values.push_back((mean_mm - project.part->diameter_mm) * units::umPerMm);
         }
     }
+    group.measured = static_cast<std::int64_t>(group.values.size());
     if (!group.values.empty()) {
         std::vector<double> from = group.values;
         const double middle = medianOf(from);
@@ -115,10 +133,6 @@ std::optional<double> noiseOfTrace(const std::vector<double>& time_s,
                     stepOf(values) / std::sqrt(twelve));
 }
 
-std::optional<double> FitGroup::traceNoise() const {
-    return time_s.empty() ? std::nullopt : noiseOfTrace(time_s, values);
-}
-
 bool FitData::has(FitSource source) const {
     return std::ranges::any_of(groups,
                                [source](const FitGroup& group) { return group.source == source; });
@@ -154,6 +168,9 @@ FitData fitDataOf(const Project& project, const std::vector<int>& traces, bool w
     }
     if (withParts) {
         FitGroup parts = partsOf(project);
+        if (parts.values.empty() && data.groups.empty()) {
+            parts = summariesOf(project);
+        }
         if (!parts.values.empty()) {
             data.groups.push_back(std::move(parts));
         }

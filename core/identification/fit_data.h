@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -19,11 +20,10 @@ struct FitGroup {
     std::vector<double> time_s; ///< of traces
     std::vector<int> places;    ///< of parts, one a value
     std::vector<double> values; ///< mm of diameter, kW, N; of parts µm from the nominal diameter
+    std::int64_t measured = 0;  ///< parts behind them, or values of a trace
     std::optional<double> idle_kw; ///< as stated with the trace
     double noise = 1;              ///< standard deviation, estimated from the values
-
-    /// The noise, where it is that of a trace of enough values.
-    [[nodiscard]] std::optional<double> traceNoise() const;
+    double step = 0; ///< of a trace, that its values are rounded to: their least difference
 };
 
 /// Standard deviation of the noise of a trace from its second differences, whose variance is 6σ²
@@ -41,7 +41,7 @@ struct FitData {
 };
 
 /// The measured values of a project: the traces with these numbers (empty: all), and the diameters
-/// of its parts if wanted.
+/// of its parts if wanted; without traces and listed parts, the means that are summed up.
 [[nodiscard]] FitData fitDataOf(const Project& project, const std::vector<int>& traces,
                                 bool withParts);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace sparkout {
@@ -15,10 +16,13 @@ namespace {
 double unitOf(FittedKind kind) {
     constexpr double offset_mm = 1e-3, shift_s = 0.1, idle_kw = 0.1;
     switch (kind) {
-    case FittedKind::size_offset: return offset_mm;
+    case FittedKind::size_offset:
+    case FittedKind::gauge_drift:
+    case FittedKind::gauge_setting: return offset_mm;
     case FittedKind::time_shift:
     case FittedKind::power_delay:
-    case FittedKind::force_delay: return shift_s;
+    case FittedKind::force_delay:
+    case FittedKind::gauge_lag: return shift_s;
     case FittedKind::idle_power: return idle_kw;
     default: return 1;
     }
@@ -38,11 +42,43 @@ double likeness(const std::vector<double>& a, const std::vector<double>& b) {
     return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
+/// Every so many values of a trace serve to find where to begin.
+std::size_t strideOf(const FitGroup& group) {
+    constexpr std::size_t enough = 400;
+    return (group.values.size() + enough - 1) / enough;
+}
+
 bool isLogarithm(FittedKind kind) {
     return isFactor(kind) || kind == FittedKind::blank_runout;
 }
 
 } // namespace
+
+CycleFactors cycleFactors(const Project& project, const std::vector<FittedParameter>& list,
+                          const std::vector<double>& q) {
+    CycleFactors factors = factorsOf(project);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const FittedParameter& parameter = list[i];
+        const double value = FitProblem::valueOf(parameter.kind, q[i]);
+        switch (parameter.kind) {
+        case FittedKind::alpha: factors.alpha = value; break;
+        case FittedKind::beta: factors.beta = value; break;
+        case FittedKind::flow_stress: factors.flowStress = value; break;
+        case FittedKind::dullness: factors.dullness = value; break;
+        case FittedKind::blank_runout: factors.blankRunout_mm = value; break;
+        case FittedKind::compliance:
+            if (parameter.place) {
+                factors.places.resize(static_cast<std::size_t>(placeCount(project)), 1);
+                factors.places[static_cast<std::size_t>(*parameter.place)] = value;
+            } else {
+                factors.compliance = value;
+            }
+            break;
+        default: break;
+        }
+    }
+    return factors;
+}
 
 FitProblem::FitProblem(const Project& project, const FitData& data,
                        const std::vector<FittedParameter>& parameters, std::stop_token stop)
@@ -74,31 +110,6 @@ double FitProblem::derivativeStep(FittedKind kind) {
     return isLogarithm(kind) ? ofLogarithm : ofOffset;
 }
 
-CycleFactors FitProblem::factorsAt(const std::vector<double>& q) const {
-    CycleFactors factors = factorsOf(m_project);
-    for (std::size_t i = 0; i < m_parameters.size(); ++i) {
-        const FittedParameter& parameter = m_parameters[i];
-        const double value = valueOf(parameter.kind, q[i]);
-        switch (parameter.kind) {
-        case FittedKind::alpha: factors.alpha = value; break;
-        case FittedKind::beta: factors.beta = value; break;
-        case FittedKind::flow_stress: factors.flowStress = value; break;
-        case FittedKind::dullness: factors.dullness = value; break;
-        case FittedKind::blank_runout: factors.blankRunout_mm = value; break;
-        case FittedKind::compliance:
-            if (parameter.place) {
-                factors.places.resize(static_cast<std::size_t>(placeCount(m_project)), 1);
-                factors.places[static_cast<std::size_t>(*parameter.place)] = value;
-            } else {
-                factors.compliance = value;
-            }
-            break;
-        default: break;
-        }
-    }
-    return factors;
-}
-
 FitProblem::Scalars FitProblem::scalarsAt(const std::vector<double>& q) const {
     Scalars scalars;
     for (const FitGroup& group : m_data.groups) {
@@ -116,6 +127,8 @@ FitProblem::Scalars FitProblem::scalarsAt(const std::vector<double>& q) const {
         case FittedKind::time_shift: scalars.shift_s = value; break;
         case FittedKind::power_delay: scalars.powerDelay_s = value; break;
         case FittedKind::force_delay: scalars.forceDelay_s = value; break;
+        case FittedKind::gauge_lag: scalars.lag_s = value; break;
+        case FittedKind::gauge_drift: scalars.drift_mm_min = value; break;
         default: break;
         }
     }
@@ -131,6 +144,22 @@ bool FitProblem::run(const CycleFactors& factors) {
     return m_response.ran && !isStopped();
 }
 
+double FitProblem::durationAt(const std::vector<double>& q) {
+    return run(factorsAt(q)) ? m_response.end_s.back() : 0;
+}
+
+std::vector<double> FitProblem::stageEnds(const std::vector<double>& q) {
+    std::vector<double> ends;
+    std::size_t step = 0;
+    const bool runs = run(factorsAt(q));
+    for (std::size_t z = 0; runs && z < m_steps.size(); ++z) {
+        step += static_cast<std::size_t>(m_steps[z]);
+        ends.push_back(m_response.end_s[std::min(step, m_response.end_s.size() - 1)]
+                       + scalarsAt(q).shift_s);
+    }
+    return ends;
+}
+
 double FitProblem::predicted(const FitGroup& group, std::size_t index,
                              const Scalars& scalars) const {
     if (group.source == FitSource::parts) {
@@ -144,7 +173,9 @@ double FitProblem::predicted(const FitGroup& group, std::size_t index,
         const std::vector<double>& sizes =
             group.place ? m_response.placeSizes_mm[static_cast<std::size_t>(*group.place)]
                         : m_response.size_mm;
-        return valueAt(m_response.end_s, sizes, time) + scalars.offset_mm;
+        constexpr double sPerMin = 60;
+        return laggedAt(m_response.end_s, sizes, time, scalars.lag_s) + scalars.offset_mm
+               + scalars.drift_mm_min * time / sPerMin;
     }
     const auto value = [&](const std::vector<double>& values) {
         return valueAt(m_response.middle_s, values, time);
@@ -201,15 +232,19 @@ double FitProblem::startOfIdle() const {
     return 0;
 }
 
-/// The mean difference of the sizes at this shift.
-double FitProblem::startOfOffset(double shift_s) const {
+/// The mean difference of the sizes at this shift; of a long trace every so many values.
+double FitProblem::startOfOffset(Scalars scalars, double shift_s) const {
+    scalars.shift_s = shift_s;
+    scalars.offset_mm = 0;
     for (const FitGroup& group : m_data.groups) {
         if (group.source == FitSource::size) {
-            double sum = 0;
-            for (std::size_t i = 0; i < group.values.size(); ++i) {
-                sum += group.values[i] - predicted(group, i, {.offset_mm = 0, .shift_s = shift_s});
+            const std::size_t stride = strideOf(group);
+            double sum = 0, count = 0;
+            for (std::size_t i = 0; i < group.values.size(); i += stride) {
+                sum += group.values[i] - predicted(group, i, scalars);
+                ++count;
             }
-            return sum / static_cast<double>(group.values.size());
+            return sum / count;
         }
     }
     return 0;
@@ -226,9 +261,10 @@ bool FitProblem::keepsStep(const FitGroup& group) const {
 }
 
 /// The best of shifts all over the traces, each with its own offset: one is fitted near the truth.
-double FitProblem::startOfShift() const {
+double FitProblem::startOfShift(Scalars scalars) const {
     constexpr int tries = 200;
     const double cycle_s = m_response.end_s.back();
+    const bool hasOffset = has(FittedKind::size_offset);
     double best = 0, least = std::numeric_limits<double>::infinity();
     double from = 0, to = 0;
     for (const FitGroup& group : m_data.groups) {
@@ -240,18 +276,15 @@ double FitProblem::startOfShift() const {
     for (int i = 0; i <= tries && !isStopped(); ++i) {
         // 0 is tried too, and stays where nothing is better.
         const double shift = i == 0 ? 0 : from + (to - from) * (i - 1) / (tries - 1);
-        const double offset_mm = startOfOffset(shift);
+        scalars.offset_mm = hasOffset ? startOfOffset(scalars, shift) : 0;
+        scalars.shift_s = shift;
         double sum = 0;
         for (std::size_t g = 0; g < m_data.groups.size(); ++g) {
             const FitGroup& group = m_data.groups[g];
-            if (!keepsStep(group)) {
-                continue;
-            }
-            const Scalars scalars{
-                .idle_kw = startOfIdle(), .offset_mm = offset_mm, .shift_s = shift};
-            for (std::size_t k = 0; k < group.values.size(); ++k) {
+            const std::size_t stride = strideOf(group);
+            for (std::size_t k = 0; keepsStep(group) && k < group.values.size(); k += stride) {
                 const double r = (group.values[k] - predicted(group, k, scalars)) / m_noise[g];
-                sum += r * r;
+                sum += r * r * static_cast<double>(stride);
             }
         }
         if (sum < least) {
@@ -264,7 +297,7 @@ double FitProblem::startOfShift() const {
 
 /// At which the measured values follow the predicted ones most closely, of whatever size these
 /// are.
-double FitProblem::startOfDelay(FitSource source, double shift_s) const {
+double FitProblem::startOfDelay(FitSource source, Scalars scalars) const {
     constexpr int tries = 40;
     constexpr double farthest_s = 2;
     double best = 0, closest = 0;
@@ -272,7 +305,7 @@ double FitProblem::startOfDelay(FitSource source, double shift_s) const {
         // 0 is tried first, and stays where nothing is better.
         const int step = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
         const double delay_s = farthest_s * step / tries;
-        const Scalars scalars{.shift_s = shift_s, .powerDelay_s = delay_s, .forceDelay_s = delay_s};
+        scalars.powerDelay_s = scalars.forceDelay_s = delay_s;
         std::vector<double> measured, expected;
         for (const FitGroup& group : m_data.groups) {
             for (std::size_t k = 0; group.source == source && k < group.values.size(); ++k) {
@@ -291,32 +324,43 @@ double FitProblem::startOfDelay(FitSource source, double shift_s) const {
 
 std::vector<double> FitProblem::start() {
     std::vector<double> q(m_parameters.size(), 0);
-    const bool runs = run(factorsOf(m_project));
-    const double shift_s = runs && has(FittedKind::time_shift) ? startOfShift() : 0;
     constexpr double leastRunout_mm = 1e-4; // whose logarithm can be taken
     for (std::size_t i = 0; i < m_parameters.size(); ++i) {
         const FittedKind kind = m_parameters[i].kind;
-        switch (kind) {
-        case FittedKind::time_shift: q[i] = coordinateOf(kind, shift_s); break;
-        case FittedKind::power_delay:
-            q[i] = coordinateOf(kind, runs ? startOfDelay(FitSource::power, shift_s) : 0);
-            break;
-        case FittedKind::force_delay:
-            q[i] = coordinateOf(kind, runs ? startOfDelay(FitSource::force, shift_s) : 0);
-            break;
-        case FittedKind::size_offset:
-            q[i] = coordinateOf(kind, runs ? startOfOffset(shift_s) : 0);
-            break;
-        case FittedKind::idle_power: q[i] = coordinateOf(kind, startOfIdle()); break;
-        case FittedKind::blank_runout:
+        if (kind == FittedKind::blank_runout) {
             q[i] =
                 coordinateOf(kind, std::max(leastRunout_mm, factorsOf(m_project).blankRunout_mm));
-            break;
-        default:
-            if (m_parameters[i].prior && m_parameters[i].prior->mean > 0) {
-                q[i] = coordinateOf(kind, m_parameters[i].prior->mean);
-            }
+        } else if (const auto& prior = m_parameters[i].prior;
+                   isFactor(kind) && prior && prior->mean > 0) {
+            q[i] = coordinateOf(kind, prior->mean);
         }
+    }
+    return startAt(std::move(q));
+}
+
+std::vector<double> FitProblem::startAt(std::vector<double> q) {
+    const bool runs = run(factorsAt(q));
+    Scalars scalars = scalarsAt(q);
+    if (has(FittedKind::idle_power)) {
+        scalars.idle_kw = startOfIdle();
+    }
+    scalars.powerDelay_s = scalars.forceDelay_s = 0;
+    if (runs && has(FittedKind::time_shift)) {
+        scalars.shift_s = startOfShift(scalars);
+    }
+    for (std::size_t i = 0; i < m_parameters.size(); ++i) {
+        const FittedKind kind = m_parameters[i].kind;
+        const auto found = [&]() -> std::optional<double> {
+            switch (kind) {
+            case FittedKind::time_shift: return scalars.shift_s;
+            case FittedKind::power_delay: return runs ? startOfDelay(FitSource::power, scalars) : 0;
+            case FittedKind::force_delay: return runs ? startOfDelay(FitSource::force, scalars) : 0;
+            case FittedKind::size_offset: return runs ? startOfOffset(scalars, scalars.shift_s) : 0;
+            case FittedKind::idle_power: return scalars.idle_kw;
+            default: return std::nullopt;
+            }
+        }();
+        q[i] = found ? coordinateOf(kind, *found) : q[i];
     }
     return q;
 }

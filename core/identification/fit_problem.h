@@ -11,6 +11,11 @@
 
 namespace sparkout {
 
+/// The factors of the cycle at coordinates q of these parameters, as FitProblem has them.
+[[nodiscard]] CycleFactors cycleFactors(const Project& project,
+                                        const std::vector<FittedParameter>& list,
+                                        const std::vector<double>& q);
+
 /// The residuals of the measured values against the simulated cycle as a function of coordinates
 /// q, one a parameter: the logarithm of a factor and of a runout, else the value by its unit of
 /// search. The steps of the stages are given, so that the function is smooth.
@@ -35,33 +40,42 @@ public:
 
     [[nodiscard]] bool isStopped() const { return m_stop.stop_requested(); }
 
-    /// Coordinates to begin at: factors 1, offsets from the data.
+    /// Coordinates to begin at: factors 1 or as known before, the others from the data.
     [[nodiscard]] std::vector<double> start();
+    /// These, with the best offset of the sizes, shift and delays for the steps as they are: those
+    /// are searched all over the traces.
+    [[nodiscard]] std::vector<double> startAt(std::vector<double> q);
     /// False: the cycle cannot be run there, or a stop was requested.
     bool evaluate(const std::vector<double>& q, std::vector<double>& residuals);
     /// Measured less predicted, in the unit of its group, group by group; no priors, no weights.
     bool differences(const std::vector<double>& q, std::vector<double>& values);
+    /// The ends of the stages in the time of the traces.
+    [[nodiscard]] std::vector<double> stageEnds(const std::vector<double>& q);
+    /// Of the cycle [s]; 0 where it cannot be run.
+    [[nodiscard]] double durationAt(const std::vector<double>& q);
     /// How far to go in each coordinate for a derivative.
     [[nodiscard]] static double derivativeStep(FittedKind kind);
 
     [[nodiscard]] static double valueOf(FittedKind kind, double q);
     [[nodiscard]] static double coordinateOf(FittedKind kind, double value);
-    [[nodiscard]] CycleFactors factorsAt(const std::vector<double>& q) const;
+    [[nodiscard]] CycleFactors factorsAt(const std::vector<double>& q) const {
+        return cycleFactors(m_project, m_parameters, q);
+    }
 
 private:
     /// What does not change the cycle.
     struct Scalars {
         double flow = 1, dullness = 1, chip = 1, friction = 1, idle_kw = 0, offset_mm = 0,
-               shift_s = 0, powerDelay_s = 0, forceDelay_s = 0;
+               shift_s = 0, powerDelay_s = 0, forceDelay_s = 0, lag_s = 0, drift_mm_min = 0;
     };
     [[nodiscard]] Scalars scalarsAt(const std::vector<double>& q) const;
     [[nodiscard]] double predicted(const FitGroup& group, std::size_t index,
                                    const Scalars& scalars) const;
     bool run(const CycleFactors& factors);
     [[nodiscard]] double startOfIdle() const;
-    [[nodiscard]] double startOfOffset(double shift_s) const;
-    [[nodiscard]] double startOfShift() const;
-    [[nodiscard]] double startOfDelay(FitSource source, double shift_s) const;
+    [[nodiscard]] double startOfOffset(Scalars scalars, double shift_s) const;
+    [[nodiscard]] double startOfShift(Scalars scalars) const;
+    [[nodiscard]] double startOfDelay(FitSource source, Scalars scalars) const;
     [[nodiscard]] bool has(FittedKind kind) const;
     [[nodiscard]] bool keepsStep(const FitGroup& group) const;
 

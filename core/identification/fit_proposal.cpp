@@ -2,6 +2,7 @@
 #include "core/identification/fit_proposal.h"
 
 #include <algorithm>
+#include <set>
 
 namespace sparkout {
 
@@ -16,7 +17,15 @@ std::vector<FittedKind> proposedParameters(const FitData& data) {
     } else if (size) {
         kinds = {FittedKind::alpha, FittedKind::beta};
     } else if (parts) {
-        kinds = {FittedKind::compliance};
+        // Sizes in one place tell how the gauge is set or how the system yields, not both.
+        kinds = {FittedKind::gauge_setting};
+        std::set<int> places;
+        for (const FitGroup& group : data.groups) {
+            places.insert(group.places.begin(), group.places.end());
+        }
+        if (places.size() > 1) {
+            kinds.insert(kinds.begin(), FittedKind::beta);
+        }
     }
     if (power) {
         kinds.insert(kinds.end(), {FittedKind::chip_power, FittedKind::friction_power});

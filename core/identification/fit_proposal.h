@@ -10,7 +10,8 @@ namespace sparkout {
 
 /// The parameters that data of these kinds can tell [MODEL-13]: size alone gives α and β, never γ
 /// and k_s apart; with the force it gives γ, σ_i and η. Power gives its two products, and the idle
-/// power where that is not stated. Offsets of the traces go with them.
+/// power where that is not stated. Offsets of the traces go with them. Finished parts give β and
+/// the setting of the gauge, those of one place the setting alone.
 [[nodiscard]] std::vector<FittedKind> proposedParameters(const FitData& data);
 
 } // namespace sparkout

@@ -22,6 +22,9 @@ enum class FittedKind {
     power_delay,    ///< of the power behind what else was recorded [s]
     force_delay,    ///< of the normal force behind what else was recorded [s]
     blank_runout,   ///< ΔR of the blank [mm]
+    gauge_lag,      ///< time constant of the gauge, which follows the size by an exponential [s]
+    gauge_drift,    ///< of the gauge over the time of the cycle [mm/min]
+    gauge_setting,  ///< the diameter at which the gauge ends the cycle [mm]; of finished parts
     count_
 };
 
@@ -41,8 +44,10 @@ struct FittedParameter {
 /// Whether it multiplies an input: then it is fitted as its logarithm, stays positive and begins
 /// at 1.
 [[nodiscard]] bool isFactor(FittedKind kind);
-/// Whether it is a time of one trace against the others.
-[[nodiscard]] bool isDelay(FittedKind kind);
+/// Whether it is a factor that the depths of cut depend on.
+[[nodiscard]] bool actsOnDepths(FittedKind kind);
+/// Whether it is a property of what was recorded with: offset, times, lag and drift.
+[[nodiscard]] bool isOfRecorder(FittedKind kind);
 /// Whether it is an input of the project; the others belong to the traces.
 [[nodiscard]] bool isInput(FittedKind kind);
 /// How far the parameter may lie from its value before it counts as not known: of a factor and of

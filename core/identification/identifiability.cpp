@@ -4,9 +4,11 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace sparkout {
 
@@ -21,20 +23,10 @@ Eigen::Index at(std::size_t i) {
 
 class Inquiry {
 public:
-    Inquiry(FitProblem& problem, const FitData& data, const LeastSquares& best)
-        : m_problem(problem), m_data(data), m_best(best) {}
+    Inquiry(const std::vector<FittedParameter>& list, const FitData& data, const FlatOver& isFlat)
+        : m_list(list), m_data(data), m_isFlat(isFlat) {}
 
-    Identifiability inquire() {
-        const std::size_t count = m_problem.parameters();
-        std::vector<std::size_t> all(count);
-        std::iota(all.begin(), all.end(), std::size_t{0});
-        std::vector<double> columns;
-        if (!derivatives(m_problem, m_best.q, all, columns)) {
-            m_found.condition = std::numeric_limits<double>::infinity();
-            return std::move(m_found);
-        }
-        const Eigen::MatrixXd jacobian =
-            Eigen::Map<const Eigen::MatrixXd>(columns.data(), at(m_problem.residuals()), at(count));
+    Identifiability inquire(const Eigen::MatrixXd& jacobian) {
         decompose(jacobian);
         return std::move(m_found);
     }
@@ -81,45 +73,34 @@ private:
 
     /// Where the interval is as wide as the plausible range the profile itself decides.
     void reportFlat(const Eigen::MatrixXd& covariance) {
-        for (std::size_t i = 0; i < m_problem.parameters(); ++i) {
+        for (std::size_t i = 0; i < m_list.size(); ++i) {
             const double error = std::sqrt(covariance(at(i), at(i)));
             const double range = plausible(i);
-            if (isReported(i) || 2 * error < range || !isFlat(i, range)) {
+            if (isReported(i) || 2 * error < range || !m_isFlat(i, range)) {
                 continue;
             }
             std::vector<std::size_t> group{i};
+            double least = 0; // correlation
             constexpr double together = 0.95;
-            for (std::size_t k = 0; k < m_problem.parameters(); ++k) {
+            for (std::size_t k = 0; k < m_list.size(); ++k) {
                 const double other = std::sqrt(covariance(at(k), at(k)));
-                if (k != i && std::abs(covariance(at(i), at(k))) > together * error * other) {
+                if (k != i && 2 * other >= plausible(k)
+                    && std::abs(covariance(at(i), at(k))) > together * error * other) {
                     group.push_back(k);
+                    least = std::min(least, covariance(at(i), at(k)));
                 }
             }
             std::ranges::sort(group);
-            report(std::move(group));
+            report(std::move(group), least < 0);
         }
     }
 
     /// The plausible range in the coordinate.
     [[nodiscard]] double plausible(std::size_t i) const {
-        const FittedKind kind = m_problem.list()[i].kind;
+        const FittedKind kind = m_list[i].kind;
         const bool isRatio = isFactor(kind) || kind == FittedKind::blank_runout;
         const double range = plausibleRange(kind);
         return isRatio ? std::log(range) : FitProblem::coordinateOf(kind, range);
-    }
-
-    /// Whether the criterion stays within 4 of the least at an end of the range, the others fitted.
-    bool isFlat(std::size_t i, double range) {
-        std::vector<bool> fixed(m_problem.parameters(), false);
-        fixed[i] = true;
-        for (const double end : {range, -range}) {
-            std::vector<double> from = m_best.q;
-            from[i] += end;
-            if (minimise(m_problem, from, fixed).criterion < m_best.criterion + flatRise) {
-                return true;
-            }
-        }
-        return false;
     }
 
     [[nodiscard]] bool isReported(std::size_t i) const {
@@ -137,22 +118,29 @@ private:
             }
         }
         if (!group.empty()) {
-            report(std::move(group));
+            // What they may change by and change nothing is against each other.
+            const bool isAgainst =
+                group.size() == 2 && direction[at(group[0])] * direction[at(group[1])] < 0;
+            report(std::move(group), isAgainst);
         }
     }
 
-    void report(std::vector<std::size_t> group) {
+    void report(std::vector<std::size_t> group, bool isAgainst = false) {
         const Advice advice = adviceFor(group);
-        m_found.unidentified.push_back({std::move(group), advice});
+        const bool isProduct =
+            isAgainst && group.size() == 2 && std::ranges::all_of(group, [this](std::size_t i) {
+                return isFactor(m_list[i].kind);
+            });
+        m_found.unidentified.push_back({std::move(group), advice, isProduct});
     }
 
     [[nodiscard]] Advice adviceFor(const std::vector<std::size_t>& group) const {
         const auto has = [&](FittedKind kind) {
-            return std::ranges::any_of(
-                group, [&](std::size_t i) { return m_problem.list()[i].kind == kind; });
+            return std::ranges::any_of(group,
+                                       [&](std::size_t i) { return m_list[i].kind == kind; });
         };
-        const bool ofPlace = std::ranges::any_of(
-            group, [&](std::size_t i) { return m_problem.list()[i].place.has_value(); });
+        const bool ofPlace =
+            std::ranges::any_of(group, [&](std::size_t i) { return m_list[i].place.has_value(); });
         if (ofPlace) {
             return Advice::place_sizes;
         }
@@ -189,17 +177,42 @@ private:
         return Advice::several_parts;
     }
 
-    FitProblem& m_problem;
+    const std::vector<FittedParameter>& m_list;
     const FitData& m_data;
-    const LeastSquares& m_best;
+    const FlatOver& m_isFlat;
     Identifiability m_found;
 };
 
 } // namespace
 
+Identifiability identifiabilityOf(std::span<const double> columns, std::size_t rows,
+                                  const std::vector<FittedParameter>& list, const FitData& data,
+                                  const FlatOver& isFlat) {
+    return Inquiry(list, data, isFlat)
+        .inquire(Eigen::Map<const Eigen::MatrixXd>(columns.data(), at(rows), at(list.size())));
+}
+
 Identifiability identifiabilityAt(FitProblem& problem, const FitData& data,
                                   const LeastSquares& best) {
-    return Inquiry(problem, data, best).inquire();
+    std::vector<std::size_t> all(problem.parameters());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::vector<double> columns;
+    if (!derivatives(problem, best.q, all, columns)) {
+        return {std::numeric_limits<double>::infinity(), {}, {}, {}};
+    }
+    const auto isFlat = [&](std::size_t i, double range) {
+        std::vector<bool> fixed(problem.parameters(), false);
+        fixed[i] = true;
+        return std::ranges::any_of(std::array{range, -range}, [&](double end) {
+            std::vector<double> from = best.q;
+            from[i] += end;
+            return minimise(problem, from, fixed).criterion < best.criterion + flatRise;
+        });
+    };
+    Identifiability found =
+        identifiabilityOf(columns, problem.residuals(), problem.list(), data, isFlat);
+    found.columns = std::move(columns);
+    return found;
 }
 
 } // namespace sparkout

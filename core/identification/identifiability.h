@@ -4,6 +4,8 @@
 #include "core/identification/levenberg_marquardt.h"
 
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace sparkout {
@@ -25,6 +27,7 @@ enum class Advice {
 struct Unidentified {
     std::vector<std::size_t> parameters; ///< by their numbers; one alone, or some together
     Advice advice = Advice::several_parts;
+    bool isProduct = false; ///< two factors, whose product alone is told
 };
 
 /// How well the data determine the parameters, at the best fit.
@@ -32,6 +35,7 @@ struct Identifiability {
     double condition = 1;           ///< of the derivatives, each column by its length
     std::vector<double> covariance; ///< of the coordinates, row by row; of noise 1
     std::vector<Unidentified> unidentified;
+    std::vector<double> columns; ///< the derivatives of the residuals by the coordinates
 };
 
 /// The criterion rises by so much at the end of an interval of 95 % and more (2²): a parameter
@@ -39,6 +43,15 @@ struct Identifiability {
 inline constexpr double flatRise = 4;
 /// Beyond it the derivatives depend on each other but for rounding.
 inline constexpr double mostCondition = 1e7;
+
+/// Whether the criterion stays within `flatRise` over so much of a coordinate, the others fitted.
+using FlatOver = std::function<bool(std::size_t parameter, double range)>;
+
+/// Of the derivatives of the residuals by the coordinates, a column each; only a parameter whose
+/// interval is as wide as its plausible range is asked for.
+[[nodiscard]] Identifiability identifiabilityOf(std::span<const double> columns, std::size_t rows,
+                                                const std::vector<FittedParameter>& list,
+                                                const FitData& data, const FlatOver& isFlat);
 
 [[nodiscard]] Identifiability identifiabilityAt(FitProblem& problem, const FitData& data,
                                                 const LeastSquares& best);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification.h"
 
+#include "core/batch/moments.h"
 #include "core/identification/applicable.h"
+#include "core/identification/batch_fit.h"
+#include "core/identification/calibration.h"
 #include "core/identification/fit_problem.h"
 #include "core/identification/levenberg_marquardt.h"
 #include "core/project/gauge.h"
@@ -10,17 +13,22 @@
 #include "core/statistics/comparison.h"
 #include "core/statistics/median.h"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
+#include <span>
 #include <utility>
 
 namespace sparkout {
 
 namespace {
 
-constexpr double confidence = 0.95;
+constexpr std::size_t leastToJudge = 5; ///< values
+constexpr std::size_t mostStarts = 8;   ///< with different steps
 
 class Identifier {
 public:
@@ -41,24 +49,31 @@ public:
         }
         if (!fit()) {
             m_result.status = m_stop.stop_requested() ? IdentificationStatus::stopped
-                              : m_best.converged      ? IdentificationStatus::againstGauge
                                                       : IdentificationStatus::notConverged;
             return std::move(m_result);
         }
-        const Identifiability found = identifiabilityAt(m_problem, m_data, m_best);
+        Identifiability found = identifiabilityAt(m_problem, m_data, m_best);
         m_result.condition = found.condition;
         m_result.unidentified = found.unidentified;
         m_result.stepsByStage = m_problem.steps();
+        addResiduals();
+        if (found.unidentified.empty() && !found.covariance.empty()) {
+            widen(found);
+            findAlike(found);
+        }
         if (m_stop.stop_requested()) {
             m_result.status = IdentificationStatus::stopped;
-        } else if (!found.unidentified.empty() || found.covariance.empty()) {
-            m_result.status = IdentificationStatus::cannotTell;
+        } else if (!m_result.unidentified.empty() || found.covariance.empty()) {
+            m_result.status =
+                lacks() ? IdentificationStatus::doesNotFit : IdentificationStatus::cannotTell;
         } else {
             addValues(found);
-            addResiduals();
             std::vector<double> errors; // of the coordinates
             for (std::size_t i = 0; i < m_best.q.size(); ++i) {
                 errors.push_back(std::sqrt(found.covariance[i * m_best.q.size() + i]));
+            }
+            if (lacks() || isBeyondSearch()) {
+                m_result.status = IdentificationStatus::doesNotFit;
             }
             m_result.outOfStep = outOfStep(m_project, m_data, m_problem, m_best, errors, m_stop);
             if (m_stop.stop_requested()) { // the values would lack what was not asked
@@ -72,19 +87,7 @@ public:
 private:
     /// `fitted` where nothing speaks against it.
     IdentificationStatus refusal() {
-        const std::vector<FittedParameter>& list = m_request.parameters;
-        if (!areApplicable(m_project, list)) {
-            return IdentificationStatus::notApplicable;
-        }
-        for (Issue& issue : validate(m_project)) {
-            if (issue.severity == Severity::error) {
-                m_result.issues.push_back(std::move(issue));
-            }
-        }
-        if (!m_result.issues.empty()) {
-            return IdentificationStatus::notRun;
-        }
-        if (list.empty() || m_data.count() <= list.size()) {
+        if (m_data.count() <= m_request.parameters.size()) {
             return IdentificationStatus::noData;
         }
         m_problem.setSteps(stepsByGauge(m_project, factorsOf(m_project), m_stop));
@@ -93,89 +96,114 @@ private:
                                            : IdentificationStatus::fitted;
     }
 
-    /// The steps of the stages are whole numbers: the rest is fitted for given ones, then they are
-    /// what the gauge would ask for there, then each of them may be one more or less. Traces show
-    /// how many there were; where finished parts alone were measured, only the gauge tells it, and
-    /// what it would not bring about is no answer.
+    /// The steps of the stages are whole numbers, between which the shift and the factors have an
+    /// optimum of their own each: a step less is nearly made up for by a shift of one step. So the
+    /// fit begins at many factors, with the steps that the gauge would ask for and the best shift
+    /// of each; then the steps follow the gauge, then each may be one more or less.
     bool fit() {
         const std::vector<bool> free(m_request.parameters.size(), false);
-        m_best = minimise(m_problem, m_problem.start(), free);
+        m_best = minimise(m_problem, m_problem.start(), free, SearchEffort::rough);
         if (m_stop.stop_requested()) {
             return false;
         }
-        if (m_project.gauge->control == Control::gauge) {
-            m_onlyGaugeTells = std::ranges::none_of(
-                m_data.groups, [](const FitGroup& group) { return !group.time_s.empty(); });
-            m_isConsistent = m_onlyGaugeTells && isOfGauge();
-            if (m_onlyGaugeTells) {
-                tryStepsOfGauge();
-            }
+        const bool isByGauge = m_project.gauge->control == Control::gauge;
+        tryStarts(isByGauge);
+        if (isByGauge) {
             followGauge();
             trySteps();
         }
+        m_best = minimise(m_problem, m_best.q, free);
+        m_least = m_best.criterion;
         settleNoise();
-        return m_best.converged && !m_stop.stop_requested() && (!m_onlyGaugeTells || isOfGauge());
+        return m_best.converged && !m_stop.stop_requested();
     }
 
-    /// Whether the gauge would ask for these steps with these values.
-    [[nodiscard]] bool isOfGauge() const {
-        return stepsByGauge(m_project, m_problem.factorsAt(m_best.q), m_stop) == m_problem.steps();
-    }
-
-    /// Fits with other steps; keeps them where they fit better.
-    bool betterWith(const std::vector<int>& steps) {
-        return betterWith(steps, isAstray() ? m_problem.start() : m_best.q);
-    }
+    /// Fits with these steps; keeps them where they fit better.
     bool betterWith(const std::vector<int>& steps, const std::vector<double>& from) {
         const std::vector<int> before = m_problem.steps();
         m_problem.setSteps(steps);
         const std::vector<bool> free(m_request.parameters.size(), false);
-        LeastSquares other = minimise(m_problem, from, free);
+        LeastSquares other = minimise(m_problem, from, free, SearchEffort::rough);
         constexpr double better = 1e-9; // by no more than rounding is not better
         const bool fitsBetter = other.criterion < m_best.criterion * (1 - better);
-        std::swap(m_best, other);
-        if (!m_onlyGaugeTells) {
-            if (fitsBetter) {
-                return true;
-            }
-        } else if (const bool isConsistent = isOfGauge();
-                   isConsistent != m_isConsistent ? isConsistent : fitsBetter) {
-            m_isConsistent = isConsistent;
-            return true;
+        m_others.push_back(fitsBetter ? m_best : other);
+        if (fitsBetter) {
+            m_best = std::move(other);
+        } else {
+            m_problem.setSteps(before);
         }
-        std::swap(m_best, other);
-        m_problem.setSteps(before);
-        return false;
+        return fitsBetter;
     }
 
-    /// With wrong steps a factor may run off to 0, where every further fit would stay.
-    [[nodiscard]] bool isAstray() const {
-        constexpr double farthest = 1.4; // a factor of 4
-        for (std::size_t i = 0; i < m_best.q.size(); ++i) {
-            if (isFactor(m_request.parameters[i].kind) && std::abs(m_best.q[i]) > farthest) {
-                return true;
+    /// Where a fit may begin.
+    struct Start {
+        double criterion = 0;
+        std::vector<int> steps;
+        std::vector<double> q;
+    };
+
+    /// Factors of what the depths of cut depend on, from a quarter to four times: all of them
+    /// alike, and the first two each by itself.
+    [[nodiscard]] std::vector<std::vector<double>> factorsToBegin() {
+        constexpr int along = 24, across = 6;
+        std::vector<std::size_t> factors;
+        for (std::size_t i = 0; i < m_request.parameters.size(); ++i) {
+            if (actsOnDepths(m_request.parameters[i].kind)) {
+                factors.push_back(i);
             }
         }
-        return false;
-    }
-
-    /// The steps that the gauge asks for anywhere in a range of each factor, each of them once.
-    void tryStepsOfGauge() {
-        constexpr double most = 3; // times as much, and as little
-        constexpr int points = 24;
+        const auto share = [](int k, int points) {
+            return std::log(mostSearchedFactor) * (2.0 * k / points - 1);
+        };
         const std::vector<double> start = m_problem.start();
-        std::set<std::vector<int>> tried{m_problem.steps()};
-        for (std::size_t i = 0; i < start.size(); ++i) {
-            for (int k = 0;
-                 isFactor(m_request.parameters[i].kind) && k <= points && !m_stop.stop_requested();
-                 ++k) {
-                std::vector<double> q = start;
-                q[i] += std::log(most) * (2.0 * k / points - 1);
-                const std::vector<int> steps =
-                    stepsByGauge(m_project, m_problem.factorsAt(q), m_stop);
-                if (!steps.empty() && tried.insert(steps).second) {
-                    betterWith(steps, q);
-                }
+        std::vector<std::vector<double>> found;
+        for (int k = 0; !factors.empty() && k <= along; ++k) {
+            found.push_back(start);
+            for (const std::size_t i : factors) {
+                found.back()[i] += share(k, along);
+            }
+        }
+        for (int k = 0; factors.size() >= 2 && k <= across; ++k) {
+            for (int l = 0; l <= across; ++l) {
+                found.push_back(start);
+                found.back()[factors[0]] += share(k, across);
+                found.back()[factors[1]] += share(l, across);
+            }
+        }
+        return found;
+    }
+
+    [[nodiscard]] double criterionAt(const std::vector<double>& q) {
+        std::vector<double> residuals;
+        return m_problem.evaluate(q, residuals)
+                   ? std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0)
+                   : std::numeric_limits<double>::infinity();
+    }
+
+    /// Fits from the best starts, of which each sequence of steps has one.
+    void tryStarts(bool isByGauge) {
+        const std::vector<int> before = m_problem.steps();
+        std::vector<Start> starts;
+        for (const std::vector<double>& q : factorsToBegin()) {
+            if (m_stop.stop_requested()) {
+                break;
+            }
+            const std::vector<int> steps =
+                isByGauge ? stepsByGauge(m_project, m_problem.factorsAt(q), m_stop) : before;
+            if (!steps.empty()) {
+                m_problem.setSteps(steps);
+                std::vector<double> from = m_problem.startAt(q);
+                const double criterion = criterionAt(from);
+                starts.push_back({criterion, steps, std::move(from)});
+            }
+        }
+        m_problem.setSteps(before);
+        std::ranges::stable_sort(starts, {}, &Start::criterion);
+        std::set<std::vector<int>> tried;
+        for (const Start& start : starts) {
+            if (!m_stop.stop_requested() && tried.size() < mostStarts
+                && tried.insert(start.steps).second) {
+                betterWith(start.steps, start.q);
             }
         }
     }
@@ -185,7 +213,8 @@ private:
         for (int round = 0; round < mostRounds && !m_stop.stop_requested(); ++round) {
             const std::vector<int> steps =
                 stepsByGauge(m_project, m_problem.factorsAt(m_best.q), m_stop);
-            if (steps.empty() || steps == m_problem.steps() || !betterWith(steps)) {
+            if (steps.empty() || steps == m_problem.steps()
+                || !betterWith(steps, startWith(steps).q)) {
                 return;
             }
         }
@@ -212,12 +241,37 @@ private:
         return found;
     }
 
+    /// The coordinates as they are, or with the shift that makes up for a step more or less in one
+    /// of the stages, whichever fits better with other steps.
+    [[nodiscard]] Start startWith(const std::vector<int>& steps) {
+        const std::vector<int> before = m_problem.steps();
+        const std::vector<FittedParameter>& list = m_request.parameters;
+        const auto shift = std::ranges::find(list, FittedKind::time_shift, &FittedParameter::kind);
+        const double was_s = m_problem.durationAt(m_best.q);
+        m_problem.setSteps(steps);
+        Start best{criterionAt(m_best.q), steps, m_best.q};
+        if (shift != list.end()) {
+            std::vector<double> q = m_best.q;
+            q[static_cast<std::size_t>(shift - list.begin())] -= FitProblem::coordinateOf(
+                FittedKind::time_shift, m_problem.durationAt(m_best.q) - was_s);
+            if (const double criterion = criterionAt(q); criterion < best.criterion) {
+                best = {criterion, steps, std::move(q)};
+            }
+        }
+        m_problem.setSteps(before);
+        return best;
+    }
+
     void trySteps() {
         constexpr int mostRounds = 20;
         bool changed = true;
         for (int round = 0; changed && round < mostRounds; ++round) {
             const auto better = [this](const std::vector<int>& steps) {
-                return !m_stop.stop_requested() && isWorthATry(steps) && betterWith(steps);
+                if (m_stop.stop_requested()) {
+                    return false;
+                }
+                const Start start = startWith(steps);
+                return isWorthATry(start) && betterWith(steps, start.q);
             };
             const std::vector<std::vector<int>> steps = neighbours();
             changed = std::ranges::any_of(steps, better);
@@ -225,19 +279,12 @@ private:
     }
 
     /// Of steps that are far worse as things stand no fit will make better ones.
-    bool isWorthATry(const std::vector<int>& steps) {
-        const std::vector<int> before = m_problem.steps();
-        m_problem.setSteps(steps);
-        std::vector<double> residuals;
-        const bool ran = m_problem.evaluate(m_best.q, residuals);
-        m_problem.setSteps(before);
-        const double sum =
-            std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
-        constexpr double hopeless = 100;
-        return ran
-               && sum < hopeless
-                            * std::max(m_best.criterion,
-                                       1e-6 * static_cast<double>(residuals.size()));
+    [[nodiscard]] bool isWorthATry(const Start& start) const {
+        constexpr double farWorse = 100, leastMean = 1e-6;
+        return start.criterion
+               < farWorse
+                     * std::max(m_best.criterion,
+                                leastMean * static_cast<double>(m_problem.residuals()));
     }
 
     /// The noise of each group from its own residuals, and the weights of a robust loss, until
@@ -304,11 +351,92 @@ private:
         return robustWeights(scaled, m_request.loss);
     }
 
+    /// A·(Σ J_i·ρ(i − j)·J_jᵀ)·A, A the covariance that holds where the noise is white: that of
+    /// least squares where it follows itself.
+    void widen(Identifiability& found) {
+        const std::size_t count = m_request.parameters.size();
+        const std::size_t rows = m_problem.residuals();
+        std::vector<double> sum(count * count, 0);
+        const Derivatives derivatives{found.columns, rows};
+        const std::vector<double> stageEnds_s = m_problem.stageEnds(m_best.q);
+        std::size_t row = 0;
+        for (std::size_t g = 0; g < m_data.groups.size(); ++g) {
+            const FitGroup& group = m_data.groups[g];
+            std::vector<std::size_t> stages;
+            for (const double end_s : stageEnds_s) {
+                stages.push_back(
+                    row
+                    + static_cast<std::size_t>(std::ranges::upper_bound(group.time_s, end_s)
+                                               - group.time_s.begin()));
+            }
+            const std::size_t end = row + group.values.size();
+            addFollowing(derivatives, row, end, stages,
+                         m_result.residuals[g].noise.value_or(TraceNoise{.white = 1}), sum);
+            row = end;
+        }
+        addFollowing(derivatives, row, rows, {}, {.white = 1}, sum); // known before
+        const auto square = [count](std::vector<double>& values) {
+            const auto size = static_cast<Eigen::Index>(count);
+            return Eigen::Map<Eigen::MatrixXd>(values.data(), size, size);
+        };
+        const Eigen::MatrixXd white = square(found.covariance);
+        square(found.covariance) = white * square(sum) * white;
+    }
+
+    /// The least and greatest coordinate of each parameter that fits alike: with other steps of the
+    /// stages, or in another valley, where the criterion rises by no more than at the ends of the
+    /// interval, counted in what the noise makes of it. Where they lie farther apart than the
+    /// plausible range is wide, the data do not tell the parameter.
+    void findAlike(const Identifiability& found) {
+        double following = 1;
+        for (const FitResiduals& group : m_result.residuals) {
+            if (group.noise) {
+                const double share = group.noise->share(), phi = group.noise->phi;
+                following = std::max(following, 1 - share + share * (1 + phi) / (1 - phi));
+            }
+        }
+        const std::size_t count = m_request.parameters.size();
+        const double freedom = static_cast<double>(m_data.count() - count);
+        const double most = m_least * (1 + flatRise * following / freedom);
+        for (std::size_t i = 0; i < count; ++i) {
+            std::pair<double, double> ends{m_best.q[i], m_best.q[i]};
+            for (const LeastSquares& other : m_others) {
+                if (other.criterion <= most) {
+                    ends.first = std::min(ends.first, other.q[i]);
+                    ends.second = std::max(ends.second, other.q[i]);
+                }
+            }
+            const FittedKind kind = m_request.parameters[i].kind;
+            const double wide = std::sqrt(found.covariance[i * count + i]);
+            if (isFactor(kind)
+                && ends.second - ends.first + 2 * wide > 2 * std::log(plausibleRange(kind))) {
+                m_result.unidentified.push_back({{i}, Advice::another_feed});
+            }
+            m_alike.push_back(ends);
+        }
+    }
+
+    /// Whether more is left of a trace than noise.
+    [[nodiscard]] bool lacks() const {
+        return std::ranges::any_of(
+            m_result.residuals, [](const FitResiduals& group) { return group.lack.isLacking(); });
+    }
+
+    [[nodiscard]] bool isBeyondSearch() const {
+        bool isBeyond = false;
+        for (std::size_t i = 0; i < m_best.q.size(); ++i) {
+            isBeyond = isBeyond
+                       || (actsOnDepths(m_request.parameters[i].kind)
+                           && std::abs(m_best.q[i]) > std::log(mostSearchedFactor));
+        }
+        return isBeyond;
+    }
+
     void addValues(const Identifiability& found) {
         const std::size_t count = m_request.parameters.size();
         const double freedom =
             std::max(1.0, static_cast<double>(m_data.count()) - static_cast<double>(count));
-        const double t = studentQuantile((1 + confidence) / 2, freedom);
+        const double t = studentQuantile((1 + confidence95) / 2, freedom);
         std::vector<double> errors;
         for (std::size_t i = 0; i < count; ++i) {
             const FittedKind kind = m_request.parameters[i].kind;
@@ -317,10 +445,12 @@ private:
             FittedValue value;
             value.parameter = m_request.parameters[i];
             value.value = FitProblem::valueOf(kind, q);
-            value.interval95 = {FitProblem::valueOf(kind, q - t * error),
-                                FitProblem::valueOf(kind, q + t * error)};
+            const auto [least, most] = m_alike[i];
+            value.interval95 = {FitProblem::valueOf(kind, least - t * error),
+                                FitProblem::valueOf(kind, most + t * error)};
             const bool isRelative = isFactor(kind) || kind == FittedKind::blank_runout;
-            value.error = isRelative ? error : FitProblem::valueOf(kind, error);
+            const double half = error + (most - least) / 2;
+            value.error = isRelative ? half : FitProblem::valueOf(kind, half);
             errors.push_back(error);
             m_result.values.push_back(value);
         }
@@ -346,21 +476,44 @@ private:
         if (!m_problem.differences(m_best.q, differences)) {
             return;
         }
+        const std::vector<double> stageEnds_s = m_problem.stageEnds(m_best.q);
+        const double taken = static_cast<double>(m_request.parameters.size())
+                             / static_cast<double>(m_data.groups.size());
         std::vector<double> scaled;
-        std::size_t at = 0;
+        std::span<const double> left(differences);
         for (const FitGroup& group : m_data.groups) {
-            FitResiduals residuals{group.source, group.trace, {}, 0, group.traceNoise()};
-            for (std::size_t i = 0; i < group.values.size(); ++i, ++at) {
-                residuals.values.push_back(differences[at]);
-                residuals.rms += differences[at] * differences[at];
+            const std::span<const double> own = left.first(group.values.size());
+            left = left.subspan(own.size());
+            FitResiduals residuals{group.source, group.trace, {own.begin(), own.end()}};
+            residuals.rms = std::sqrt(std::inner_product(own.begin(), own.end(), own.begin(), 0.0)
+                                      / static_cast<double>(own.size()));
+            if (!group.time_s.empty() && own.size() >= leastToJudge) {
+                judge(group, taken, stageEnds_s, residuals);
             }
-            residuals.rms = std::sqrt(residuals.rms / static_cast<double>(group.values.size()));
-            for (const double value : residuals.values) {
+            for (const double value : own) {
                 scaled.push_back(residuals.rms > 0 ? value / residuals.rms : 0);
             }
             m_result.residuals.push_back(std::move(residuals));
         }
         addNormality(std::move(scaled));
+    }
+
+    static void judge(const FitGroup& group, double parameters,
+                      const std::vector<double>& stageEnds_s, FitResiduals& residuals) {
+        // Of exact values the last digits of the simulation are left.
+        constexpr double leastShare = 1e-6;
+        const auto [least, most] = std::ranges::minmax(group.values);
+        residuals.noise =
+            traceNoiseOf(residuals.values, std::max(group.step, (most - least) * leastShare));
+        residuals.lack = lackOfFit(residuals.values, *residuals.noise, parameters);
+        if (residuals.lack.isLacking()) {
+            std::vector<double> predicted = group.values;
+            for (std::size_t i = 0; i < predicted.size(); ++i) {
+                predicted[i] -= residuals.values[i];
+            }
+            residuals.unlike = unlikeOf(group.time_s, predicted, residuals.values,
+                                        residuals.noise->variance(), stageEnds_s);
+        }
     }
 
     void addNormality(std::vector<double> scaled) {
@@ -385,13 +538,14 @@ private:
     FitData m_data;
     FitProblem m_problem;
     LeastSquares m_best;
-    bool m_onlyGaugeTells = false; ///< no trace shows how many steps there were
-    bool m_isConsistent = false;   ///< then: whether the gauge asks for those of the best
+    std::vector<LeastSquares> m_others;             ///< from other starts or with other steps
+    std::vector<std::pair<double, double>> m_alike; ///< ends of what fits alike, by parameter
+    double m_least = 0; ///< the criterion of the best by the same noise as theirs
     Identification m_result;
 };
 
-/// Whether the residuals of a trace follow each other, as those of the right cycle do not: beyond
-/// three standard errors of white noise, 1/√n.
+/// Whether the residuals of a trace follow each other, as those of the right cycle hardly do:
+/// beyond three standard errors of white noise, 1/√n.
 bool hasStructure(const std::vector<FitResiduals>& residuals) {
     constexpr double clearly = 3;
     return std::ranges::any_of(residuals, [](const FitResiduals& group) {
@@ -420,8 +574,7 @@ std::vector<OutOfStep> outOfStepAnew(const Project& project, const Identificatio
         IdentificationRequest wider = request;
         wider.parameters.push_back({kind, {}, {}});
         const Identification with = Identifier(project, wider, stop).identify();
-        if (with.status != IdentificationStatus::fitted
-            || !(misfit(with.residuals) < misfit(without.residuals))) {
+        if (with.values.empty() || !(misfit(with.residuals) < misfit(without.residuals))) {
             continue;
         }
         OutOfStep one{kind, with.values.back().value, with.values.back().error, 0, 0};
@@ -429,7 +582,7 @@ std::vector<OutOfStep> outOfStepAnew(const Project& project, const Identificatio
         for (const FitResiduals& group : with.residuals) {
             rho = group.trace >= 0 ? std::max(rho, firstAutocorrelation(group.values)) : rho;
         }
-        one.error_s *= std::sqrt(inflation(rho));
+        one.error *= std::sqrt(inflation(rho));
         if (!isCertain(one)) {
             continue;
         }
@@ -451,27 +604,63 @@ std::vector<OutOfStep> outOfStepAnew(const Project& project, const Identificatio
     return found;
 }
 
+/// What validate() says of the inputs with these values and did not say before: with values that it
+/// refuses the model does not fit.
+void judgeInputs(const Project& project, Identification& found) {
+    const Issues before = validate(project);
+    const Project calibrated = withCalibration(project, found, {}, {});
+    for (Issue& issue : validate(calibrated)) {
+        if (std::ranges::find(before, issue) == before.end()) {
+            found.status =
+                issue.severity == Severity::error ? IdentificationStatus::doesNotFit : found.status;
+            found.issues.push_back(std::move(issue));
+        }
+    }
+}
+
 } // namespace
-
-bool FitResiduals::isInDoubt() const {
-    return noise && rms > mostRmsOfNoise * *noise;
-}
-
-bool Identification::isInDoubt() const {
-    return std::ranges::any_of(residuals, &FitResiduals::isInDoubt);
-}
 
 Identification identify(const Project& project, const IdentificationRequest& request,
                         const std::stop_token& stop) {
-    Identification found = Identifier(project, request, stop).identify();
-    if (found.status == IdentificationStatus::fitted && found.outOfStep.empty()
-        && hasStructure(found.residuals)) {
+    Identification found;
+    const FitData data = fitDataOf(project, request.traces, request.withParts);
+    const bool onlyParts =
+        !data.groups.empty() && std::ranges::all_of(data.groups, [](const FitGroup& group) {
+            return group.source == FitSource::parts;
+        });
+    const bool asksSetting =
+        std::ranges::find(request.parameters, FittedKind::gauge_setting, &FittedParameter::kind)
+        != request.parameters.end();
+    if (!areApplicable(project, request.parameters) || (asksSetting && !onlyParts)) {
+        found.status = IdentificationStatus::notApplicable;
+        return found;
+    }
+    for (Issue& issue : validate(project)) {
+        if (issue.severity == Severity::error) {
+            found.issues.push_back(std::move(issue));
+        }
+    }
+    if (!found.issues.empty()) {
+        found.status = IdentificationStatus::notRun;
+        return found;
+    }
+    if (request.parameters.empty()) {
+        return found; // no data
+    }
+    if (onlyParts) {
+        found = fitBatch(project, request, stop);
+        judgeInputs(project, found);
+        return found;
+    }
+    found = Identifier(project, request, stop).identify();
+    if (!found.values.empty() && found.outOfStep.empty() && hasStructure(found.residuals)) {
         found.outOfStep = outOfStepAnew(project, request, stop, found);
         if (stop.stop_requested()) {
             found = {};
             found.status = IdentificationStatus::stopped;
         }
     }
+    judgeInputs(project, found);
     return found;
 }
 

@@ -4,8 +4,10 @@
 #include "core/identification/fit_data.h"
 #include "core/identification/fitted_parameter.h"
 #include "core/identification/identifiability.h"
+#include "core/identification/noise_model.h"
 #include "core/identification/out_of_step.h"
 #include "core/identification/robust_weights.h"
+#include "core/identification/unlike.h"
 #include "core/issue.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/normality.h"
@@ -30,10 +32,11 @@ enum class IdentificationStatus {
     fitted,
     cannotTell,    ///< the data do not tell some of the parameters: no values
     noData,        ///< nothing measured that the parameters act on, or less than there are
-    notApplicable, ///< compliances of places that the project cannot have, a parameter twice
+    notApplicable, ///< compliances of places that the project cannot have, a parameter twice, the
+                   ///< setting of the gauge from traces
     notRun,        ///< the cycle of the project cannot be run
     notConverged,
-    againstGauge, ///< of finished parts alone: where they fit, the gauge ends the cycle elsewhere
+    doesNotFit, ///< values are there, and what they leave is more than chance: not to be used
     stopped
 };
 
@@ -50,15 +53,14 @@ struct FitResiduals {
     int trace = -1;
     std::vector<double> values; ///< measured less predicted, in the order of the data
     double rms = 0;
-    std::optional<double> noise; ///< of a trace, from the trace itself
-
-    /// Whether more is left than the noise of the trace: the cycle that was run is not the one that
-    /// was recorded, whatever its parameters.
-    [[nodiscard]] bool isInDoubt() const;
+    std::optional<TraceNoise> noise{}; ///< of a trace, from what neighbours differ by
+    LackOfFit lack{};                  ///< of it
+    UnlikeCycle unlike{};              ///< where it lacks
 };
 
-/// The RMS of a fit of the right cycle is about the noise of the trace, not above this times it.
-inline constexpr double mostRmsOfNoise = 1.3;
+/// A fit of traces begins all over factors from as little to as much; what it finds beyond them is
+/// not used: the inputs are to be brought nearer first.
+inline constexpr double mostSearchedFactor = 4;
 
 struct Identification {
     IdentificationStatus status = IdentificationStatus::noData;
@@ -73,9 +75,8 @@ struct Identification {
     std::vector<int> stepsByStage;  ///< of the cycle that fits
     std::vector<int> withoutFactor; ///< currents left out, as their factor is not given; by number
     std::size_t count = 0;          ///< measured values
-    Issues issues;                  ///< why the cycle cannot be run
-
-    [[nodiscard]] bool isInDoubt() const; ///< for the residuals of any trace
+    /// Why the cycle cannot be run, or what is refused or unusual of the inputs with these values.
+    Issues issues;
 };
 
 [[nodiscard]] Identification identify(const Project& project, const IdentificationRequest& request,

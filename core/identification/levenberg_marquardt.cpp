@@ -84,7 +84,7 @@ bool derivatives(FitProblem& problem, const std::vector<double>& q,
 }
 
 LeastSquares minimise(FitProblem& problem, const std::vector<double>& start,
-                      const std::vector<bool>& fixed) {
+                      const std::vector<bool>& fixed, SearchEffort effort) {
     LeastSquares found;
     std::vector<std::size_t> free;
     for (std::size_t i = 0; i < start.size(); ++i) {
@@ -99,8 +99,9 @@ LeastSquares minimise(FitProblem& problem, const std::vector<double>& start,
     }
     if (!free.empty() && functor.values() >= functor.inputs()) {
         Eigen::LevenbergMarquardt<Functor> method(functor);
-        constexpr double tolerance = 1e-11;
-        constexpr int mostEvaluations = 200;
+        const bool isWhole = effort == SearchEffort::whole;
+        const double tolerance = isWhole ? 1e-11 : 1e-5;
+        const int mostEvaluations = isWhole ? 200 : 25;
         method.parameters.ftol = tolerance;
         method.parameters.xtol = tolerance;
         method.parameters.maxfev = mostEvaluations;

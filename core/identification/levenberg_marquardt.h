@@ -17,9 +17,14 @@ struct LeastSquares {
     int evaluations = 0;
 };
 
+/// How far a search of the least squares goes: to the last digits, or until it is known which of
+/// several is the best.
+enum class SearchEffort { whole, rough };
+
 /// From a start; coordinates that are `fixed` stay. A stop of the problem ends it where it is.
 [[nodiscard]] LeastSquares minimise(FitProblem& problem, const std::vector<double>& start,
-                                    const std::vector<bool>& fixed);
+                                    const std::vector<bool>& fixed,
+                                    SearchEffort effort = SearchEffort::whole);
 
 /// Derivatives of the residuals by the coordinates, by central differences: a column each, one
 /// behind the other. False: the cycle cannot be run beside q.

@@ -26,6 +26,9 @@ bool isOfData(FittedKind kind, const FitData& data) {
     if (kind == FittedKind::time_shift) {
         return std::ranges::any_of(data.groups, hasTimes);
     }
+    if (kind == FittedKind::gauge_lag || kind == FittedKind::gauge_drift) {
+        return data.has(FitSource::size);
+    }
     const FitSource source = kind == FittedKind::power_delay ? FitSource::power : FitSource::force;
     return data.has(source) && std::ranges::any_of(data.groups, [source](const FitGroup& group) {
                return hasTimes(group) && group.source != source;
@@ -101,9 +104,9 @@ public:
         }
         OutOfStep found;
         found.kind = m_list.back().kind;
-        found.delay_s = FitProblem::valueOf(found.kind, wider.q.back());
-        found.error_s = FitProblem::valueOf(found.kind, std::sqrt(told.covariance.back()))
-                        * std::sqrt(inflationOf(m_data, differences));
+        found.amount = FitProblem::valueOf(found.kind, wider.q.back());
+        found.error = FitProblem::valueOf(found.kind, std::sqrt(told.covariance.back()))
+                      * std::sqrt(inflationOf(m_data, differences));
         if (!isCertain(found)) {
             return {};
         }
@@ -168,14 +171,15 @@ double inflation(double autocorrelation) {
 }
 
 bool isCertain(const OutOfStep& found) {
-    return std::abs(found.delay_s) >= std::max(leastDelay_s, certainDelay * found.error_s);
+    return std::abs(found.amount) >= std::max(leastDelay_s, certainDelay * found.error);
 }
 
 std::vector<FittedKind> timesLeftOut(const FitData& data,
                                      const std::vector<FittedParameter>& fitted) {
     std::vector<FittedKind> left;
     for (const FittedKind kind :
-         {FittedKind::time_shift, FittedKind::power_delay, FittedKind::force_delay}) {
+         {FittedKind::time_shift, FittedKind::power_delay, FittedKind::force_delay,
+          FittedKind::gauge_lag, FittedKind::gauge_drift}) {
         if (std::ranges::find(fitted, kind, &FittedParameter::kind) == fitted.end()
             && isOfData(kind, data)) {
             left.push_back(kind);

@@ -11,13 +11,13 @@
 
 namespace sparkout {
 
-/// A time that was not fitted and is hardly 0: of the traces against the cycle (`time_shift`), of
-/// the power or the force against what else was recorded. Left out, it goes into the other
-/// parameters, whose intervals say nothing of it.
+/// A property of the recorder that was not fitted and is hardly 0: a time of the traces against the
+/// cycle (`time_shift`), of the power or the force against what else was recorded, lag or drift of
+/// the gauge. Left out, it goes into the other parameters, whose intervals say nothing of it.
 struct OutOfStep {
     FittedKind kind = FittedKind::power_delay;
-    double delay_s = 0;        ///< with it fitted too
-    double error_s = 0;        ///< its standard error; wider where the residuals follow each other
+    double amount = 0;         ///< with it fitted too
+    double error = 0;          ///< its standard error; wider where the residuals follow each other
     std::size_t parameter = 0; ///< the one of the fit that it moves most, by its error
     double value = 0;          ///< what that one would be
 };

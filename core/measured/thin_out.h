@@ -7,9 +7,9 @@
 
 namespace sparkout {
 
-/// At most `most` of the samples of a trace, in their order: the first and the last one, and of as
-/// many stretches of equal length as there is room for the least and the greatest value, so that no
-/// peak is lost. All of them where they are no more than that.
+/// A trace of at most `most` samples: the means of time and value of as many stretches of equal
+/// length. A record of many thousand values a second has noise whose least and greatest values are
+/// far from its mean, and a fit is about the mean. All of them where they are no more than that.
 [[nodiscard]] std::pair<std::vector<double>, std::vector<double>>
 thinOut(std::vector<double> times, std::vector<double> values, std::size_t most);
 

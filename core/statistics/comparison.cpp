@@ -13,6 +13,10 @@ double studentQuantile(double p, double freedom) {
     return boost::math::quantile(boost::math::students_t(freedom), p);
 }
 
+double fisherQuantile(double p, double freedom, double otherFreedom) {
+    return boost::math::quantile(boost::math::fisher_f(freedom, otherFreedom), p);
+}
+
 VarianceRatio varianceRatio(double deviation, std::int64_t count, double other,
                             std::int64_t otherCount, double confidence) {
     VarianceRatio test;

@@ -11,6 +11,9 @@ namespace sparkout {
 /// Quantile of Student's law, 0 < p < 1, freedom > 0.
 [[nodiscard]] double studentQuantile(double p, double freedom);
 
+/// Quantile of Fisher's law of the ratio of two variances with so many degrees of freedom.
+[[nodiscard]] double fisherQuantile(double p, double freedom, double otherFreedom);
+
 /// Fisher's test of two variances of normal values [FISHER1925]: whether their ratio can be chance.
 struct VarianceRatio {
     double ratio = 1; ///< s₁²/s₂²

@@ -121,8 +121,9 @@ private slots:
                                   "--fit",    "compliance,flow_stress,size_offset"};
         const Outcome outcome = run(command);
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
-        QVERIFY2(outcome.out.find("cannot be told: compliance, flow_stress; record the wheel's "
-                                  "power")
+        QVERIFY2(outcome.out.find(
+                     "only the product is told of: compliance, flow_stress; record the wheel's "
+                     "power")
                      != std::string::npos,
                  outcome.out.c_str());
         QCOMPARE(run(command + QStringList{"--check"}).status, 4);

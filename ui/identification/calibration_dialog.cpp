@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/identification/calibration_dialog.h"
 
+#include "core/identification/fit_data.h"
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/measured.h"
 #include "ui/identification/cycle_fit_page.h"
@@ -21,7 +22,6 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include <algorithm>
 
 namespace sparkout {
 
@@ -80,20 +80,15 @@ CalibrationDialog::CalibrationDialog(const Project& project, QWidget* parent)
 }
 
 bool CalibrationDialog::isEmpty() const {
-    if (!m_project.measured) {
-        return true;
-    }
-    const Measured& measured = *m_project.measured;
-    return measured.traces.empty()
-           && std::ranges::all_of(
-               measured.parts, [](const MeasuredPart& part) { return part.diameters_mm.empty(); });
+    const FitData all = fitDataOf(m_project, {}, true);
+    return all.groups.empty() && all.withoutFactor.empty();
 }
 
 QWidget* CalibrationDialog::emptyPage() {
     auto* page = new QWidget(this);
     auto* words = new QLabel(
         tr("There is nothing yet that the cycle could be fitted to: no recorded trace, no "
-           "diameters of single parts. Statistics of a batch do not serve.\n\n"
+           "diameters of finished parts.\n\n"
            "Import measurements… reads them from tables: the size at the gauge, the power of the "
            "wheel, the current of its spindle or the normal force over the time of one cycle, or "
            "the diameters of finished parts by zone or section.\n\n"

@@ -3,7 +3,6 @@
 
 #include "core/identification/calibration.h"
 #include "core/project/measured.h"
-#include "core/project/validate.h"
 #include "ui/identification/data_choice.h"
 #include "ui/identification/fit_result.h"
 #include "ui/identification/fit_words.h"
@@ -15,7 +14,6 @@
 #include <QDate>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -157,7 +155,7 @@ void CycleFitPage::follow() {
         fault = tr("No parameter is chosen.");
     }
     m_fault->setText(runs                          ? tr("Cycles are being run and compared …")
-                     : fault.isEmpty() && m_result ? m_consequences
+                     : fault.isEmpty() && m_result ? consequences()
                                                    : fault);
     m_fit->setEnabled(!runs && fault.isEmpty());
     m_stop->setEnabled(runs);
@@ -167,8 +165,7 @@ void CycleFitPage::follow() {
     m_loss->setEnabled(!runs);
     m_leaveOut->setVisible(m_result && !m_result->unidentified.empty() && !runs);
     m_fitTimes->setVisible(m_result && !m_result->outOfStep.empty() && !runs);
-    m_take->setEnabled(!runs && m_result && m_canTake
-                       && m_result->status == IdentificationStatus::fitted
+    m_take->setEnabled(!runs && m_result && m_result->status == IdentificationStatus::fitted
                        && std::ranges::any_of(m_result->values, [](const FittedValue& value) {
                               return isInput(value.parameter.kind);
                           }));
@@ -189,7 +186,6 @@ void CycleFitPage::start() {
 
 void CycleFitPage::showResult(const IdentificationPtr& result) {
     m_result = result;
-    findConsequences();
     m_shown->show(m_requested, *result);
     follow();
 }
@@ -222,55 +218,32 @@ Project CycleFitPage::calibrated() const {
                            QDate::currentDate().toString(Qt::ISODate).toStdString());
 }
 
-/// A fit may be good and yet put inputs where none is: then something else of the project is not
-/// as it was at the machine, or the data tell its parameters hardly apart.
-void CycleFitPage::findConsequences() {
-    m_consequences.clear();
-    m_canTake = true;
-    if (m_result->status != IdentificationStatus::fitted) {
-        return;
-    }
-    const Issues before = validate(m_project);
+/// A fit may be good and yet put inputs where they are unusual: then something else of the project
+/// is not as it was at the machine, or the data hardly tell its parameters apart.
+QString CycleFitPage::consequences() const {
     QStringList refused, unusual;
-    for (const Issue& issue : validate(calibrated())) {
-        if (std::ranges::find(before, issue) != before.end()) {
-            continue;
-        }
+    for (const Issue& issue : m_result->issues) {
         (issue.severity == Severity::error ? refused : unusual) << Names::issue(issue);
     }
-    m_canTake = refused.isEmpty();
     const QString advice =
         tr("Are gauge, feeds and blank of the project those of the recording? Fewer parameters, or "
            "what is known of them before, help, too.");
+    if (m_result->values.empty()) {
+        return {};
+    }
     if (!refused.isEmpty()) {
-        m_consequences = tr("These values cannot be taken over. %1. %2")
-                             .arg(refused.join(QStringLiteral("; ")), advice);
-    } else if (!unusual.isEmpty()) {
-        m_consequences = tr("Unusual: %1. %2").arg(unusual.join(QStringLiteral("; ")), advice);
+        return tr("These values cannot be taken over. %1. %2")
+            .arg(refused.join(QStringLiteral("; ")), advice);
     }
-}
-
-/// What the fit leaves is more than noise: its values are taken only by who has read that.
-bool CycleFitPage::isTakenInDoubt() {
-    QStringList doubts;
-    for (const FitResiduals& group : m_result->residuals) {
-        if (const QString doubt = FitWords::doubt(m_project, group); !doubt.isEmpty()) {
-            doubts << doubt;
-        }
+    if (m_result->status == IdentificationStatus::doesNotFit) {
+        return tr("These values cannot be taken over: the model does not fit. %1").arg(advice);
     }
-    QMessageBox box(QMessageBox::Warning, tr("The fit is in doubt"),
-                    doubts.join(QStringLiteral("\n\n")), QMessageBox::NoButton, this);
-    box.setTextFormat(Qt::PlainText);
-    const QPushButton* const apply = box.addButton(tr("&Apply anyway"), QMessageBox::AcceptRole);
-    box.setDefaultButton(box.addButton(tr("&Cancel"), QMessageBox::RejectRole));
-    box.exec();
-    return box.clickedButton() == apply;
+    return unusual.isEmpty()
+               ? QString()
+               : tr("Unusual: %1. %2").arg(unusual.join(QStringLiteral("; ")), advice);
 }
 
 void CycleFitPage::take() {
-    if (m_result->isInDoubt() && !isTakenInDoubt()) {
-        return;
-    }
     emit taken(calibrated());
 }
 

@@ -41,9 +41,9 @@ private:
     void leaveOut();
     void fitTimes();
     void take();
-    bool isTakenInDoubt();
     [[nodiscard]] Project calibrated() const; ///< with the values found
-    void findConsequences();
+    /// Inputs that would be refused or unusual with the values found, in words.
+    [[nodiscard]] QString consequences() const;
     [[nodiscard]] IdentificationRequest request() const;
 
     const Project& m_project;
@@ -60,9 +60,7 @@ private:
     QPushButton* m_take;
     IdentificationRequest m_requested;
     IdentificationPtr m_result;
-    QString m_consequences; ///< inputs that would be refused or unusual, in words
-    bool m_canTake = false; ///< no input would be refused
-    Job m_job;              ///< last: ended before what it reports to is gone
+    Job m_job; ///< last: ended before what it reports to is gone
 };
 
 } // namespace sparkout

@@ -37,8 +37,8 @@ DataChoice::DataChoice(const Project& project, QWidget* parent) : QGroupBox(pare
     }
     const auto parts = std::ranges::find(all.groups, FitSource::parts, &FitGroup::source);
     if (parts != all.groups.end()) {
-        m_parts = add(tr("diameters of parts (n = %1)").arg(parts->values.size()),
-                      QStringLiteral("parts"));
+        m_parts =
+            add(tr("diameters of parts (n = %1)").arg(parts->measured), QStringLiteral("parts"));
         m_parts->setChecked(all.groups.size() == 1); // their cycles need not be that of a trace
     }
 }

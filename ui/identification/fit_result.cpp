@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace sparkout {
@@ -80,7 +81,7 @@ void FitResult::show(const IdentificationRequest& request, const Identification&
     m_request = request;
     m_result = result;
     m_words->setText(words());
-    if (result.status != IdentificationStatus::fitted) {
+    if (result.values.empty()) {
         return;
     }
     showValues();
@@ -101,11 +102,13 @@ QString FitResult::words() const {
                         "take.");
         }
     } else {
-        lines << tr("No values: %1.").arg(FitWords::status(m_result.status));
+        lines << (m_result.values.empty()
+                      ? tr("No values: %1.").arg(FitWords::status(m_result.status))
+                      : tr("Not to be used: %1.").arg(FitWords::status(m_result.status)));
     }
     for (const FitResiduals& group : m_result.residuals) {
-        if (const QString doubt = FitWords::doubt(m_project, group); !doubt.isEmpty()) {
-            lines << doubt;
+        if (const QString lack = FitWords::lack(m_project, group); !lack.isEmpty()) {
+            lines << lack;
         }
     }
     for (const OutOfStep& one : m_result.outOfStep) {
@@ -118,7 +121,9 @@ QString FitResult::words() const {
         lines << tr("A current without its factor in kW per A was left out.");
     }
     for (const Issue& issue : m_result.issues) {
-        lines << Names::issue(issue);
+        if (m_result.values.empty()) { // else they stand beside Apply
+            lines << Names::issue(issue);
+        }
     }
     return lines.join(u'\n');
 }
@@ -187,7 +192,8 @@ void FitResult::showResiduals() {
     for (const FitResiduals& group : m_result.residuals) {
         const QString name = FitWords::group(m_project, group);
         rows.push_back({name, FitWords::number(group.rms),
-                        group.noise ? FitWords::number(*group.noise) : QStringLiteral("—"),
+                        group.noise ? FitWords::number(std::sqrt(group.noise->variance()))
+                                    : QStringLiteral("—"),
                         FitWords::unit(group.source)});
         m_group->addItem(name);
     }

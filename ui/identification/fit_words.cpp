@@ -89,20 +89,24 @@ QString FitWords::outOfStep(const Project& project, const Identification& result
                             const OutOfStep& one) {
     constexpr double normal95 = 1.96;
     const FittedValue& moved = result.values.at(one.parameter);
-    return tr("Out of step: %1 seems to be %2 ± %3 s and was not fitted. The values found are "
-              "wrong by it: fitted too, %4 would be %5 instead of %6.")
-        .arg(worded(wordsOf(one.kind)), number(one.delay_s),
-             Names::significant(normal95 * one.error_s, 2), parameter(project, moved.parameter),
-             number(one.value), number(moved.value));
+    return tr("Left out: %1 seems to be %2 ± %3 and was not fitted. The values found are wrong by "
+              "it: fitted too, %4 would be %5 instead of %6.")
+        .arg(worded(wordsOf(one.kind)), number(one.amount),
+             Names::significant(normal95 * one.error, 2) + u' ' + unit(one.kind),
+             parameter(project, moved.parameter), number(one.value), number(moved.value));
 }
 
-QString FitWords::doubt(const Project& project, const FitResiduals& residuals) {
-    if (!residuals.isInDoubt()) {
+QString FitWords::lack(const Project& project, const FitResiduals& residuals) {
+    if (!residuals.lack.isLacking()) {
         return {};
     }
-    return tr("In doubt: %1: the RMS is %2 times the noise of the trace; up to %3 is usual: %4.")
-        .arg(group(project, residuals), Names::significant(residuals.rms / *residuals.noise, 2),
-             Names::fixed(mostRmsOfNoise, 1), QCoreApplication::translate("Measured", doubtText()));
+    const QString unlike = worded(wordsOf(residuals.unlike.kind));
+    return tr("Does not fit: %1: %2 times what the noise leaves; by chance up to %3: %4.")
+        .arg(group(project, residuals), Names::significant(residuals.lack.ratio, 2),
+             Names::fixed(residuals.lack.most, 1),
+             residuals.unlike.stage < 0
+                 ? unlike
+                 : tr("%1 (stage %2)").arg(unlike).arg(residuals.unlike.stage + 1));
 }
 
 QString FitWords::unidentified(const Project& project, const std::vector<FittedParameter>& list,
@@ -112,7 +116,9 @@ QString FitWords::unidentified(const Project& project, const std::vector<FittedP
         names << parameter(project, list.at(i));
     }
     const QString all = names.join(QStringLiteral("; "));
-    return names.size() > 1
+    return one.isProduct ? tr("Only the product is told by the data: %1. What would help: %2.")
+                               .arg(all, advice(one.advice))
+           : names.size() > 1
                ? tr("Not told apart by the data: %1. What would help: %2.")
                      .arg(all, advice(one.advice))
                : tr("Not told by the data: %1. What would help: %2.").arg(all, advice(one.advice));

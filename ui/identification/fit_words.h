@@ -33,8 +33,8 @@ public:
     /// What a time that was left out does to the values.
     static QString outOfStep(const Project& project, const Identification& result,
                              const OutOfStep& one);
-    /// How much more than the noise of a trace is left, and what that means; empty: it is not.
-    static QString doubt(const Project& project, const FitResiduals& residuals);
+    /// How much more than noise is left of a trace, and where it lies; empty: it is not.
+    static QString lack(const Project& project, const FitResiduals& residuals);
     static QString place(const Project& project, int place); ///< "RZ1", "Section 2"
     static QString number(double value);
     static QString interval(const Interval& interval);

@@ -2,6 +2,7 @@
 // Labels: numbers
 // Calibrate from measurements: fitted by clicks, taken as one edit, marked in the forms.
 #include "core/measured/calibrated_inputs.h"
+#include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 #include "tests/ui/identification/calibration_bench.h"
 #include "tests/ui/support/languages.h"
@@ -16,7 +17,6 @@
 
 #include <QCheckBox>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QStatusBar>
 
@@ -175,13 +175,13 @@ private slots:
     }
 
     /// The gauge drifts to and fro, slowly, as no parameter of the cycle does.
-    void valuesOfAFitInDoubtAreTakenOnlyByWhoSaysSo() {
+    void valuesOfAModelThatDoesNotFitAreShownAndNotTaken() {
         Bench bench(QStringLiteral("en"));
         Project project = traced::project();
         MeasuredTrace& size = project.measured->traces.front();
         std::vector<double> values = size.values.values();
         for (std::size_t i = 0; i < values.size(); ++i) {
-            values[i] += 3e-3 * std::sin(size.time_s[i]);
+            values[i] += 3e-3 * std::sin(size.time_s[i] / 2);
         }
         size.values = Samples(std::move(values));
         bench.window->document().startUntitled(project);
@@ -189,28 +189,34 @@ private slots:
         inDialog(bench, [](QDialog& dialog) {
             fit(dialog);
             const QString words = part<QLabel>(dialog, "fitWords")->text();
-            QVERIFY2(words.contains(QStringLiteral("In doubt: ")), qPrintable(words));
-            QVERIFY(QLocale().toDouble(cellOf(dialog, "fitResiduals", 0, 2)) > 0);
-            for (const bool isTaken : {false, true}) {
-                QString asked;
-                QTimer::singleShot(0, &dialog, [&asked, isTaken] {
-                    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-                    if (box) {
-                        asked = box->text();
-                        const auto role =
-                            isTaken ? QMessageBox::AcceptRole : QMessageBox::RejectRole;
-                        for (QAbstractButton* button : box->buttons()) {
-                            if (box->buttonRole(button) == role) {
-                                button->click();
-                            }
-                        }
-                    }
-                });
-                click(dialog, "fitTake");
-                QVERIFY2(asked.startsWith(QStringLiteral("In doubt: ")), qPrintable(asked));
-                QCOMPARE(dialog.isVisible(), !isTaken);
-            }
+            QVERIFY2(words.contains(QStringLiteral("the model does not fit"))
+                         && words.contains(QStringLiteral("Does not fit: ")),
+                     qPrintable(words));
+            QVERIFY(!part<QPushButton>(dialog, "fitTake")->isEnabled());
         });
+        QVERIFY(!bench.window->document().canUndo());
+    }
+
+    /// A printed table of means: β and the setting of the gauge are ticked, fitted and taken over.
+    void finishedPartsGiveBetaAndTheSetting() {
+        Bench bench(QStringLiteral("en"));
+        bench.window->document().startUntitled(
+            samples::projectIn("resources/examples/shaft-30h6-measured.sparkout"));
+        QTRY_VERIFY(!bench.window->runs().running());
+        inDialog(bench, [](QDialog& dialog) {
+            QVERIFY(part<QCheckBox>(dialog, "parts")->isChecked());
+            QVERIFY(part<QCheckBox>(dialog, "beta")->isChecked());
+            QVERIFY(part<QCheckBox>(dialog, "gauge_setting")->isChecked());
+            fit(dialog);
+            const double beta = QLocale().toDouble(cellOf(dialog, "fitValues", 0, 1));
+            const double setting = QLocale().toDouble(cellOf(dialog, "fitValues", 1, 1));
+            QVERIFY2(beta > 8.2 && beta < 8.8, qPrintable(QString::number(beta)));
+            QVERIFY2(std::abs(setting - 30) < 2e-3, qPrintable(QString::number(setting)));
+            click(dialog, "fitTake");
+        });
+        const Project& taken = bench.window->document().project();
+        QVERIFY(std::abs(*taken.part->target_diameter_mm - 30) < 2e-3);
+        QVERIFY(taken.wheel->dullness > 0.16);
         QVERIFY(bench.window->document().canUndo());
     }
 
