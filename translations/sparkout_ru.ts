@@ -2981,6 +2981,14 @@
             <translation>Вал 30h6, измеренная партия из 50</translation>
         </message>
         <message>
+            <source>Shaft 30h6, tables 2 and 3 calibrated</source>
+            <translation>Вал 30h6, калибровка по таблицам 2 и 3</translation>
+        </message>
+        <message>
+            <source>Shaft 30h6, table 2 by a computed compliance</source>
+            <translation>Вал 30h6, таблица 2 при вычисленной податливости</translation>
+        </message>
+        <message>
             <source>Roughness binds the last cut</source>
             <translation>Последний срез ограничен шероховатостью</translation>
         </message>

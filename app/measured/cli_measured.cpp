@@ -125,7 +125,7 @@ std::string fitText(const Identification& found, const std::vector<FittedParamet
         for (const std::size_t i : one.parameters) {
             names += (names.empty() ? "" : ", ") + parameterName(requested[i]);
         }
-        text += (one.isProduct ? "only the product is told of: " : "cannot be told: ") + names
+        text += (one.isProduct ? "told only as a product: " : "cannot be told: ") + names
                 + "; " + wordsOf(one.advice).text + '\n';
     }
     return text;

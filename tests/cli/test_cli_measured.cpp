@@ -122,7 +122,7 @@ private slots:
         const Outcome outcome = run(command);
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         QVERIFY2(outcome.out.find(
-                     "only the product is told of: compliance, flow_stress; record the wheel's "
+                     "told only as a product: compliance, flow_stress; record the wheel's "
                      "power")
                      != std::string::npos,
                  outcome.out.c_str());

@@ -22,7 +22,6 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-
 namespace sparkout {
 
 namespace {

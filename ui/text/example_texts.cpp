@@ -25,6 +25,8 @@ namespace {
     QT_TRANSLATE_NOOP("Example", "Spindle of five surfaces"),
     QT_TRANSLATE_NOOP("Example", "Bushing with a bore, internal traverse"),
     QT_TRANSLATE_NOOP("Example", "Shaft 30h6, measured batch of 50"),
+    QT_TRANSLATE_NOOP("Example", "Shaft 30h6, tables 2 and 3 calibrated"),
+    QT_TRANSLATE_NOOP("Example", "Shaft 30h6, table 2 by a computed compliance"),
     QT_TRANSLATE_NOOP("Example", "Roughness binds the last cut"),
     QT_TRANSLATE_NOOP("Example", "Self-sharpening binds the first stage"),
     QT_TRANSLATE_NOOP("Example", "Accuracy binds the last feed"),

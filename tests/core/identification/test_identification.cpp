@@ -83,7 +83,7 @@ private slots:
     void stepsAndShiftAreFoundTogether() {
         const Project project =
             samples::projectIn("resources/examples/plunge-shaft-two-stage.sparkout");
-        const int step = samples::sized(5, 10, 1); // tenths
+        const int step = samples::sized(8, 20, 1); // tenths
         for (int tenths = 5; tenths <= 30; tenths += step) {
             const double factor = tenths / 10.0;
             Project truth = project;

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
+// A fit is never sure and wrong: traces disturbed as recorders disturb them, each fitted with the
+// parameters that are proposed for it; answers hold the truth, the others are refused.
+#include "core/identification/fit_proposal.h"
+#include "core/identification/identification.h"
+#include "core/identification/scaled_project.h"
+#include "tests/core/identification/measured_cycles.h"
+#include "tests/registry.h"
+
+#include <cmath>
+#include <random>
+
+namespace sparkout::test_fit_coverage {
+
+using namespace measured_cycles;
+
+/// How a recorder and a machine differ from those of the project.
+struct Disturbance {
+    const char* name = "";
+    bool isUndisturbed = false; ///< noise alone, of which hardly any is refused as lacking
+    double hertz = 20;
+    double white_mm = 3e-4;             ///< standard deviation
+    double following_mm = 0, phi = 0;   ///< of noise that follows itself
+    double step_mm = 0;                 ///< that is rounded to
+    double lag_s = 0, drift_mm_min = 0; ///< of the gauge
+    double fromShare = 0, toShare = 1;  ///< of the cycle that is recorded
+    double before_s = 0;                ///< recorded before it
+    double gapShare = 0, clip_mm = 0;   ///< left out in the middle; greater sizes than it show
+    double outlierShare = 0, outlier_mm = 0;
+    bool isSlowerLater = false;
+    double feed = 1, runout_mm = 0; ///< of the first stage, by a factor; of the blank, more
+    bool isOfOtherRule = false, withPower = false;
+};
+
+constexpr Disturbance disturbances[] = {
+    {.name = "0.1 µm", .isUndisturbed = true, .white_mm = 1e-4},
+    {.name = "0.3 µm", .isUndisturbed = true},
+    {.name = "1 µm", .isUndisturbed = true, .white_mm = 1e-3},
+    {.name = "3 µm", .isUndisturbed = true, .white_mm = 3e-3},
+    {.name = "100 Hz", .isUndisturbed = true, .hertz = 100},
+    {.name = "3 Hz", .isUndisturbed = true, .hertz = 3},
+    {.name = "follows 0.5", .isUndisturbed = true, .white_mm = 0, .following_mm = 5e-4, .phi = 0.5},
+    {.name = "follows 0.8", .isUndisturbed = true, .white_mm = 0, .following_mm = 5e-4, .phi = 0.8},
+    {.name = "follows 0.9", .isUndisturbed = true, .white_mm = 0, .following_mm = 5e-4, .phi = 0.9},
+    {.name = "follows, and white", .isUndisturbed = true, .following_mm = 5e-4, .phi = 0.9},
+    {.name = "steps of 0.1 µm", .isUndisturbed = true, .white_mm = 1e-4, .step_mm = 1e-4},
+    {.name = "steps of 1 µm", .white_mm = 0, .step_mm = 1e-3},
+    {.name = "steps of 1 µm, noise", .isUndisturbed = true, .white_mm = 5e-4, .step_mm = 1e-3},
+    {.name = "lag 0.05 s", .lag_s = 0.05},
+    {.name = "lag 0.2 s", .lag_s = 0.2},
+    {.name = "lag 0.6 s", .lag_s = 0.6},
+    {.name = "drift 2 µm/min", .drift_mm_min = 2e-3},
+    {.name = "drift 20 µm/min", .drift_mm_min = 2e-2},
+    {.name = "begins late", .fromShare = 0.1},
+    {.name = "begins very late", .fromShare = 0.3},
+    {.name = "begins before", .isUndisturbed = true, .before_s = 3},
+    {.name = "ends early", .isUndisturbed = true, .toShare = 0.8},
+    {.name = "a gap", .isUndisturbed = true, .gapShare = 0.2},
+    {.name = "clipped", .clip_mm = 0.25},
+    {.name = "outliers", .outlierShare = 0.01, .outlier_mm = 0.01},
+    {.name = "many outliers", .outlierShare = 0.03, .outlier_mm = 0.03},
+    {.name = "two rates", .isUndisturbed = true, .isSlowerLater = true},
+    {.name = "with power", .isUndisturbed = true, .withPower = true},
+    {.name = "feed 5 % more", .feed = 1.05},
+    {.name = "feed 20 % more", .feed = 1.2},
+    {.name = "runout 30 µm more", .runout_mm = 0.03},
+    {.name = "other rule", .isOfOtherRule = true},
+};
+
+/// Draws for one set.
+class Chance {
+public:
+    explicit Chance(std::uint32_t seed) : m_engine(seed) {}
+    double between(double low, double high) {
+        return low + (high - low) * std::generate_canonical<double, 53>(m_engine);
+    }
+    double normal() { return normalQuantile(between(1e-12, 1 - 1e-12)); }
+
+private:
+    std::mt19937_64 m_engine;
+};
+
+MeasuredTrace recorded(TraceQuantity quantity, const Record& cycle, const Disturbance& how,
+                       double offset, double shift_s, Chance& chance) {
+    const bool isSize = quantity == TraceQuantity::gauge_size;
+    const std::vector<double>& at = isSize ? cycle.end_s : cycle.middle_s;
+    const std::vector<double>& of = isSize ? cycle.size_mm : cycle.power_kw;
+    constexpr double kwPerMm = 60; // of noise
+    const double unit = isSize ? 1 : kwPerMm;
+    const double from = how.fromShare * cycle.end_s.back() - how.before_s;
+    const double to = how.toShare * cycle.end_s.back() + shift_s;
+    std::vector<double> times, values;
+    double following = 0;
+    for (double time = from; time <= to;
+         time += 1 / (how.isSlowerLater && time > (from + to) / 2 ? how.hertz / 4 : how.hertz)) {
+        double value =
+            isSize ? laggedAt(at, of, time - shift_s, how.lag_s) : between(at, of, time - shift_s);
+        following = how.phi * following + std::sqrt(1 - how.phi * how.phi) * chance.normal();
+        value += offset + how.drift_mm_min * time / 60
+                 + unit * (how.white_mm * chance.normal() + how.following_mm * following);
+        if (chance.between(0, 1) < how.outlierShare) {
+            value += chance.between(0, 1) < 0.5 ? how.outlier_mm : -how.outlier_mm;
+        }
+        value = how.step_mm > 0 ? std::round(value / how.step_mm) * how.step_mm : value;
+        value = how.clip_mm > 0 ? std::min(value, how.clip_mm) : value;
+        if (!(std::abs((time - from) / (to - from) - 0.4) < how.gapShare / 2)) {
+            times.push_back(time);
+            values.push_back(value);
+        }
+    }
+    MeasuredTrace made;
+    made.quantity = quantity;
+    made.time_s = Samples(std::move(times));
+    made.values = Samples(std::move(values));
+    made.source = "test.csv";
+    return made;
+}
+
+/// What the sets of one disturbance came to.
+struct Count {
+    int answers = 0, held = 0; ///< α and β each
+    int lacking = 0, untold = 0, leftOut = 0, far = 0, sets = 0;
+};
+
+class TestFitCoverage : public QObject {
+    Q_OBJECT
+
+    Project m_basis = samples::projectIn("resources/examples/plunge-shaft-two-stage.sparkout");
+
+    void fitOne(const Disturbance& how, std::uint32_t seed, Count& count) {
+        Chance chance(seed);
+        const double alpha = std::exp(chance.between(std::log(0.5), std::log(3)));
+        const double beta = std::exp(chance.between(std::log(0.5), std::log(3)));
+        Project project = m_basis;
+        CycleFactors factors = factorsOf(project);
+        factors.alpha = alpha;
+        factors.beta = beta;
+        Project truth = scaledProject(project, factors);
+        *truth.cycle->stages[0].radial_feed_mm_min *= how.feed;
+        truth.part->initial_runout_mm += how.runout_mm;
+        truth.gauge->rule = how.isOfOtherRule ? GaugeRule::mean : truth.gauge->rule;
+        const Record cycle = record(truth, static_cast<std::size_t>(*project.gauge->section));
+        const double offset_mm = chance.between(-0.05, 0.05);
+        const double shift_s = how.before_s > 0 ? chance.between(-1, 1) : chance.between(0, 0.6);
+        Measured& measured = project.measured.emplace();
+        measured.traces.push_back(
+            recorded(TraceQuantity::gauge_size, cycle, how, offset_mm, shift_s, chance));
+        if (how.withPower) {
+            measured.traces.push_back(
+                recorded(TraceQuantity::wheel_power, cycle, how, 0.5, shift_s, chance));
+        }
+        IdentificationRequest request;
+        for (const FittedKind kind : proposedParameters(fitDataOf(project, {}, false))) {
+            request.parameters.push_back({kind, {}, {}});
+        }
+        const Identification found = identify(project, request);
+        ++count.sets;
+        count.lacking += found.status == IdentificationStatus::doesNotFit;
+        count.untold += found.status == IdentificationStatus::cannotTell;
+        if (found.status != IdentificationStatus::fitted) {
+            return;
+        }
+        if (!found.outOfStep.empty()) { // an answer that says that it is wrong, and by what
+            ++count.leftOut;
+            return;
+        }
+        for (const FittedValue& value : found.values) {
+            const FittedKind kind = value.parameter.kind;
+            if (kind == FittedKind::alpha || kind == FittedKind::beta) {
+                const double is = kind == FittedKind::alpha ? alpha : beta;
+                ++count.answers;
+                count.held += value.interval95.low <= is && is <= value.interval95.high;
+                constexpr double errors = 5;
+                count.far += std::abs(std::log(value.value / is)) > errors * value.error;
+            }
+        }
+    }
+
+private slots:
+    void answersHoldAndTheOthersAreRefused() {
+        const int sets = samples::sized(1, 1, 20);
+        Count all, undisturbed;
+        for (std::size_t d = 0; d < std::size(disturbances); ++d) {
+            const Disturbance& how = disturbances[d];
+            if (sets == 1 && d % 4 != 1) {
+                continue; // of a short run every fourth
+            }
+            Count count;
+            for (int set = 0; set < sets; ++set) {
+                fitOne(how, static_cast<std::uint32_t>(1000 * d) + static_cast<std::uint32_t>(set),
+                       count);
+            }
+            qInfo("%-20s α and β held in %2d of %2d answers; of %d sets %d do not fit, %d cannot "
+                  "tell, %d name what was left out; %d off by more than five errors",
+                  how.name, count.held, count.answers, count.sets, count.lacking, count.untold,
+                  count.leftOut, count.far);
+            for (Count* const sum : {&all, how.isUndisturbed ? &undisturbed : nullptr}) {
+                if (sum) {
+                    sum->answers += count.answers;
+                    sum->held += count.held;
+                    sum->lacking += count.lacking;
+                    sum->sets += count.sets;
+                    sum->far += count.far;
+                }
+            }
+        }
+        qInfo("%d of %d answers hold, %d are off by more than five errors; of %d undisturbed sets "
+              "%d do not fit",
+              all.held, all.answers, all.far, undisturbed.sets, undisturbed.lacking);
+        QVERIFY(all.answers > 0);
+        QVERIFY(clopperPearson(all.held, all.answers, 0.95).high >= 0.93);
+        QVERIFY(clopperPearson(undisturbed.lacking, undisturbed.sets, 0.95).low <= 0.05);
+    }
+};
+
+} // namespace sparkout::test_fit_coverage
+
+SPARKOUT_TEST(test_fit_coverage, TestFitCoverage)
+#include "test_fit_coverage.moc"
