@@ -125,8 +125,8 @@ std::string fitText(const Identification& found, const std::vector<FittedParamet
         for (const std::size_t i : one.parameters) {
             names += (names.empty() ? "" : ", ") + parameterName(requested[i]);
         }
-        text += (one.isProduct ? "told only as a product: " : "cannot be told: ") + names
-                + "; " + wordsOf(one.advice).text + '\n';
+        text += (one.isProduct ? "told only as a product: " : "cannot be told: ") + names + "; "
+                + wordsOf(one.advice).text + '\n';
     }
     return text;
 }

@@ -121,11 +121,11 @@ private slots:
                                   "--fit",    "compliance,flow_stress,size_offset"};
         const Outcome outcome = run(command);
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
-        QVERIFY2(outcome.out.find(
-                     "told only as a product: compliance, flow_stress; record the wheel's "
-                     "power")
-                     != std::string::npos,
-                 outcome.out.c_str());
+        QVERIFY2(
+            outcome.out.find("told only as a product: compliance, flow_stress; record the wheel's "
+                             "power")
+                != std::string::npos,
+            outcome.out.c_str());
         QCOMPARE(run(command + QStringList{"--check"}).status, 4);
         const json fit = json::parse(run(command + QStringList{"--json"}).out).at("identification");
         QVERIFY(fit.at("cannot_tell")[0].at("parameters") == json({"compliance", "flow_stress"}));
