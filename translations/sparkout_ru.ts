@@ -1275,8 +1275,8 @@
             <translation>дрейф прибора</translation>
         </message>
         <message>
-            <source>diameter at which the gauge ends the cycle</source>
-            <translation>диаметр, на котором прибор заканчивает цикл</translation>
+            <source>setting of the gauge</source>
+            <translation>настройка прибора</translation>
         </message>
         <message>
             <source>size at the gauge</source>

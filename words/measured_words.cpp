@@ -105,8 +105,7 @@ MeasuredWords wordsOf(FittedKind kind) {
     case FittedKind::gauge_drift:
         return {"gauge_drift", SPARKOUT_NOOP("Measured", "drift of the gauge")};
     case FittedKind::gauge_setting:
-        return {"gauge_setting",
-                SPARKOUT_NOOP("Measured", "diameter at which the gauge ends the cycle")};
+        return {"gauge_setting", SPARKOUT_NOOP("Measured", "setting of the gauge")};
     case FittedKind::count_: break;
     }
     return {"", ""};

@@ -146,7 +146,8 @@ void FitResult::showValues() {
     for (const FittedValue& value : m_result.values) {
         const QString unit = FitWords::unit(value.parameter.kind);
         rows.push_back({FitWords::parameter(m_project, value.parameter),
-                        FitWords::number(value.value), FitWords::interval(value.interval95),
+                        FitWords::number(value.parameter.kind, value.value),
+                        FitWords::interval(value.parameter.kind, value.interval95),
                         unit.isEmpty() ? tr("×", "unit of a factor") : unit});
     }
     m_values->setCells({tr("Parameter"), tr("Value"), tr("95 % interval"), tr("Unit")}, rows);

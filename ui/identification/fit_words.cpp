@@ -129,6 +129,15 @@ QString FitWords::number(double value) {
     return printedNumber(value, digits);
 }
 
+QString FitWords::number(FittedKind kind, double value) {
+    constexpr int decimals = 4;
+    return kind == FittedKind::gauge_setting ? Names::fixed(value, decimals) : number(value);
+}
+
+QString FitWords::interval(FittedKind kind, const Interval& interval) {
+    return number(kind, interval.low) + u'…' + number(kind, interval.high);
+}
+
 QString FitWords::interval(const Interval& interval) {
     return number(interval.low) + u'…' + number(interval.high);
 }

@@ -38,6 +38,9 @@ public:
     static QString place(const Project& project, int place); ///< "RZ1", "Section 2"
     static QString number(double value);
     static QString interval(const Interval& interval);
+    /// The same of a parameter: of a diameter to 0.1 µm.
+    static QString number(FittedKind kind, double value);
+    static QString interval(FittedKind kind, const Interval& interval);
     /// What a calibration names as its data: "trace.csv, 12 parts".
     static std::string data(const Project& project, const std::vector<int>& traces, bool withParts);
 };

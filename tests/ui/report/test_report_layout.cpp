@@ -293,6 +293,7 @@ private slots:
         QFETCH(QString, language);
         m_language.apply(language);
         const report::Subject subject = subjectOf(path);
+        const QString notes = QString::fromStdString(subject.outcome->result.project.notes);
         int remarks = 0;
         std::map<QString, QString> unitsOf;
         for (const report::KindRow& kind : report::kinds()) {
@@ -300,7 +301,11 @@ private slots:
             remarks = 0;
             for (const report::Block& block : made.blocks) {
                 if (const auto* paragraph = std::get_if<report::Paragraph>(&block)) {
-                    remarks += paragraph->text.contains(QStringLiteral("калибровк")) ? 1 : 0;
+                    constexpr qsizetype beginning = 60; // of what the file says itself
+                    remarks += paragraph->text.contains(QStringLiteral("калибровк"))
+                                       && !notes.contains(paragraph->text.left(beginning))
+                                   ? 1
+                                   : 0;
                 }
                 const auto* table = std::get_if<Table>(&block);
                 const qsizetype at = table ? table->head.indexOf(QStringLiteral("Единица")) : -1;
