@@ -363,6 +363,7 @@ private:
         for (std::size_t g = 0; g < m_data.groups.size(); ++g) {
             const FitGroup& group = m_data.groups[g];
             std::vector<std::size_t> stages;
+            stages.reserve(stageEnds_s.size());
             for (const double end_s : stageEnds_s) {
                 stages.push_back(
                     row

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // A class of 25 is given out, worked through by a script (some right, some wrong, some tampered
 // with, some copied), and marked: the table as expected, to the point.
 #include "core/course/grading.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // A search whose levels follow its answer, and where an answer stands at the edge of its grid.
 #include "core/study/search_levels.h"
 
