@@ -1151,8 +1151,8 @@
             <translation>измеренных значений слишком мало для этих параметров</translation>
         </message>
         <message>
-            <source>the project cannot have these parameters, or one of them is given twice</source>
-            <translation>таких параметров у проекта быть не может, или один из них указан дважды</translation>
+            <source>the project cannot have these parameters, one of them is given twice, or the setting of the gauge is asked of traces</source>
+            <translation>таких параметров у проекта быть не может, один из них указан дважды или настройка прибора определяется по записям</translation>
         </message>
         <message>
             <source>the cycle of the project cannot be run to size</source>
@@ -1163,8 +1163,8 @@
             <translation>наилучшие значения не найдены</translation>
         </message>
         <message>
-            <source>the model does not fit: more is left than chance leaves</source>
-            <translation>модель не подходит: остаётся больше случайного</translation>
+            <source>the model does not fit: more is left than chance leaves, a factor is beyond what is searched, or an input would be refused</source>
+            <translation>модель не подходит: остаётся больше случайного, множитель вне пределов поиска или исходные данные с ним недопустимы</translation>
         </message>
         <message>
             <source>stopped</source>
@@ -5835,8 +5835,8 @@ With another name both versions stay as they are.</source>
             <translation>Отсчётов в источнике</translation>
         </message>
         <message>
-            <source>How many samples that file has; more than are kept were thinned out, peaks kept.</source>
-            <translation>Сколько отсчётов в этом файле; лишние прорежены с сохранением пиков.</translation>
+            <source>How many samples that file has; more than are kept were thinned out to means.</source>
+            <translation>Сколько отсчётов в этом файле; лишние сведены в средние.</translation>
         </message>
         <message>
             <source>What the statistics are of.</source>
@@ -18367,8 +18367,8 @@ good</source>
             <translation>Определить и &amp;это</translation>
         </message>
         <message>
-            <source>Checks what the traces are out of step by, and fits again</source>
-            <translation>Отмечает то, на что записи расходятся по времени, и подбирает заново</translation>
+            <source>Checks what was left out, and fits again</source>
+            <translation>Отмечает то, что не учтено, и подбирает заново</translation>
         </message>
     </context>
     <context>
@@ -19085,8 +19085,8 @@ The size alone gives α and β, that is the compliance with the force together; 
             </translation>
         </message>
         <message>
-            <source>%1: %2 of %3 samples, peaks kept</source>
-            <translation>%1: %2 из %3 отсчётов, пики сохранены</translation>
+            <source>%1: %2 of %3 samples, as means</source>
+            <translation>%1: %2 из %3 отсчётов, средние</translation>
         </message>
         <message>
             <source>%1: %2 samples</source>

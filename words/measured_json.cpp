@@ -73,7 +73,7 @@ constexpr Output<FitResiduals> residualsRows[] = {
 };
 
 constexpr Output<OutOfStepOf> outOfStepRows[] = {
-    {{.key = "parameter", .hint = "a time that was not fitted"},
+    {{.key = "parameter", .hint = "a property of the recorder that was not fitted"},
      [](const OutOfStepOf& o) { return std::string(keyOf(o.time.kind)); }},
     {{.key = "value", .hint = "with it fitted too"},
      [](const OutOfStepOf& o) { return o.time.amount; }},

@@ -33,8 +33,8 @@ MeasuredWords wordsOf(IdentificationStatus status) {
     case IdentificationStatus::notApplicable:
         return {"not_applicable",
                 SPARKOUT_NOOP("Measured",
-                              "the project cannot have these parameters, or one of them "
-                              "is given twice")};
+                              "the project cannot have these parameters, one of them is given "
+                              "twice, or the setting of the gauge is asked of traces")};
     case IdentificationStatus::notRun:
         return {"not_run", SPARKOUT_NOOP("Measured", "the cycle of the project cannot be run to "
                                                      "size")};
@@ -43,7 +43,9 @@ MeasuredWords wordsOf(IdentificationStatus status) {
     case IdentificationStatus::doesNotFit:
         return {
             "does_not_fit",
-            SPARKOUT_NOOP("Measured", "the model does not fit: more is left than chance leaves")};
+            SPARKOUT_NOOP("Measured",
+                          "the model does not fit: more is left than chance leaves, a factor is "
+                          "beyond what is searched, or an input would be refused")};
     case IdentificationStatus::stopped: break;
     }
     return {"stopped", SPARKOUT_NOOP("Measured", "stopped")};

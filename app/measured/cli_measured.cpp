@@ -111,7 +111,7 @@ std::string fitText(const Identification& found, const std::vector<FittedParamet
     }
     for (const OutOfStep& one : found.outOfStep) {
         constexpr double normal95 = 1.96;
-        text += std::string("out of step: ") + wordsOf(one.kind).text + " seems to be "
+        text += std::string("left out: ") + wordsOf(one.kind).text + " seems to be "
                 + fixed(one.amount, digits) + " ± " + fixed(normal95 * one.error, digits) + ' '
                 + unitOf(one.kind) + " and was not fitted; with " + wordsOf(one.kind).key + " too, "
                 + parameterName(requested[one.parameter]) + " would be " + fixed(one.value, digits)
@@ -188,7 +188,8 @@ int measureOne(Project project, const std::string& name,
         const BatchWatch watch(BatchWatch::uncounted, false, "cycles");
         answer.fit = identify(project, {parameters, {}, !answer.rows.empty(), RobustLoss::none},
                               watch.stop());
-        printIssues(name, answer.fit->issues);
+        printIssues(answer.fit->values.empty() ? name : name + ", with these values",
+                    answer.fit->issues);
     }
     if (options.json) {
         print(stdout, measuredJson(project, answer));

@@ -65,8 +65,15 @@ public:
                 m_factors.push_back(i);
             }
         }
-        for (const MeasuredStatistics& row : statisticsOfMeasured(project)) {
-            if (row.quantity == MeasuredQuantity::diameter_deviation) {
+        const std::vector<MeasuredStatistics> rows = statisticsOfMeasured(project);
+        const auto isListed = [](const MeasuredStatistics& row) {
+            return row.quantity == MeasuredQuantity::diameter_deviation && !row.isSummary;
+        };
+        // What is summed up is of the parts that are listed, if any are.
+        const bool areListed = std::ranges::any_of(rows, isListed);
+        for (const MeasuredStatistics& row : rows) {
+            if (row.quantity == MeasuredQuantity::diameter_deviation
+                && row.isSummary != areListed) {
                 m_means.push_back({static_cast<std::size_t>(row.place), row.mean, row.deviation,
                                    static_cast<double>(row.count), row.isSummary});
                 m_result.count += static_cast<std::size_t>(row.count);
@@ -89,6 +96,10 @@ public:
             m_result.status = IdentificationStatus::notRun;
         } else {
             report();
+            if (m_stop.stop_requested()) { // of a part of the phases
+                m_result = {};
+                m_result.status = IdentificationStatus::stopped;
+            }
         }
         return std::move(m_result);
     }
@@ -103,7 +114,9 @@ private:
         for (std::size_t i = 0; i < point.size(); ++i) {
             q[m_factors[i]] = point[i];
         }
-        return cycleFactors(m_project, m_list, q);
+        CycleFactors factors = cycleFactors(m_project, m_list, q);
+        factors.blankRunout_mm = factorsOf(m_project).blankRunout_mm; // no finished part shows it
+        return factors;
     }
 
     const SizesOverPhases& sizesAt(const Point& point) {
@@ -182,7 +195,11 @@ private:
             const PlaceMean& one = m_means[static_cast<std::size_t>(i)];
             met.left_um[i] = one.mean_um - sizes.means_um[one.place];
         }
-        const Eigen::LLT<Eigen::MatrixXd> factored(covarianceOfMeans(sizes));
+        const Eigen::MatrixXd covariance = covarianceOfMeans(sizes);
+        Eigen::LLT<Eigen::MatrixXd> factored(covariance);
+        if (factored.info() != Eigen::Success) { // of parts that lack a place here and there
+            factored.compute(Eigen::MatrixXd(covariance.diagonal().asDiagonal()));
+        }
         met.whitening = factored.matrixL().solve(Eigen::MatrixXd::Identity(count, count));
         const Eigen::VectorXd ones = met.whitening * Eigen::VectorXd::Ones(count);
         double sum = 0;
@@ -272,7 +289,8 @@ private:
     }
 
     /// The derivatives of what is left by the parameters of the list, each by its error, and those
-    /// of what is known before; the setting in µm. What finished parts do not show has none.
+    /// of what is known before; the setting in µm. What finished parts do not show has none. Empty
+    /// where no cycle beside the best reaches size, and after a stop.
     Eigen::MatrixXd derivatives() {
         const auto count = static_cast<Eigen::Index>(m_list.size());
         Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(m_best.left_um.size(), count);
@@ -281,6 +299,9 @@ private:
             above[i] += derivativeStep;
             below[i] -= derivativeStep;
             const SizesOverPhases high = sizesAt(above), low = sizesAt(below);
+            if (high.means_um.empty() || low.means_um.empty()) {
+                return {};
+            }
             for (Eigen::Index k = 0; k < columns.rows(); ++k) {
                 const std::size_t place = m_means[static_cast<std::size_t>(k)].place;
                 columns(k, static_cast<Eigen::Index>(m_factors[i])) =
@@ -293,7 +314,8 @@ private:
         Eigen::MatrixXd all = Eigen::MatrixXd::Zero(columns.rows() + count, count);
         all.topRows(columns.rows()) = m_best.whitening * columns;
         for (std::size_t i = 0; i < m_list.size(); ++i) {
-            if (const auto& prior = m_list[i].prior) {
+            const bool isShown = i == m_setting || actsOnDepths(m_list[i].kind);
+            if (const auto& prior = m_list[i].prior; prior && isShown) {
                 const auto at = static_cast<Eigen::Index>(i);
                 all(columns.rows() + at, at) =
                     (i == m_setting ? 1 / units::umPerMm : factorOf(i)) / prior->deviation;
@@ -312,9 +334,8 @@ private:
 
     void report() {
         const Eigen::MatrixXd columns = derivatives();
-        if (m_stop.stop_requested()) {
-            m_result = {};
-            m_result.status = IdentificationStatus::stopped;
+        if (columns.size() == 0) {
+            m_result.status = IdentificationStatus::notRun;
             return;
         }
         m_result.stepsByStage = stepsByGauge(m_project, factorsAt(m_at), m_stop);
@@ -329,7 +350,7 @@ private:
         if (m_result.unidentified.empty()) {
             addValues(told.covariance);
         }
-        if (isLacking()) {
+        if (isLacking() || isAtEnd()) {
             m_result.status = IdentificationStatus::doesNotFit;
         } else if (!m_result.unidentified.empty()) {
             m_result.status = IdentificationStatus::cannotTell;
@@ -345,11 +366,19 @@ private:
         return std::isfinite(least) ? std::max(1.0, least) : manyParts;
     }
 
+    /// Whether the best is where the search ends: the valley lies beyond.
+    [[nodiscard]] bool isAtEnd() const {
+        return std::ranges::any_of(m_at,
+                                   [](double factor) { return std::abs(factor) > range - finest; });
+    }
+
     /// What is left of more means than parameters is about as many as there are more, if the cycle
     /// that was run is the one that was ground.
     [[nodiscard]] bool isLacking() const {
-        const double more =
-            static_cast<double>(m_means.size()) - static_cast<double>(m_list.size());
+        const auto known = std::ranges::count_if(
+            m_list, [](const FittedParameter& one) { return one.prior.has_value(); });
+        const double more = static_cast<double>(m_means.size()) + static_cast<double>(known)
+                            - static_cast<double>(m_list.size());
         return more > 0 && m_best.criterion / more > fisherQuantile(confidence95, more, freedom());
     }
 
@@ -357,6 +386,7 @@ private:
         const std::size_t count = m_list.size();
         const double t = studentQuantile((1 + confidence95) / 2, freedom());
         const auto errorOf = [&](std::size_t i) { return std::sqrt(covariance[i * count + i]); };
+        std::vector<double> wider(count, 1); // an interval than that of the covariance
         for (std::size_t i = 0; i < count; ++i) {
             FittedValue value{m_list[i], 1, {}, errorOf(i)};
             if (i == m_setting) {
@@ -367,6 +397,8 @@ private:
                 const auto at =
                     static_cast<std::size_t>(std::ranges::find(m_factors, i) - m_factors.begin());
                 const Interval found = profileOf(at, t, value.error);
+                value.error = (found.high - found.low) / (2 * t);
+                wider[i] = value.error / errorOf(i);
                 value.value = std::exp(m_at[at]);
                 value.interval95 = {std::exp(found.low), std::exp(found.high)};
             }
@@ -379,7 +411,7 @@ private:
                     return at == m_setting ? 1 / units::umPerMm : 1;
                 };
                 const double both = covariance[i * count + k];
-                covariances.push_back(both * unit(i) * unit(k));
+                covariances.push_back(both * unit(i) * unit(k) * wider[i] * wider[k]);
                 correlations.push_back(both / (errorOf(i) * errorOf(k)));
             }
             m_result.covariance.push_back(std::move(covariances));

@@ -212,6 +212,9 @@ double laggedAt(const std::vector<double>& times, const std::vector<double>& val
     auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(from - times.begin() - 1, 0));
     double reading = values[at];
     for (; at + 1 < times.size() && times[at] < time; ++at) {
+        if (!(times[at + 1] > times[at])) {
+            continue;
+        }
         const double slope = (values[at + 1] - values[at]) / (times[at + 1] - times[at]);
         const double over_s = std::min(time, times[at + 1]) - times[at];
         const double behind = slope * lag_s;

@@ -308,7 +308,8 @@ double FitProblem::startOfDelay(FitSource source, Scalars scalars) const {
         scalars.powerDelay_s = scalars.forceDelay_s = delay_s;
         std::vector<double> measured, expected;
         for (const FitGroup& group : m_data.groups) {
-            for (std::size_t k = 0; group.source == source && k < group.values.size(); ++k) {
+            for (std::size_t k = 0; group.source == source && k < group.values.size();
+                 k += strideOf(group)) {
                 measured.push_back(group.values[k]);
                 expected.push_back(predicted(group, k, scalars));
             }

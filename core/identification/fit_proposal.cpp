@@ -18,12 +18,12 @@ std::vector<FittedKind> proposedParameters(const FitData& data) {
         kinds = {FittedKind::alpha, FittedKind::beta};
     } else if (parts) {
         // Sizes in one place tell how the gauge is set or how the system yields, not both.
-        kinds = {FittedKind::gauge_setting};
+        kinds = {power ? FittedKind::compliance : FittedKind::gauge_setting};
         std::set<int> places;
         for (const FitGroup& group : data.groups) {
             places.insert(group.places.begin(), group.places.end());
         }
-        if (places.size() > 1) {
+        if (places.size() > 1 && !power) {
             kinds.insert(kinds.begin(), FittedKind::beta);
         }
     }

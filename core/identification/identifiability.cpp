@@ -161,8 +161,9 @@ private:
         if (has(FittedKind::time_shift)) {
             return Advice::cycle_start;
         }
-        if (has(FittedKind::size_offset) && !m_data.has(FitSource::size)) {
-            return Advice::size;
+        if (has(FittedKind::size_offset) || has(FittedKind::gauge_lag)
+            || has(FittedKind::gauge_drift)) {
+            return m_data.has(FitSource::size) ? Advice::another_feed : Advice::size;
         }
         if (has(FittedKind::compliance) || has(FittedKind::flow_stress)
             || has(FittedKind::dullness)) {

@@ -57,7 +57,7 @@ public:
         m_result.unidentified = found.unidentified;
         m_result.stepsByStage = m_problem.steps();
         addResiduals();
-        if (found.unidentified.empty() && !found.covariance.empty()) {
+        if (found.unidentified.empty() && !found.covariance.empty() && !m_stop.stop_requested()) {
             widen(found);
             findAlike(found);
         }
@@ -439,6 +439,7 @@ private:
             std::max(1.0, static_cast<double>(m_data.count()) - static_cast<double>(count));
         const double t = studentQuantile((1 + confidence95) / 2, freedom);
         std::vector<double> errors;
+        std::vector<double> wider; // an interval than that of the covariance
         for (std::size_t i = 0; i < count; ++i) {
             const FittedKind kind = m_request.parameters[i].kind;
             const double error = std::sqrt(found.covariance[i * count + i]);
@@ -451,6 +452,7 @@ private:
                                 FitProblem::valueOf(kind, most + t * error)};
             const bool isRelative = isFactor(kind) || kind == FittedKind::blank_runout;
             const double half = error + (most - least) / 2;
+            wider.push_back(half / error);
             value.error = isRelative ? half : FitProblem::valueOf(kind, half);
             errors.push_back(error);
             m_result.values.push_back(value);
@@ -464,7 +466,7 @@ private:
                     const bool isRelative = isFactor(kind) || kind == FittedKind::blank_runout;
                     return isRelative ? 1 : FitProblem::valueOf(kind, 1);
                 };
-                covariances.push_back(both * unit(i) * unit(k));
+                covariances.push_back(both * unit(i) * unit(k) * wider[i] * wider[k]);
                 correlations.push_back(both / (errors[i] * errors[k]));
             }
             m_result.covariance.push_back(std::move(covariances));
@@ -579,11 +581,6 @@ std::vector<OutOfStep> outOfStepAnew(const Project& project, const Identificatio
             continue;
         }
         OutOfStep one{kind, with.values.back().value, with.values.back().error, 0, 0};
-        double rho = 0;
-        for (const FitResiduals& group : with.residuals) {
-            rho = group.trace >= 0 ? std::max(rho, firstAutocorrelation(group.values)) : rho;
-        }
-        one.error *= std::sqrt(inflation(rho));
         if (!isCertain(one)) {
             continue;
         }
@@ -632,7 +629,8 @@ Identification identify(const Project& project, const IdentificationRequest& req
     const bool asksSetting =
         std::ranges::find(request.parameters, FittedKind::gauge_setting, &FittedParameter::kind)
         != request.parameters.end();
-    if (!areApplicable(project, request.parameters) || (asksSetting && !onlyParts)) {
+    if (!areApplicable(project, request.parameters)
+        || (asksSetting && !onlyParts && !data.groups.empty())) {
         found.status = IdentificationStatus::notApplicable;
         return found;
     }
@@ -645,7 +643,7 @@ Identification identify(const Project& project, const IdentificationRequest& req
         found.status = IdentificationStatus::notRun;
         return found;
     }
-    if (request.parameters.empty()) {
+    if (request.parameters.empty() || data.groups.empty()) {
         return found; // no data
     }
     if (onlyParts) {

@@ -15,6 +15,7 @@ namespace sparkout {
 
 namespace {
 
+constexpr double leastDrift_mm_min = 1e-5;
 constexpr double leastDelay_s = 1e-4; ///< below it no clock of a recorder can be told
 
 bool hasTimes(const FitGroup& group) {
@@ -171,7 +172,8 @@ double inflation(double autocorrelation) {
 }
 
 bool isCertain(const OutOfStep& found) {
-    return std::abs(found.amount) >= std::max(leastDelay_s, certainDelay * found.error);
+    const double least = found.kind == FittedKind::gauge_drift ? leastDrift_mm_min : leastDelay_s;
+    return std::abs(found.amount) >= std::max(least, certainDelay * found.error);
 }
 
 std::vector<FittedKind> timesLeftOut(const FitData& data,

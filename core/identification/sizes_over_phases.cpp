@@ -7,6 +7,7 @@
 #include "core/project/part.h"
 #include "core/simulation/simulate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -44,7 +44,7 @@ UnlikeCycle unlikeOf(std::span<const double> time_s, std::span<const double> pre
     const double excess = squares - count * noiseVariance;
     constexpr double leastShare = 0.4, farOut = 5;
     UnlikeCycle found;
-    double most = leastShare * excess;
+    double most = leastShare * std::max(excess, 0.0);
     const auto offer = [&](Unlike kind, int stage, double taken) {
         if (taken > most) {
             most = taken;

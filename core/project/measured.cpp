@@ -205,7 +205,7 @@ const StructInfo& tableOf<MeasuredTrace>() {
                        .label = SPARKOUT_NOOP("Input", "Samples of the source"), .hard = {0, 1e9},
                        .sparse = true,
                        .hint = SPARKOUT_NOOP("Input", "How many samples that file has; more than "
-                                                      "are kept were thinned out, peaks kept.")),
+                                                      "are kept were thinned out to means.")),
         SPARKOUT_FIELD(MeasuredTrace, note, .label = SPARKOUT_NOOP("Input", "Note"), .sparse = true,
                        .hint = SPARKOUT_NOOP("Input", "Anything worth knowing of the data.")),
     };

@@ -108,7 +108,7 @@ QWidget* CycleFitPage::buildButtons() {
     m_leaveOut->setObjectName(QStringLiteral("fitLeaveOut"));
     m_leaveOut->setToolTip(tr("Unchecks what the data cannot tell"));
     m_fitTimes->setObjectName(QStringLiteral("fitTimes"));
-    m_fitTimes->setToolTip(tr("Checks what the traces are out of step by, and fits again"));
+    m_fitTimes->setToolTip(tr("Checks what was left out, and fits again"));
     m_take->setObjectName(QStringLiteral("fitTake"));
     m_take->setToolTip(tr("Gives the inputs the values found, as one edit that can be undone, and "
                           "marks them as calibrated"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/identification/fit_words.h"
 
+#include "core/identification/fit_data.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
@@ -24,6 +25,15 @@ FitSource sourceOf(TraceQuantity quantity) {
     case TraceQuantity::gauge_size: break;
     }
     return FitSource::size;
+}
+
+/// Listed, or behind the means that are summed up.
+std::int64_t partsMeasured(const Project& project) {
+    std::int64_t count = 0;
+    for (const FitGroup& group : fitDataOf(project, {}, true).groups) {
+        count += group.source == FitSource::parts ? group.measured : 0;
+    }
+    return count;
 }
 
 QString fileOf(const MeasuredTrace& trace) {
@@ -158,8 +168,7 @@ std::string FitWords::data(const Project& project, const std::vector<int>& trace
             }
         }
         if (withParts) {
-            names << tr("%n measured part(s)", nullptr,
-                        static_cast<int>(project.measured->parts.size()));
+            names << tr("%n measured part(s)", nullptr, static_cast<int>(partsMeasured(project)));
         }
     }
     constexpr qsizetype most = 120;

@@ -96,7 +96,8 @@ QWidget* TrialPage::buildChoices() {
             && kind != FittedKind::friction_power) {
             continue;
         }
-        if (!areApplicable(m_project, {parameter})) {
+        // No recorded trial shows how the gauge is set.
+        if (!areApplicable(m_project, {parameter}) || kind == FittedKind::gauge_setting) {
             continue;
         }
         auto* choice = new QCheckBox(FitWords::parameter(m_project, parameter), box);

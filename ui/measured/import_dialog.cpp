@@ -330,7 +330,7 @@ QString ImportDialog::resultText() const {
         const QString name = MeasuredText::trace(trace.quantity);
         const auto kept = static_cast<int>(trace.values.size());
         found << (trace.source_samples > kept
-                      ? tr("%1: %2 of %3 samples, peaks kept")
+                      ? tr("%1: %2 of %3 samples, as means")
                             .arg(name, locale.toString(kept), locale.toString(trace.source_samples))
                       : tr("%1: %2 samples").arg(name, locale.toString(kept)));
     }
