@@ -5,6 +5,8 @@
 #include "core/deadline_stop.h"
 #include "core/files/file_step_text.h"
 #include "core/files/file_system.h"
+#include "core/format/today.h"
+#include "core/identification/calibration.h"
 #include "core/lesson/lesson_file.h"
 #include "core/optimisation/search_names.h"
 #include "core/project/part.h"
@@ -19,6 +21,7 @@
 #include "words/course_json.h"
 #include "words/issue_words.h"
 #include "words/measured_json.h"
+#include "words/measured_words.h"
 #include "words/search_words.h"
 
 #include <pybind11/stl.h>
@@ -502,10 +505,22 @@ void bindSearch(py::module_& module) {
 
 // --- measured and course ------------------------------------------------------------------------
 
-py::object measuredOf(const ValidProject& given, const std::optional<std::string>& table,
-                      const std::optional<std::string>& fit, int threads) {
+/// A project with what was measured of it, and what that says.
+struct MeasuredProject {
+    Project project;
+    MeasuredAnswer answer;
+};
+
+MeasuredProject measure(const ValidProject& given, const std::optional<std::string>& table,
+                        const std::optional<std::string>& fit, const std::string& lossKey,
+                        int threads) {
     expectThreads(threads);
-    Project project = given.project;
+    MeasuredProject found{given.project, {}};
+    Project& project = found.project;
+    const auto loss = robustLossOf(lossKey);
+    if (!loss) {
+        throw py::value_error("loss: " + lossKey + "; allowed: none, huber, tukey");
+    }
     if (table) {
         ReadMeasured read =
             readMeasured(*table, proposeTable(*table), {"table", project.part->diameter_mm, 0});
@@ -519,12 +534,12 @@ py::object measuredOf(const ValidProject& given, const std::optional<std::string
         std::ranges::move(read.data.parts, std::back_inserter(measured.parts));
         std::ranges::move(read.data.traces, std::back_inserter(measured.traces));
     }
-    MeasuredAnswer answer;
+    MeasuredAnswer& answer = found.answer;
     if (fit) {
         const auto parameters = fittedParametersOf(*fit);
         if (!parameters) {
-            throw py::value_error("fit: " + *fit + "; allowed: " + knownParameters()
-                                  + "; compliance:N is of one zone or section");
+            throw py::value_error("fit: " + *fit + "; allowed: " + knownParameters() + "; "
+                                  + parameterHint());
         }
         answer.parameters = *parameters;
     }
@@ -538,7 +553,7 @@ py::object measuredOf(const ValidProject& given, const std::optional<std::string
     if (const Issues issues = isJudged ? checkBatch(predicting) : Issues(); !issues.empty()) {
         raiseFaults(issues);
     }
-    const std::string json = interruptible([&](const std::stop_token& stop) {
+    interruptible([&](const std::stop_token& stop) {
         if (isJudged) {
             BatchOptions options;
             options.threads = threads;
@@ -546,16 +561,33 @@ py::object measuredOf(const ValidProject& given, const std::optional<std::string
             answer.rows = judgeAdequacy(project, runBatch(predicting, options));
         }
         if (fit) {
-            answer.fit = identify(
-                project, {answer.parameters, {}, !answer.rows.empty(), RobustLoss::none}, stop);
+            answer.fit =
+                identify(project, {answer.parameters, {}, !answer.rows.empty(), *loss}, stop);
         }
-        return measuredJson(project, answer);
+        return true;
     });
     if (answer.fit && answer.fit->status == IdentificationStatus::notRun
         && !answer.fit->issues.empty()) {
         raiseFaults(answer.fit->issues);
     }
-    return fromJson(json);
+    return found;
+}
+
+py::object measuredOf(const ValidProject& given, const std::optional<std::string>& table,
+                      const std::optional<std::string>& fit, const std::string& loss, int threads) {
+    const MeasuredProject found = measure(given, table, fit, loss, threads);
+    return fromJson(measuredJson(found.project, found.answer));
+}
+
+ValidProject calibratedOf(const ValidProject& given, const std::string& fit,
+                          const std::optional<std::string>& table, const std::string& loss,
+                          const std::string& data, int threads) {
+    const MeasuredProject found = measure(given, table, fit, loss, threads);
+    const Identification& values = *found.answer.fit;
+    if (values.status != IdentificationStatus::fitted) {
+        raiseRefusal("fit: " + std::string(wordsOf(values.status).text));
+    }
+    return checkedProject(withCalibration(found.project, values, data, today()));
 }
 
 py::object checkLessonText(const std::string& text) {
@@ -579,12 +611,19 @@ py::object checkWorkText(const std::string& text) {
 }
 
 void bindMeasured(py::module_& module) {
-    module.def("measured", &measuredOf, py::arg("project"), py::kw_only(),
-               py::arg("table") = py::none(), py::arg("fit") = py::none(), py::arg("threads") = 0,
-               "What was measured against the batch that the project predicts, and, of the "
-               "parameters of `fit` (\"compliance,alpha\"), their values: all that `sparkout-cli "
-               "measured --json` states. `table`: the text of a table of parts or traces, beside "
-               "what the project has.");
+    module.def(
+        "measured", &measuredOf, py::arg("project"), py::kw_only(), py::arg("table") = py::none(),
+        py::arg("fit") = py::none(), py::arg("loss") = "none", py::arg("threads") = 0,
+        "What was measured against the batch that the project predicts, and, of the "
+        "parameters of `fit` (\"compliance,alpha\"; \"beta=1.2~0.1\" with the mean and the "
+        "standard deviation of what is known before), their values: all that `sparkout-cli "
+        "measured --json` states. `table`: the text of a table of parts or traces, beside "
+        "what the project has. `loss`: none, or huber or tukey, by which outliers weigh less.");
+    module.def("calibrated", &calibratedOf, py::arg("project"), py::kw_only(), py::arg("fit"),
+               py::arg("table") = py::none(), py::arg("loss") = "none", py::arg("data") = "table",
+               py::arg("threads") = 0,
+               "The project with the inputs that such a fit finds, each recorded as calibrated on "
+               "`data`. Refused where the fit has no values to use.");
     module.def("check_lesson", &checkLessonText, py::arg("text"),
                "What each step of a lesson finds as it is given, as `sparkout-cli course check "
                "--json` states it.");

@@ -1119,16 +1119,16 @@
             <translation>модель согласуется с деталями</translation>
         </message>
         <message>
-            <source>the mean lies outside the predicted range</source>
-            <translation>среднее лежит вне диапазона прогноза</translation>
+            <source>the mean differs from the predicted one</source>
+            <translation>среднее отличается от прогноза</translation>
         </message>
         <message>
             <source>the parts scatter otherwise than predicted</source>
             <translation>рассеяние деталей отличается от прогноза</translation>
         </message>
         <message>
-            <source>the mean lies outside the predicted range, and the parts scatter otherwise</source>
-            <translation>среднее лежит вне диапазона прогноза, и рассеяние деталей отличается</translation>
+            <source>the mean differs from the predicted one, and the parts scatter otherwise</source>
+            <translation>среднее отличается от прогноза, и рассеяние деталей тоже</translation>
         </message>
         <message>
             <source>too few parts to tell</source>
@@ -1890,6 +1890,22 @@
         <message>
             <source>Measured parts within the predicted range, as a share with the 95 % bounds of Clopper and Pearson</source>
             <translation>Измеренные детали в прогнозном диапазоне, доля с 95 %-ными границами Клоппера и Пирсона</translation>
+        </message>
+        <message>
+            <source>Bias</source>
+            <translation>Смещение</translation>
+        </message>
+        <message>
+            <source>Measured less predicted mean: Welch&apos;s interval, 95 %, with the uncertainty of measuring</source>
+            <translation>Измеренное среднее минус прогнозируемое: интервал Уэлча, 95 %, с неопределённостью измерения</translation>
+        </message>
+        <message>
+            <source>Limit of bias</source>
+            <translation>Предел смещения</translation>
+        </message>
+        <message>
+            <source>Up to it the two means count as the same</source>
+            <translation>До него оба средних считаются одинаковыми</translation>
         </message>
     </context>
     <context>
@@ -6762,6 +6778,26 @@ With another name both versions stay as they are.</source>
         <source>Whose inputs are varied, from 1.</source>
         <translation>Поверхность, данные которой изменяются; счёт от 1.</translation>
     </message>
+        <message>
+            <source>Measuring uncertainty</source>
+            <translation>Неопределённость измерения</translation>
+        </message>
+        <message>
+            <source>Standard uncertainty of one measured value of a finished part. It counts as scatter of the prediction, and it widens the interval of the bias, for it may be the same for all parts.</source>
+            <translation>Стандартная неопределённость одного измеренного значения готовой детали. Она входит в рассеяние прогноза и расширяет интервал смещения, так как может быть одной и той же у всех деталей.</translation>
+        </message>
+        <message>
+            <source>Limit of bias</source>
+            <translation>Предел смещения</translation>
+        </message>
+        <message>
+            <source>a tenth of the tolerance</source>
+            <translation>десятая часть допуска</translation>
+        </message>
+        <message>
+            <source>Up to this difference the measured mean and the predicted one count as the same. Where the drawing has no tolerance either, it is half the predicted standard deviation.</source>
+            <translation>До этой разности измеренное и прогнозируемое средние считаются одинаковыми. Если допуска нет и на чертеже, это половина прогнозируемого стандартного отклонения.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -18370,6 +18406,10 @@ good</source>
             <source>Checks what was left out, and fits again</source>
             <translation>Отмечает то, что не учтено, и подбирает заново</translation>
         </message>
+        <message>
+            <source>Sizes tell only the product of compliance and dullness: with the compliance fitted in place of β, the dullness stays as it is.</source>
+            <translation>Размеры определяют лишь произведение податливости и затупления: если вместо β подбирать податливость, степень затупления останется прежней.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::WheelPage</name>
@@ -18804,8 +18844,8 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Ra приводит в соответствие его поправка: «Калибровка по измерениям…», страница «Ra и прочность».</translation>
         </message>
         <message>
-            <source>Runout and roundness also depend on the geometric runout of the machine and on the form of the blank.</source>
-            <translation>Биение и отклонение от круглости зависят и от геометрического биения станка, и от формы заготовки.</translation>
+            <source>A bias of runout or roundness is the form of the machine, of its centres and its headstock, and not its compliance.</source>
+            <translation>Смещение биения или отклонения от круглости — это форма станка, его центров и передней бабки, а не его податливость.</translation>
         </message>
     </context>
     <context>
@@ -18859,6 +18899,10 @@ The size alone gives α and β, that is the compliance with the force together; 
         <message>
             <source>Where</source>
             <translation>Где</translation>
+        </message>
+        <message>
+            <source>Bias (limit), µm</source>
+            <translation>Смещение (предел), мкм</translation>
         </message>
     </context>
     <context>

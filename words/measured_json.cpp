@@ -3,12 +3,14 @@
 
 #include "core/adequacy/adequacy_outputs.h"
 #include "core/format/output_json.h"
+#include "words/issue_words.h"
 #include "words/measured_words.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 #include <utility>
 
 namespace sparkout {
@@ -100,6 +102,10 @@ ordered_json fitJson(const Identification& found, const std::vector<FittedParame
     json["residuals"] = outputsJsonOfEach(fitResidualsOutputs(), found.residuals);
     json["out_of_step"] = ordered_json::array();
     json["cannot_tell"] = ordered_json::array();
+    json["remarks"] = ordered_json::array();
+    for (const Issue& issue : found.issues) {
+        json["remarks"].push_back({{"path", issue.path}, {"text", Wording().sentence(issue)}});
+    }
     for (const OutOfStep& one : found.outOfStep) {
         json["out_of_step"].push_back(outputsJson(outOfStepOutputs(), {requested, one}));
     }
@@ -117,34 +123,77 @@ ordered_json fitJson(const Identification& found, const std::vector<FittedParame
 
 } // namespace
 
+namespace {
+
+/// The number at the beginning of a text, which it is taken from; nothing where there is none.
+template <class Number>
+std::optional<Number> takeNumber(std::string_view& text) {
+    Number number{};
+    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc()) {
+        return std::nullopt;
+    }
+    text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
+    return number;
+}
+
+bool takeMark(std::string_view& text, char mark) {
+    const bool isThere = text.starts_with(mark);
+    text.remove_prefix(isThere ? 1 : 0);
+    return isThere;
+}
+
+/// "compliance:2=1.1~0.2"
+std::optional<FittedParameter> fittedParameterOf(std::string_view text) {
+    const std::string_view key = text.substr(0, text.find_first_of(":="));
+    text.remove_prefix(key.size());
+    FittedParameter parameter;
+    int kind = 0;
+    while (kind < static_cast<int>(FittedKind::count_)
+           && key != keyOf(static_cast<FittedKind>(kind))) {
+        ++kind;
+    }
+    parameter.kind = static_cast<FittedKind>(kind);
+    bool isKnown = parameter.kind != FittedKind::count_;
+    if (takeMark(text, ':')) {
+        parameter.place = takeNumber<int>(text);
+        isKnown = isKnown && parameter.place.value_or(-1) >= 0;
+    }
+    if (takeMark(text, '=')) {
+        const auto mean = takeNumber<double>(text);
+        const bool isBoth = takeMark(text, '~');
+        const auto deviation = takeNumber<double>(text);
+        isKnown = isKnown && mean && isBoth && deviation && std::isfinite(*mean)
+                  && std::isfinite(*deviation) && *deviation > 0
+                  && (*mean > 0 || !isFactor(parameter.kind));
+        parameter.prior = {mean.value_or(1), deviation.value_or(1)};
+    }
+    return isKnown && text.empty() ? std::optional(parameter) : std::nullopt;
+}
+
+} // namespace
+
 std::optional<std::vector<FittedParameter>> fittedParametersOf(const std::string& text) {
     std::vector<FittedParameter> found;
     for (std::size_t from = 0; from <= text.size();) {
         const std::size_t end = std::min(text.find(',', from), text.size());
-        std::string key = text.substr(from, end - from);
+        const auto parameter = fittedParameterOf(std::string_view(text).substr(from, end - from));
         from = end + 1;
-        FittedParameter parameter;
-        bool isKnown = true;
-        if (const std::size_t colon = key.find(':'); colon != std::string::npos) {
-            int place = -1;
-            const char* const last = key.data() + key.size();
-            const auto [read, error] = std::from_chars(key.data() + colon + 1, last, place);
-            isKnown = error == std::errc() && read == last && place >= 0;
-            parameter.place = place;
-            key.resize(colon);
-        }
-        int kind = 0;
-        while (kind < static_cast<int>(FittedKind::count_)
-               && key != keyOf(static_cast<FittedKind>(kind))) {
-            ++kind;
-        }
-        parameter.kind = static_cast<FittedKind>(kind);
-        if (!isKnown || parameter.kind == FittedKind::count_) {
+        if (!parameter) {
             return std::nullopt;
         }
-        found.push_back(parameter);
+        found.push_back(*parameter);
     }
     return found;
+}
+
+std::optional<RobustLoss> robustLossOf(const std::string& text) {
+    for (const RobustLoss loss : {RobustLoss::none, RobustLoss::huber, RobustLoss::tukey}) {
+        if (text == keyOf(loss)) {
+            return loss;
+        }
+    }
+    return std::nullopt;
 }
 
 std::string parameterName(const FittedParameter& parameter) {
@@ -158,6 +207,11 @@ std::string knownParameters() {
         known += (known.empty() ? "" : ", ") + std::string(keyOf(static_cast<FittedKind>(kind)));
     }
     return known;
+}
+
+std::string parameterHint() {
+    return "compliance:N is of one zone or section, and beta=1.2~0.1 has the mean and the standard "
+           "deviation of what is known before, which are above 0";
 }
 
 std::span<const Output<Identification>> identificationOutputs() {

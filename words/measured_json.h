@@ -12,11 +12,14 @@
 
 namespace sparkout {
 
-/// "compliance:2,alpha" as parameters; nothing where one of them is none.
+/// "compliance:2,alpha,beta=1.2~0.1" as parameters, the last one with what is known before: its
+/// mean and the standard deviation of that. Nothing where one of them is none.
 [[nodiscard]] std::optional<std::vector<FittedParameter>>
 fittedParametersOf(const std::string& text);
 [[nodiscard]] std::string parameterName(const FittedParameter& parameter); ///< "compliance:2"
 [[nodiscard]] std::string knownParameters();                               ///< "compliance, alpha"
+[[nodiscard]] std::string parameterHint(); ///< how a place and what is known before are written
+[[nodiscard]] std::optional<RobustLoss> robustLossOf(const std::string& text); ///< "huber"
 
 /// What was measured held against the prediction and, where asked for, fitted to.
 struct MeasuredAnswer {

@@ -10,11 +10,11 @@ const char* textOf(AdequacyVerdict verdict) {
     case AdequacyVerdict::adequate:
         return SPARKOUT_NOOP("Measured", "the model agrees with the parts");
     case AdequacyVerdict::biased:
-        return SPARKOUT_NOOP("Measured", "the mean lies outside the predicted range");
+        return SPARKOUT_NOOP("Measured", "the mean differs from the predicted one");
     case AdequacyVerdict::scatterDiffers:
         return SPARKOUT_NOOP("Measured", "the parts scatter otherwise than predicted");
     case AdequacyVerdict::biasedAndScatters:
-        return SPARKOUT_NOOP("Measured", "the mean lies outside the predicted range, and the parts "
+        return SPARKOUT_NOOP("Measured", "the mean differs from the predicted one, and the parts "
                                          "scatter otherwise");
     case AdequacyVerdict::tooFewParts: return SPARKOUT_NOOP("Measured", "too few parts to tell");
     case AdequacyVerdict::notPredicted: break;

@@ -5,6 +5,7 @@
 #include "app/manual/command_line.h"
 #include "core/field.h"
 #include "core/project/batch.h"
+#include "words/measured_json.h"
 
 #include <charconv>
 #include <cmath>
@@ -114,6 +115,13 @@ const ValueOption valueOptions[] = {
      [](const std::string& text, Options& options) { return put(options.data, fileName(text)); }},
     {"measured", "--fit", "parameters, as alpha,beta,size_offset",
      [](const std::string& text, Options& options) { return put(options.fit, fileName(text)); }},
+    {"measured", "--loss", "none, huber or tukey",
+     [](const std::string& text, Options& options) {
+         options.loss = text;
+         return robustLossOf(text).has_value();
+     }},
+    {"measured", "-o", "a file name",
+     [](const std::string& text, Options& options) { return put(options.output, fileName(text)); }},
     {"phases", "--from", "a stock per side in mm above 0",
      [](const std::string& text, Options& options) {
          return put(options.from_mm, numberIn(text, 1e-9, 1e3));
@@ -199,6 +207,12 @@ int checkTogether(const Options& options) {
                       + static_cast<int>(!options.fit.empty() || !options.data.empty());
     if (kinds > 1) {
         return usageError("only one of --roundness, --trial, --stiffness and --fit");
+    }
+    if (options.fit.empty() && (!options.loss.empty() || !options.output.empty())) {
+        return usageError("--loss and -o need --fit");
+    }
+    if (isSameFile(options.output, options.operand)) {
+        return usageError("-o would replace the project that is read: " + options.output);
     }
     if (!options.indicator.empty() && options.stiffness.empty() && !options.sheet) {
         return usageError("--indicator needs --stiffness or --stiffness-sheet");

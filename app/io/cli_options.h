@@ -16,7 +16,7 @@ struct Options {
     std::vector<std::string> operands; ///< after the first, of batch-merge
     std::string surface;               ///< a name, a number from 1 or "all"; empty: all
     std::string trace, measured, rows;
-    std::string data, fit, profile, trial, stiffness, indicator; ///< of measured
+    std::string data, fit, loss, output, profile, trial, stiffness, indicator; ///< of measured
     bool roundness = false, sheet = false;                       ///< of measured
     bool json = false, csv = false, check = false, progress = false, force = false;
     std::optional<int> parts, seed, threads, sensitivity;

@@ -351,14 +351,32 @@ std::vector<Option> measuredOptions() {
           "compliance:N of one zone or section), flow_stress, dullness, chip_power, "
           "friction_power, "
           "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout, gauge_lag, "
-          "gauge_drift, of finished parts gauge_setting; names what the data cannot tell and what "
+          "gauge_drift, of finished parts gauge_setting; beta=1.2~0.1 has the mean and the "
+          "standard "
+          "deviation of what is known before; names what the data cannot tell and what "
           "to measure; exit status 4 when the model does not fit",
           "находит параметры по записям и диаметрам: alpha, beta, compliance (всех мест или "
           "compliance:N одной зоны или сечения), flow_stress, dullness, chip_power, "
           "friction_power, "
           "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout, gauge_lag, "
-          "gauge_drift, по готовым деталям gauge_setting; называет то, чего по данным определить "
+          "gauge_drift, по готовым деталям gauge_setting; beta=1.2~0.1 — с тем, что известно "
+          "заранее: "
+          "среднее и его стандартное отклонение; называет то, чего по данным определить "
           "нельзя, и что измерить; код завершения 4, если модель не подходит"}},
+        {"--loss",
+         "none|huber|tukey",
+         Kind::choice,
+         "none huber tukey",
+         {"of --fit: outliers weigh less (huber) or hardly count (tukey)",
+          "для --fit: выбросы весят меньше (huber) или почти не учитываются (tukey)"}},
+        {"-o",
+         "OUT.sparkout",
+         Kind::project,
+         "",
+         {"saves the project with the inputs that --fit has found, each with what it was "
+          "calibrated on; nothing where it has found no values to use",
+          "сохраняет проект с исходными данными, найденными --fit, и с тем, по чему каждое "
+          "откалибровано; ничего, если пригодных значений не найдено"}},
         {"--roundness",
          "",
          Kind::none,
@@ -531,7 +549,8 @@ const Program& commandLineProgram() {
          "sweep FILE [--surface NAME|N|all] [--threads N] [--json | --csv] [--progress]",
          "phases FILE [--surface NAME|N|all] [--from MM] [--to MM] [--json] [--check]",
          "dressing FILE [--scenarios HOW] [--json] [--check] [--progress]",
-         "measured FILE [--surface NAME|N|all] [--data TABLE.csv] [--fit PARAMETER,…]\n"
+         "measured FILE [--surface NAME|N|all] [--data TABLE.csv]\n"
+         "[--fit PARAMETER,… [--loss none|huber|tukey] [-o OUT.sparkout]]\n"
          "[--json] [--check] [--progress]",
          "measured FILE [--surface NAME|N|all] [--json] --roundness [--profile TABLE.csv]\n"
          "| --trial PARAMETER,… | --stiffness-sheet\n"

@@ -12,12 +12,16 @@
 #include "core/adequacy/adequacy_outputs.h"
 #include "core/batch/batch_check.h"
 #include "core/files/file_system.h"
+#include "core/format/today.h"
+#include "core/identification/calibration.h"
 #include "core/identification/identification.h"
 #include "core/measured/measured_table.h"
 #include "core/printable.h"
 #include "core/project/batch.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/setup/setup_file.h"
+#include "core/setup/shared_members.h"
 #include "words/measured_json.h"
 #include "words/measured_words.h"
 
@@ -64,6 +68,10 @@ std::string rowText(const Project& project, const AdequacyRow& row) {
     if (row.predicted) {
         text += "; predicted " + fixed(row.predicted->low, 2) + "…" + fixed(row.predicted->high, 2)
                 + " µm";
+    }
+    if (row.bias95) {
+        text += "; bias " + fixed(row.bias95->low, 2) + "…" + fixed(row.bias95->high, 2)
+                + " µm, limit " + fixed(row.biasLimit, 2) + " µm";
     }
     if (row.scatter) {
         constexpr double most = 1e4; // where next to nothing is predicted to scatter
@@ -169,8 +177,22 @@ int statusOf(const MeasuredAnswer& answer, const Options& options) {
     return options.check && !speaksForModel(answer.rows) ? requirementFails : done;
 }
 
-int measureOne(Project project, const std::string& name,
-               const std::vector<FittedParameter>& parameters, const Options& options) {
+/// Saves the inputs that were found, in the set-up that they are of.
+int saveFound(const Project& project, const Identification& found, Setup setup, std::size_t surface,
+              const Options& options) {
+    const std::string& data = options.data.empty() ? options.operand : options.data;
+    const Project made =
+        withCalibration(project, found, utf8(pathFromUtf8(data).filename()), today());
+    for (GroundSurface& other : setup.surfaces) {
+        copyShared(made, other.project);
+    }
+    setup.surfaces[surface].project = made;
+    return save(options.output, writeSetup(setup));
+}
+
+int measureOne(Project project, const Surfaces& surfaces, std::size_t surface,
+               const std::string& name, const std::vector<FittedParameter>& parameters,
+               const Options& options) {
     if (!options.data.empty() && !readInto(project, options.data)) {
         return refused;
     }
@@ -186,7 +208,11 @@ int measureOne(Project project, const std::string& name,
     }
     if (!parameters.empty() && caughtSignal() == 0) {
         const BatchWatch watch(BatchWatch::uncounted, false, "cycles");
-        answer.fit = identify(project, {parameters, {}, !answer.rows.empty(), RobustLoss::none},
+        answer.fit = identify(project,
+                              {parameters,
+                               {},
+                               !answer.rows.empty(),
+                               robustLossOf(options.loss).value_or(RobustLoss::none)},
                               watch.stop());
         printIssues(answer.fit->values.empty() ? name : name + ", with these values",
                     answer.fit->issues);
@@ -199,7 +225,19 @@ int measureOne(Project project, const std::string& name,
         }
         print(stdout, answer.fit ? fitText(*answer.fit, parameters) : std::string());
     }
-    return caughtSignal() == 0 ? statusOf(answer, options) : interrupted + caughtSignal();
+    if (caughtSignal() != 0) {
+        return interrupted + caughtSignal();
+    }
+    if (!options.output.empty()) {
+        if (answer.fit->status != IdentificationStatus::fitted) {
+            print(stderr,
+                  printable(options.output) + ": not saved, for there are no values to use\n");
+        } else if (const int failed =
+                       saveFound(project, *answer.fit, surfaces.setup(), surface, options)) {
+            return failed;
+        }
+    }
+    return statusOf(answer, options);
 }
 
 } // namespace
@@ -211,8 +249,8 @@ int runMeasuredCommand(const Options& options) {
         const auto requested = fittedParametersOf(wanted);
         if (!requested) {
             return usageError(std::string(options.trial.empty() ? "--fit" : "--trial")
-                              + " needs parameters out of " + knownParameters()
-                              + "; compliance:N is of one zone or section");
+                              + " needs parameters out of " + knownParameters() + "; "
+                              + parameterHint());
         }
         parameters = *requested;
     }
@@ -221,20 +259,21 @@ int runMeasuredCommand(const Options& options) {
         return surfaces.status();
     }
     for (const auto& [option, file] :
-         {std::pair("--data", &options.data), std::pair("--profile", &options.profile),
-          std::pair("--stiffness", &options.stiffness)}) {
+         {std::pair("--data", &options.data), std::pair("-o", &options.output),
+          std::pair("--profile", &options.profile), std::pair("--stiffness", &options.stiffness)}) {
         if (const int failed = file->empty() ? done : surfaces.oneFor(option)) {
             return failed;
         }
     }
     return surfaces.run(
-        [&](const Project& project, std::size_t, const std::string& name) {
+        [&](const Project& project, std::size_t surface, const std::string& name) {
             return options.roundness || !options.profile.empty()
                        ? stateRoundness(project, name, options)
                    : options.sheet || !options.stiffness.empty()
                        ? findStiffness(project, name, options)
-                   : !options.trial.empty() ? designTrialOf(project, name, parameters, options)
-                                            : measureOne(project, name, parameters, options);
+                   : !options.trial.empty()
+                       ? designTrialOf(project, name, parameters, options)
+                       : measureOne(project, surfaces, surface, name, parameters, options);
         },
         options.json);
 }

@@ -2,8 +2,12 @@
 #include "core/adequacy/adequacy.h"
 
 #include "core/batch/moments.h"
+#include "core/project/batch.h"
+#include "core/project/part.h"
+#include "core/project/project.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace sparkout {
@@ -42,21 +46,66 @@ std::optional<InsideShare> shareInside(const MeasuredStatistics& measured,
 
 AdequacyVerdict verdictOf(const AdequacyRow& row) {
     const bool scatters = row.scatter && row.scatter->differs();
-    switch (row.meanPlace) {
-    case MeanPlace::below:
-    case MeanPlace::above:
+    const bool isSame =
+        row.bias95 && row.bias95->low >= -row.biasLimit && row.bias95->high <= row.biasLimit;
+    const bool isBiased = row.bias95 && !isSame && (row.bias95->low > 0 || row.bias95->high < 0);
+    if (isBiased) {
         return scatters ? AdequacyVerdict::biasedAndScatters : AdequacyVerdict::biased;
-    case MeanPlace::inside:
-        return scatters ? AdequacyVerdict::scatterDiffers : AdequacyVerdict::adequate;
-    case MeanPlace::undecided: break;
     }
-    return scatters ? AdequacyVerdict::scatterDiffers : AdequacyVerdict::tooFewParts;
+    return scatters ? AdequacyVerdict::scatterDiffers
+           : isSame ? AdequacyVerdict::adequate
+                    : AdequacyVerdict::tooFewParts;
+}
+
+/// The interval of the measured mean less the predicted one. An error of measuring may be the same
+/// for all parts, so that their number does not lessen it.
+Interval biasOf(const MeasuredStatistics& parts, const PredictedRange& predicted,
+                const Interval& mean95, double uncertainty) {
+    const bool scatters = predicted.deviation && predicted.count >= 2;
+    const Interval chance =
+        scatters
+            ? welchInterval({parts.mean, *parts.deviation, parts.count},
+                            {predicted.mean, *predicted.deviation, predicted.count}, confidence95)
+            : Interval{mean95.low - predicted.mean, mean95.high - predicted.mean};
+    constexpr double normal95 = 1.959964;
+    const double middle = (chance.low + chance.high) / 2;
+    const double half = std::hypot((chance.high - chance.low) / 2, normal95 * uncertainty);
+    return {middle - half, middle + half};
+}
+
+/// Of the drawing; nothing where it has none.
+std::optional<double> toleranceOf(const Part& part, MeasuredQuantity quantity) {
+    switch (quantity) {
+    case MeasuredQuantity::diameter_deviation:
+        return part.upper_deviation_um - part.lower_deviation_um;
+    case MeasuredQuantity::radial_runout: return part.tolerance.radial_runout_um;
+    case MeasuredQuantity::roundness: return part.tolerance.roundness_um;
+    case MeasuredQuantity::cylindricity: return part.tolerance.cylindricity_um;
+    case MeasuredQuantity::roughness_ra: break;
+    }
+    return part.tolerance.roughness_ra_um;
 }
 
 } // namespace
 
-AdequacyRow judgeAdequacy(MeasuredStatistics measured, std::optional<PredictedRange> predicted) {
+AdequacyLimits adequacyLimits(const Project& project, MeasuredQuantity quantity,
+                              const std::optional<PredictedRange>& predicted) {
+    constexpr double shareOfTolerance = 0.1, shareOfDeviation = 0.5;
+    AdequacyLimits limits;
+    limits.uncertainty = project.batch ? project.batch->measuring_uncertainty_um : 0;
+    const auto given = project.batch ? project.batch->bias_limit_um : std::nullopt;
+    const auto tolerance = toleranceOf(*project.part, quantity);
+    limits.bias = given       ? *given
+                  : tolerance ? shareOfTolerance * *tolerance
+                  : predicted ? shareOfDeviation * predicted->deviation.value_or(0)
+                              : 0;
+    return limits;
+}
+
+AdequacyRow judgeAdequacy(MeasuredStatistics measured, std::optional<PredictedRange> predicted,
+                          const AdequacyLimits& limits) {
     AdequacyRow row;
+    row.biasLimit = limits.bias;
     row.measured = std::move(measured);
     row.predicted = predicted;
     const MeasuredStatistics& parts = row.measured;
@@ -70,13 +119,12 @@ AdequacyRow judgeAdequacy(MeasuredStatistics measured, std::optional<PredictedRa
     row.share = shareInside(parts, *predicted);
     if (row.mean95) {
         row.meanPlace = placeOfMean(*row.mean95, *predicted);
+        row.bias95 = biasOf(parts, *predicted, *row.mean95, limits.uncertainty);
     }
     if (hasScatter && predicted->deviation && predicted->count >= 2) {
-        row.scatter = varianceRatio(*parts.deviation, parts.count, *predicted->deviation,
+        row.scatter = varianceRatio(*parts.deviation, parts.count,
+                                    std::hypot(*predicted->deviation, limits.uncertainty),
                                     predicted->count, confidence95);
-        row.bias95 =
-            welchInterval({parts.mean, *parts.deviation, parts.count},
-                          {predicted->mean, *predicted->deviation, predicted->count}, confidence95);
     }
     row.verdict = verdictOf(row);
     return row;
@@ -86,7 +134,8 @@ std::vector<AdequacyRow> judgeAdequacy(const Project& project, const BatchResult
     std::vector<AdequacyRow> rows;
     for (MeasuredStatistics& measured : statisticsOfMeasured(project)) {
         const auto range = predicted(batch, measured.quantity, measured.place);
-        rows.push_back(judgeAdequacy(std::move(measured), range));
+        const AdequacyLimits limits = adequacyLimits(project, measured.quantity, range);
+        rows.push_back(judgeAdequacy(std::move(measured), range, limits));
     }
     return rows;
 }

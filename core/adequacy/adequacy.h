@@ -9,18 +9,19 @@
 #include <optional>
 #include <vector>
 
-/// Whether a model's prediction and measured parts agree, as the sources judge it [ALSIGAR2021,
-/// table 2]: the mean of the parts with its Student interval against the predicted range, their
-/// variance against the predicted one.
+/// Whether a model's prediction and measured parts agree [MODEL-13]: the interval of the difference
+/// of their means against a limit up to which they count as the same, and their variances. The
+/// sources' own criterion stands beside it [ALSIGAR2021, table 2]: the interval of the mean of the
+/// parts against the predicted range.
 namespace sparkout {
 
 enum class AdequacyVerdict {
     adequate,
-    biased,            ///< the mean lies outside the predicted range
+    biased,            ///< the means differ by more than the limit, or otherwise than by chance
     scatterDiffers,    ///< the parts scatter more or less than predicted
     biasedAndScatters, ///< both
-    tooFewParts, ///< the interval of the mean is not wholly on one side of an end of the range
-    notPredicted ///< the cycle does not give this quantity
+    tooFewParts,       ///< the interval of the bias holds 0 and is wider than the limit
+    notPredicted       ///< the cycle does not give this quantity
 };
 
 /// Where the interval of the mean stands to the predicted range.
@@ -38,15 +39,28 @@ struct AdequacyRow {
     std::optional<PredictedRange> predicted;
     std::optional<Interval> mean95; ///< Student's, of two parts or more
     MeanPlace meanPlace = MeanPlace::undecided;
-    std::optional<Interval> bias95;       ///< Welch's, of measured mean − predicted mean
-    std::optional<VarianceRatio> scatter; ///< measured to predicted, 95 %
+    /// Of measured mean − predicted mean: Welch's, widened by the uncertainty of measuring.
+    std::optional<Interval> bias95;
+    double biasLimit = 0;
+    std::optional<VarianceRatio> scatter; ///< measured to predicted and measuring, 95 %
     std::optional<InsideShare> share;     ///< where it is known of every part
     AdequacyVerdict verdict = AdequacyVerdict::notPredicted;
 };
 
+/// What a quantity is judged by [µm].
+struct AdequacyLimits {
+    double bias = 0;        ///< up to which the means count as the same
+    double uncertainty = 0; ///< standard uncertainty of one measured value
+};
+/// Of the project's batch, else of its drawing: a tenth of the tolerance, or where that is not
+/// given half the predicted standard deviation.
+[[nodiscard]] AdequacyLimits adequacyLimits(const Project& project, MeasuredQuantity quantity,
+                                            const std::optional<PredictedRange>& predicted);
+
 /// Judges one quantity.
 [[nodiscard]] AdequacyRow judgeAdequacy(MeasuredStatistics measured,
-                                        std::optional<PredictedRange> predicted);
+                                        std::optional<PredictedRange> predicted,
+                                        const AdequacyLimits& limits);
 
 /// Judges all that the project's section `measured` holds against a batch of predictingProject().
 [[nodiscard]] std::vector<AdequacyRow> judgeAdequacy(const Project& project,

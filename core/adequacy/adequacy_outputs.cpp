@@ -34,9 +34,20 @@ constexpr Output<AdequacyOf> adequacyRows[] = {
     {{.key = "deviation_um", .label = SPARKOUT_NOOP("Output", "s"), .unit = "µm"},
      [](const AdequacyOf& a) { return a.row.measured.deviation; }},
     {{.key = "bias_95_um",
+      .label = SPARKOUT_NOOP("Output", "Bias"),
       .unit = "µm",
-      .hint = "interval of the measured less the predicted mean"},
+      .hint = SPARKOUT_NOOP("Output", "Measured less predicted mean: Welch's interval, 95 %, with "
+                                      "the uncertainty of measuring")},
      [](const AdequacyOf& a) { return a.row.bias95; }},
+    {{.key = "bias_limit_um",
+      .label = SPARKOUT_NOOP("Output", "Limit of bias"),
+      .unit = "µm",
+      .hint = SPARKOUT_NOOP("Output", "Up to it the two means count as the same")},
+     [](const AdequacyOf& a) { return a.row.biasLimit; }},
+    {{.key = "mean_place",
+      .hint = "where the interval of the mean lies to the predicted range, the criterion of the "
+              "sources: inside, below, above or undecided"},
+     [](const AdequacyOf& a) { return std::string(keyOf(a.row.meanPlace)); }},
     {{.key = "verdict"}, [](const AdequacyOf& a) { return std::string(keyOf(a.row.verdict)); }},
 };
 
@@ -113,6 +124,11 @@ const char* keyOf(AdequacyVerdict verdict) {
                               "scatter_differs", "biased_and_scatter_differs",
                               "too_few_parts",   "not_predicted"};
     return keys[static_cast<std::size_t>(verdict)];
+}
+
+const char* keyOf(MeanPlace place) {
+    constexpr std::array keys{"inside", "below", "above", "undecided"};
+    return keys[static_cast<std::size_t>(place)];
 }
 
 std::string placeKey(const Project& project, int place) {

@@ -23,6 +23,7 @@ struct AdequacyOf {
 /// Names in files and on the command line: "diameter_deviation", "scatter_differs".
 [[nodiscard]] const char* keyOf(MeasuredQuantity quantity);
 [[nodiscard]] const char* keyOf(AdequacyVerdict verdict);
+[[nodiscard]] const char* keyOf(MeanPlace place);
 /// A zone or section by its name in JSON, or the part.
 [[nodiscard]] std::string placeKey(const Project& project, int place);
 

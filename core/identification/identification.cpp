@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -482,8 +483,14 @@ private:
         const std::vector<double> stageEnds_s = m_problem.stageEnds(m_best.q);
         const double taken = static_cast<double>(m_request.parameters.size())
                              / static_cast<double>(m_data.groups.size());
+        // By a robust loss an outlier counts as little here as in the fit.
+        std::vector<double> counted = differences;
+        if (const std::vector<double> weights = weightsOf(differences); !weights.empty()) {
+            std::ranges::transform(counted, weights, counted.begin(), std::multiplies());
+        }
         std::vector<double> scaled;
         std::span<const double> left(differences);
+        std::span<const double> judged(counted);
         for (const FitGroup& group : m_data.groups) {
             const std::span<const double> own = left.first(group.values.size());
             left = left.subspan(own.size());
@@ -491,8 +498,9 @@ private:
             residuals.rms = std::sqrt(std::inner_product(own.begin(), own.end(), own.begin(), 0.0)
                                       / static_cast<double>(own.size()));
             if (!group.time_s.empty() && own.size() >= leastToJudge) {
-                judge(group, taken, stageEnds_s, residuals);
+                judge(group, judged.first(own.size()), taken, stageEnds_s, residuals);
             }
+            judged = judged.subspan(own.size());
             for (const double value : own) {
                 scaled.push_back(residuals.rms > 0 ? value / residuals.rms : 0);
             }
@@ -501,21 +509,20 @@ private:
         addNormality(std::move(scaled));
     }
 
-    static void judge(const FitGroup& group, double parameters,
+    static void judge(const FitGroup& group, std::span<const double> left, double parameters,
                       const std::vector<double>& stageEnds_s, FitResiduals& residuals) {
         // Of exact values the last digits of the simulation are left.
         constexpr double leastShare = 1e-6;
         const auto [least, most] = std::ranges::minmax(group.values);
-        residuals.noise =
-            traceNoiseOf(residuals.values, std::max(group.step, (most - least) * leastShare));
-        residuals.lack = lackOfFit(residuals.values, *residuals.noise, parameters);
+        residuals.noise = traceNoiseOf(left, std::max(group.step, (most - least) * leastShare));
+        residuals.lack = lackOfFit(left, *residuals.noise, parameters);
         if (residuals.lack.isLacking()) {
             std::vector<double> predicted = group.values;
             for (std::size_t i = 0; i < predicted.size(); ++i) {
                 predicted[i] -= residuals.values[i];
             }
-            residuals.unlike = unlikeOf(group.time_s, predicted, residuals.values,
-                                        residuals.noise->variance(), stageEnds_s);
+            residuals.unlike =
+                unlikeOf(group.time_s, predicted, left, residuals.noise->variance(), stageEnds_s);
         }
     }
 

@@ -6,6 +6,10 @@
 
 namespace sparkout {
 
+const char* keyOf(RobustLoss loss) {
+    return loss == RobustLoss::huber ? "huber" : loss == RobustLoss::tukey ? "tukey" : "none";
+}
+
 std::vector<double> robustWeights(const std::vector<double>& residuals, RobustLoss loss) {
     constexpr double huber = 1.345, tukey = 4.685;
     std::vector<double> weights;

@@ -6,6 +6,7 @@
 namespace sparkout {
 
 enum class RobustLoss { none, huber, tukey };
+[[nodiscard]] const char* keyOf(RobustLoss loss); ///< "huber"
 
 /// Roots of the weights ψ(u)/u of residuals in units of their noise, which the residuals are
 /// multiplied by in the next step of reweighted least squares: Huber's with 1.345, Tukey's with

@@ -157,6 +157,24 @@ const StructInfo& tableOf<Batch>() {
                                            "unfit; when more of them are expected to be out of "
                                            "tolerance, it is conditionally fit."),
             .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Batch, measuring_uncertainty_um,
+            .label = SPARKOUT_NOOP("Input", "Measuring uncertainty"), .symbol = "u", .unit = "µm",
+            .hard = {0, 1000}, .soft = {0, 5}, .sparse = true, .page = Page::batch,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Standard uncertainty of one measured value of a finished part. "
+                                  "It counts as scatter of the prediction, and it widens the "
+                                  "interval of the bias, for it may be the same for all parts."),
+            .source = "MODEL-13"),
+        SPARKOUT_FIELD(Batch, bias_limit_um, .label = SPARKOUT_NOOP("Input", "Limit of bias"),
+                       .unit = "µm", .hard = {1e-3, 1e5},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "a tenth of the tolerance"),
+                       .sparse = true, .page = Page::batch,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Up to this difference the measured mean and the predicted one "
+                                    "count as the same. Where the drawing has no tolerance either, "
+                                    "it is half the predicted standard deviation."),
+                       .source = "MODEL-13"),
     };
     static const StructInfo info = makeTable<Batch>(SPARKOUT_NOOP("Struct", "Batch"), rows);
     return info;

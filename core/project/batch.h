@@ -44,6 +44,9 @@ struct Batch {
     NumberRows correlation; ///< matrix over the factors, in the order of the table
     double least_ppk = 1;   ///< of its lower 95 % bound, for a cycle to be fit
     std::optional<double> most_outside_share; ///< of parts that are not good, and of expected ones
+    // Of measured parts that are held against the batch.
+    double measuring_uncertainty_um = 0; ///< standard uncertainty u of one measured value
+    std::optional<double> bias_limit_um; ///< up to which measured and predicted mean are the same
 };
 
 template <>

@@ -2,6 +2,7 @@
 #include "ui/identification/cycle_fit_page.h"
 
 #include "core/identification/calibration.h"
+#include "core/process/recipe_force.h"
 #include "core/project/measured.h"
 #include "ui/identification/data_choice.h"
 #include "ui/identification/fit_result.h"
@@ -222,12 +223,20 @@ Project CycleFitPage::calibrated() const {
 /// is not as it was at the machine, or the data hardly tell its parameters apart.
 QString CycleFitPage::consequences() const {
     QStringList refused, unusual;
+    bool isOfDullness = false;
     for (const Issue& issue : m_result->issues) {
         (issue.severity == Severity::error ? refused : unusual) << Names::issue(issue);
+        isOfDullness = isOfDullness || issue.path == dullnessPath(*m_project.wheel);
     }
+    const bool hasBeta = std::ranges::find(m_requested.parameters, FittedKind::beta,
+                                           &FittedParameter::kind)
+                         != m_requested.parameters.end();
     const QString advice =
-        tr("Are gauge, feeds and blank of the project those of the recording? Fewer parameters, or "
-           "what is known of them before, help, too.");
+        isOfDullness && hasBeta
+            ? tr("Sizes tell only the product of compliance and dullness: with the compliance "
+                 "fitted in place of β, the dullness stays as it is.")
+            : tr("Are gauge, feeds and blank of the project those of the recording? Fewer "
+                 "parameters, or what is known of them before, help, too.");
     if (m_result->values.empty()) {
         return {};
     }

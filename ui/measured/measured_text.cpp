@@ -131,14 +131,29 @@ QString MeasuredText::value(double value_um, MeasuredQuantity quantity) {
                                                             : Names::micrometres(value_um);
 }
 
+QString MeasuredText::width(double width_um, MeasuredQuantity quantity) {
+    return quantity == MeasuredQuantity::roughness_ra ? value(width_um, quantity)
+                                                      : Names::micrometres(width_um);
+}
+
 QString MeasuredText::mean(const AdequacyRow& row) {
     const MeasuredQuantity of = row.measured.quantity;
     const QString mean = value(row.measured.mean, of);
     return row.mean95 ? QStringLiteral("%1 ± %2").arg(
-               mean, of == MeasuredQuantity::roughness_ra
-                         ? value((row.mean95->high - row.mean95->low) / 2, of)
-                         : Names::micrometres((row.mean95->high - row.mean95->low) / 2))
+               mean, width((row.mean95->high - row.mean95->low) / 2, of))
                       : mean;
+}
+
+QString MeasuredText::bias(const AdequacyRow& row) {
+    if (!row.bias95) {
+        return noneStated;
+    }
+    const MeasuredQuantity of = row.measured.quantity;
+    const double middle = (row.bias95->low + row.bias95->high) / 2;
+    return QStringLiteral("%1 ± %2 (%3)")
+        .arg(of == MeasuredQuantity::roughness_ra ? value(middle, of)
+                                                  : Names::signedMicrometres(middle),
+             width((row.bias95->high - row.bias95->low) / 2, of), width(row.biasLimit, of));
 }
 
 QString MeasuredText::predicted(const AdequacyRow& row) {
@@ -171,16 +186,26 @@ QString MeasuredText::verdict(AdequacyVerdict verdict) {
     return QCoreApplication::translate("Measured", textOf(verdict));
 }
 
-QString MeasuredText::consequence(AdequacyVerdict verdict) {
+QString MeasuredText::consequence(const std::vector<AdequacyRow>& rows, AdequacyVerdict verdict) {
+    const bool isOfSize = std::ranges::any_of(rows, [verdict](const AdequacyRow& row) {
+        return row.verdict == verdict
+               && row.measured.quantity == MeasuredQuantity::diameter_deviation;
+    });
     switch (verdict) {
     case AdequacyVerdict::adequate: return {};
     case AdequacyVerdict::biased:
+        if (!isOfSize) {
+            return {};
+        }
         return tr("The compliance, the force or the setting of the gauge are not those of the "
                   "machine: calibrate them on these parts before the prediction is used.");
     case AdequacyVerdict::scatterDiffers:
         return tr("The factors of the batch scatter otherwise than in the shop: put the measured "
                   "scatter of stock, runout and dullness into the batch.");
     case AdequacyVerdict::biasedAndScatters:
+        if (!isOfSize) {
+            return {};
+        }
         return tr("Calibrate compliance, force or the setting of the gauge first, then compare "
                   "the scatter again.");
     case AdequacyVerdict::tooFewParts: return tr("Measure more parts of the same setting.");
@@ -238,7 +263,7 @@ QStringList MeasuredText::judgement(const Project& project, const std::vector<Ad
         if (of.isEmpty()) {
             continue;
         }
-        const QString follows = consequence(verdict);
+        const QString follows = consequence(rows, verdict);
         const QString what = capitalised(MeasuredText::verdict(verdict));
         sentences
             << (follows.isEmpty()
@@ -263,8 +288,8 @@ QStringList MeasuredText::where(const std::vector<AdequacyRow>& rows) {
                         "page “Ra and strengths”.");
     }
     if (isBiased(MeasuredQuantity::radial_runout) || isBiased(MeasuredQuantity::roundness)) {
-        sentences << tr("Runout and roundness also depend on the geometric runout of the machine "
-                        "and on the form of the blank.");
+        sentences << tr("A bias of runout or roundness is the form of the machine, of its centres "
+                        "and its headstock, and not its compliance.");
     }
     return sentences;
 }

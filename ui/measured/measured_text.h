@@ -28,7 +28,9 @@ public:
 
     // Of a comparison, as a table states them; a dash where there is nothing.
     static QString value(double value_um, MeasuredQuantity quantity);
+    static QString width(double width_um, MeasuredQuantity quantity); ///< of an interval
     static QString mean(const AdequacyRow& row);
+    static QString bias(const AdequacyRow& row); ///< "−0.7 ± 0.5 (1.6)"
     static QString predicted(const AdequacyRow& row);
     static QString scatter(const AdequacyRow& row); ///< F with what it stays between by chance
     static QString share(const AdequacyRow& row);
@@ -42,7 +44,7 @@ private:
     /// "Diameter: RZ1, NZ; Ra: RZ1".
     static QString listed(const Project& project, const std::vector<AdequacyRow>& rows,
                           AdequacyVerdict verdict);
-    static QString consequence(AdequacyVerdict verdict);
+    static QString consequence(const std::vector<AdequacyRow>& rows, AdequacyVerdict verdict);
 };
 
 } // namespace sparkout

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace sparkout {
+
+[[nodiscard]] std::string today(); ///< the date of this day, UTC: "2026-03-05"
+
+} // namespace sparkout
