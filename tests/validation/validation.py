@@ -233,10 +233,11 @@ class Case:
         return abs(self.ratio - 1) <= abs(known - 1) + self.move
 
     def fault(self):
-        known = "1" if self.agrees() else f"the recorded {self.recorded:g}"
-        return (f"{self.id}: program {self.program:.6g} {self.entry.get('unit', '')}, published "
-                f"{self.published}: ratio {self.ratio:.4f} is farther from 1 than {known} allows "
-                f"with {self.move:g}")
+        allowed = (f"{self.move:g}" if self.agrees() else
+                   f"the recorded {self.recorded:g} is, and {self.move:g}")
+        unit = Words({}, "en").of(self.entry.get("unit", ""))
+        return (f"{self.id}: program {self.program:.6g} {unit}, published {self.published} {unit}: the ratio "
+                f"{self.ratio:.4f} is farther from 1 than {allowed}")
 
 
 # ---- pages --------------------------------------------------------------------------------------
@@ -389,7 +390,7 @@ def as_html(page):
             lines += ["<ul>", *(f"<li>{inline(entry)}</li>" for entry in content[0]), "</ul>"]
         else:
             head, *rows = content[0]
-            lines.append("<table>")
+            lines.append('<table width="99%">')  # at 100 % it is a pixel wider than the window
             lines.append("<tr>" + "".join(f'<th align="left">{inline(cell)}</th>' for cell in head)
                          + "</tr>")
             lines += ["<tr>" + "".join(f"<td>{inline(cell)}</td>" for cell in row) + "</tr>"
@@ -415,9 +416,11 @@ def main():
     parser.add_argument("--table", action="store_true")
     options = parser.parse_args()
     cli = options.cli.resolve()
+    sys.stderr.reconfigure(errors="backslashreplace")  # whatever the terminal can show
+    here = cli.parent if os.access(cli.parent, os.W_OK) else None
     page = json.loads((HERE / "page.json").read_text(encoding="utf-8"))
     sources = [json.loads((HERE / f"{name}.json").read_text(encoding="utf-8")) for name in page["sources"]]
-    with tempfile.TemporaryDirectory(prefix="validation-", dir=cli.parent) as folder:
+    with tempfile.TemporaryDirectory(prefix="validation-", dir=here) as folder:
         runs = Runs(cli, sources, pathlib.Path(folder))
     for source in sources:
         names = source["names"] = {**runs.names(), **source.get("given", {})}
