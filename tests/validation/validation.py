@@ -10,7 +10,8 @@
 
 The numbers are those of tests/validation/*.json, one file a source, and of the program. A source has
 "runs" (a project, changes by JSON pointer, a command) and "cases"; a value of a case is an expression of
-numbers, of the functions below and of "given", what the source prints. `page.json` has the sentences.
+numbers, of the functions below and of "given", what the source prints, and "let", values of these.
+`page.json` has the sentences.
 Of a case, `move` is how far the ratio of program to published may be from 1; with `recorded`, a ratio
 that is known to disagree, how much farther from 1 than that one.
 """
@@ -94,7 +95,7 @@ FUNCTIONS = {"sqrt": math.sqrt, "log": math.log, "exp": math.exp, "pi": math.pi,
              "spearman": spearman, "local_constants": local_constants, "first_constant": first_constant,
              "after": after, "tan": math.tan, "stops_and_travel": stops_and_travel}
 NODES = (ast.Expression, ast.Constant, ast.Name, ast.Load, ast.Store, ast.BinOp, ast.UnaryOp, ast.Add,
-         ast.Sub, ast.Mult, ast.Div, ast.Pow, ast.USub, ast.Call, ast.List, ast.Tuple, ast.Subscript,
+         ast.Sub, ast.Mult, ast.Div, ast.Pow, ast.USub, ast.Call, ast.List, ast.Subscript,
          ast.Slice, ast.GeneratorExp, ast.ListComp, ast.comprehension, ast.Compare, ast.Lt, ast.Gt,
          ast.LtE, ast.GtE, ast.BoolOp, ast.Or, ast.And)
 
@@ -126,6 +127,8 @@ class Runs:
         self.cli = cli
         self.folder = folder
         self.runs = {name: run for source in sources for name, run in source.get("runs", {}).items()}
+        if len(self.runs) < sum(len(source.get("runs", {})) for source in sources):
+            sys.exit("validation: two runs have one name")
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             self.results = dict(zip(self.runs, pool.map(self.made, self.runs)))
 
@@ -208,10 +211,12 @@ class Runs:
 class Case:
     def __init__(self, source, entry):
         self.source, self.entry, self.id = source, entry, entry["id"]
-        names = source["names"]
-        self.published = value_of(entry["published"], names)
-        self.program = value_of(entry["program"], names)
-        self.also = [value_of(one, names) for one in entry.get("also", [])]
+        try:
+            self.published, self.program, *self.also = (
+                value_of(one, source["names"])
+                for one in (entry["published"], entry["program"], *entry.get("also", [])))
+        except Exception as error:  # whatever an expression may do
+            sys.exit(f"validation: {self.id} has no value: {error!r}")
         self.recorded, self.move = entry.get("recorded"), entry["move"]
         low, high = self.published if isinstance(self.published, list) else [self.published] * 2
         self.ratio = 1.0 if low <= self.program <= high else min(
