@@ -63,6 +63,7 @@ constexpr std::array helpContents{
     HelpEntry{"plots", viewPages},
     HelpEntry{"model", modelPages},
     HelpEntry{"limits", modelPages},
+    HelpEntry{"validation", modelPages}, // written by tests/validation/validation.py
     HelpEntry{"glossary", modelPages},
     HelpEntry{"sources", modelPages},
     HelpEntry{"lessons", workPages},
