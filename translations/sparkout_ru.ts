@@ -18051,6 +18051,22 @@ good</source>
             <source>the readings contradict the shaft: a unit would have to be stiffer than rigid</source>
             <translation>показания противоречат валу: один из узлов должен был бы быть жёстче абсолютно жёсткого</translation>
         </message>
+        <message>
+            <source>deflection is in proportion to the load</source>
+            <translation>прогиб пропорционален нагрузке</translation>
+        </message>
+        <message>
+            <source>there is play, and the stiffness is that beyond it: take the play out before loading</source>
+            <translation>есть зазор, и указана жёсткость после его выбора: выберите зазор перед нагружением</translation>
+        </message>
+        <message>
+            <source>the stiffness changes with the load, and what was found is a mean: load as the deepest cut does</source>
+            <translation>жёсткость меняется с нагрузкой, и найденная — средняя: нагружайте так, как самый глубокий проход</translation>
+        </message>
+        <message>
+            <source>whether there is play cannot be told: load twice, differently, at each place</source>
+            <translation>есть ли зазор, определить нельзя: нагрузите в каждом месте дважды, по-разному</translation>
+        </message>
     </context>
     <context>
         <name>CalibrationText</name>
@@ -19600,6 +19616,15 @@ The size alone gives α and β, that is the compliance with the force together; 
         <message>
             <source>The trial is of an external surface and of a shaft without steady rests, whose steps are given on the page Part of the inputs: its bending, which is computed, is taken off the readings.</source>
             <translation>Опыт — для наружной поверхности и вала без люнетов, ступени которого заданы на странице «Деталь» исходных данных: его изгиб вычисляется и вычитается из показаний.</translation>
+        </message>
+        <message>
+            <source>Attention: %1.</source>
+            <translation>Внимание: %1.</translation>
+        </message>
+        <message>
+            <source>Attention: %1 (%2 µm).</source>
+            <comment>what is wrong, play of the units</comment>
+            <translation>Внимание: %1 (%2 мкм).</translation>
         </message>
     </context>
     <context>

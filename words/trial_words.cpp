@@ -69,4 +69,21 @@ MeasuredWords wordsOf(StiffnessTrialStatus status) {
                                    "stiffer than rigid")};
 }
 
+MeasuredWords wordsOf(LoadLine line) {
+    switch (line) {
+    case LoadLine::straight:
+        return {"straight", SPARKOUT_NOOP("Trial", "deflection is in proportion to the load")};
+    case LoadLine::play:
+        return {"play",
+                SPARKOUT_NOOP("Trial", "there is play, and the stiffness is that beyond it: "
+                                       "take the play out before loading")};
+    case LoadLine::bent:
+        return {"bent", SPARKOUT_NOOP("Trial", "the stiffness changes with the load, and what was "
+                                               "found is a mean: load as the deepest cut does")};
+    case LoadLine::untested: break;
+    }
+    return {"untested", SPARKOUT_NOOP("Trial", "whether there is play cannot be told: load twice, "
+                                               "differently, at each place")};
+}
+
 } // namespace sparkout

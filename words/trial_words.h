@@ -13,5 +13,6 @@ namespace sparkout {
 [[nodiscard]] MeasuredWords wordsOf(TrialStatus status);
 [[nodiscard]] MeasuredWords wordsOf(StiffnessUnit unit);
 [[nodiscard]] MeasuredWords wordsOf(StiffnessTrialStatus status);
+[[nodiscard]] MeasuredWords wordsOf(LoadLine line);
 
 } // namespace sparkout

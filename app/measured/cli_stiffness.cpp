@@ -69,11 +69,11 @@ StiffnessRequest requestOf(const StiffnessTable& table, const Options& options) 
 }
 
 ordered_json stiffnessJson(const StiffnessTrial& trial, const std::vector<CompliantPoint>& points) {
-    ordered_json json = {{"status", wordsOf(trial.status).key},
-                         {"stiffness", ordered_json::array()},
-                         {"residuals_um", trial.residuals_um},
-                         {"rms_um", trial.rms_um},
-                         {"compliance", ordered_json::array()}};
+    ordered_json json = {
+        {"status", wordsOf(trial.status).key}, {"stiffness", ordered_json::array()},
+        {"residuals_um", trial.residuals_um},  {"rms_um", trial.rms_um},
+        {"line", wordsOf(trial.line).key},     {"play_um", trial.play_um},
+        {"compliance", ordered_json::array()}};
     for (const FoundStiffness& found : trial.found) {
         ordered_json interval = nullptr;
         if (found.interval95) {
@@ -104,7 +104,12 @@ std::string stiffnessText(const StiffnessTrial& trial, const std::vector<Complia
         text += '\n';
     }
     text += "residuals of " + std::to_string(trial.residuals_um.size()) + " readings, RMS "
-            + fixed(trial.rms_um, 3) + " µm\n";
+            + fixed(trial.rms_um, 3) + " µm\n" + wordsOf(trial.line).text;
+    for (std::size_t i = 0; i < trial.play_um.size(); ++i) {
+        text += std::string(i == 0 ? "; play of the headstock " : ", of the tailstock ")
+                + fixed(trial.play_um[i], 2) + " µm";
+    }
+    text += '\n';
     constexpr double nmPerMm = 1e6;
     for (const CompliantPoint& point : points) {
         text += "γ at " + fixed(point.position_mm, 1)

@@ -68,7 +68,6 @@ public:
             m_result.status =
                 lacks() ? IdentificationStatus::doesNotFit : IdentificationStatus::cannotTell;
         } else {
-            addValues(found);
             std::vector<double> errors; // of the coordinates
             for (std::size_t i = 0; i < m_best.q.size(); ++i) {
                 errors.push_back(std::sqrt(found.covariance[i * m_best.q.size() + i]));
@@ -76,7 +75,16 @@ public:
             if (lacks() || isBeyondSearch()) {
                 m_result.status = IdentificationStatus::doesNotFit;
             }
-            m_result.outOfStep = outOfStep(m_project, m_data, m_problem, m_best, errors, m_stop);
+            LeftOut left = outOfStep(m_project, m_data, m_problem, m_best, errors, m_stop);
+            m_result.outOfStep = std::move(left.certain);
+            for (const LeftOut::Possible& one : left.possible) {
+                for (std::size_t i = 0; i < errors.size(); ++i) {
+                    const double more = std::max(0.0, one.errors[i] - errors[i]);
+                    m_alike[i].first = std::min(m_alike[i].first, one.q[i] - more);
+                    m_alike[i].second = std::max(m_alike[i].second, one.q[i] + more);
+                }
+            }
+            addValues(found);
             if (m_stop.stop_requested()) { // the values would lack what was not asked
                 m_result = {};
                 m_result.status = IdentificationStatus::stopped;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 namespace sparkout {
@@ -80,36 +79,43 @@ public:
         m_problem.setWeights(fitted.weights());
     }
 
-    /// Nothing where the time is 0 for all that the data tell.
-    std::optional<OutOfStep> find(const LeastSquares& best, const std::vector<double>& errors) {
+    /// Adds what was found, nothing where the time is 0 for all that the data tell.
+    void find(const LeastSquares& best, const std::vector<double>& errors, LeftOut& leftOut) {
         std::vector<double> from = best.q;
         from.push_back(0);
         if (!isWorthAFit(from)) {
-            return {};
+            return;
         }
         const std::vector<bool> free(m_list.size(), false);
         LeastSquares wider = minimise(m_problem, from, free);
         std::vector<double> differences;
         if (!m_problem.differences(wider.q, differences)) {
-            return {};
+            return;
         }
         m_problem.setNoise(noiseByGroup(m_data, differences, m_problem.noise()));
         wider = minimise(m_problem, wider.q, free);
         if (!wider.converged || m_problem.isStopped()
             || !m_problem.differences(wider.q, differences)) {
-            return {};
+            return;
         }
         const Identifiability told = identifiabilityAt(m_problem, m_data, wider);
         if (!told.unidentified.empty() || told.covariance.empty()) {
-            return {};
+            return;
         }
         OutOfStep found;
         found.kind = m_list.back().kind;
         found.amount = FitProblem::valueOf(found.kind, wider.q.back());
-        found.error = FitProblem::valueOf(found.kind, std::sqrt(told.covariance.back()))
-                      * std::sqrt(inflationOf(m_data, differences));
+        const double wide = std::sqrt(inflationOf(m_data, differences));
+        found.error = FitProblem::valueOf(found.kind, std::sqrt(told.covariance.back())) * wide;
         if (!isCertain(found)) {
-            return {};
+            if (std::abs(found.amount) > possibleDelay * found.error) {
+                LeftOut::Possible& one = leftOut.possible.emplace_back();
+                for (std::size_t i = 0; i < best.q.size(); ++i) {
+                    one.q.push_back(wider.q[i]);
+                    one.errors.push_back(std::sqrt(told.covariance[i * wider.q.size() + i]) * wide);
+                }
+            }
+            return;
         }
         double most = 0;
         for (std::size_t i = 0; i < best.q.size(); ++i) {
@@ -120,15 +126,14 @@ public:
             }
         }
         found.value = FitProblem::valueOf(m_list[found.parameter].kind, wider.q[found.parameter]);
-        return found;
+        leftOut.certain.push_back(found);
     }
 
 private:
-    /// Whether the residuals of the fit speak for the time by more than two of its standard errors,
-    /// to first order: in J = Q·R the last column stands on what the others do not reach, and its
-    /// step by its error is the last of Qᵀr.
+    /// Whether the residuals of the fit speak for the time by enough of its standard errors, to
+    /// first order: in J = Q·R the last column stands on what the others do not reach, and its step
+    /// by its error is the last of Qᵀr.
     bool isWorthAFit(const std::vector<double>& q) {
-        constexpr double hardly = 2;
         std::vector<std::size_t> all(q.size());
         std::iota(all.begin(), all.end(), std::size_t{0});
         std::vector<double> columns, residuals;
@@ -141,7 +146,7 @@ private:
             Eigen::Map<const Eigen::MatrixXd>(columns.data(), rows, count));
         Eigen::VectorXd turned = Eigen::Map<const Eigen::VectorXd>(residuals.data(), rows);
         turned.applyOnTheLeft(qr.householderQ().adjoint());
-        return std::abs(turned[count - 1]) > hardly;
+        return std::abs(turned[count - 1]) > possibleDelay;
     }
 
     static std::vector<FittedParameter> withTime(std::vector<FittedParameter> list,
@@ -190,17 +195,15 @@ std::vector<FittedKind> timesLeftOut(const FitData& data,
     return left;
 }
 
-std::vector<OutOfStep> outOfStep(const Project& project, const FitData& data,
-                                 const FitProblem& fitted, const LeastSquares& best,
-                                 const std::vector<double>& errors, const std::stop_token& stop) {
-    std::vector<OutOfStep> found;
+LeftOut outOfStep(const Project& project, const FitData& data, const FitProblem& fitted,
+                  const LeastSquares& best, const std::vector<double>& errors,
+                  const std::stop_token& stop) {
+    LeftOut found;
     for (const FittedKind kind : timesLeftOut(data, fitted.list())) {
         if (stop.stop_requested()) {
             break;
         }
-        if (auto one = WiderFit(project, data, fitted, kind, stop).find(best, errors)) {
-            found.push_back(*one);
-        }
+        WiderFit(project, data, fitted, kind, stop).find(best, errors, found);
     }
     return found;
 }

@@ -24,6 +24,19 @@ struct OutOfStep {
 
 /// The delay counts as real beyond so many standard errors: of normal noise one fit in 2,000.
 inline constexpr double certainDelay = 3.5;
+/// From so many on it may be real: the criterion of Akaike is for it.
+inline constexpr double possibleDelay = 1.4;
+
+/// What was left out of a fit.
+struct LeftOut {
+    std::vector<OutOfStep> certain;
+    /// Fits with one more that may be real: coordinates of the fitted parameters and the standard
+    /// errors of these.
+    struct Possible {
+        std::vector<double> q, errors;
+    };
+    std::vector<Possible> possible;
+};
 
 /// Whether it is beyond `certainDelay` of its errors, and long enough for the clock of a recorder.
 [[nodiscard]] bool isCertain(const OutOfStep& found);
@@ -41,9 +54,8 @@ inline constexpr double certainDelay = 3.5;
 
 /// Of a fit at its best: each time left out is fitted
 /// beside the rest, with the same steps and weights.
-[[nodiscard]] std::vector<OutOfStep> outOfStep(const Project& project, const FitData& data,
-                                               const FitProblem& fitted, const LeastSquares& best,
-                                               const std::vector<double>& errors,
-                                               const std::stop_token& stop);
+[[nodiscard]] LeftOut outOfStep(const Project& project, const FitData& data,
+                                const FitProblem& fitted, const LeastSquares& best,
+                                const std::vector<double>& errors, const std::stop_token& stop);
 
 } // namespace sparkout

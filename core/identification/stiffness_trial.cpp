@@ -108,6 +108,82 @@ private:
         return 1;
     }
 
+    /// Least squares with these columns.
+    struct Solved {
+        Eigen::MatrixXd columns;
+        Eigen::VectorXd values, residuals;
+        [[nodiscard]] double freedom() const {
+            return static_cast<double>(columns.rows() - columns.cols());
+        }
+        [[nodiscard]] double squares() const { return residuals.squaredNorm(); }
+    };
+    static Solved solved(Eigen::MatrixXd columns, const Eigen::VectorXd& right) {
+        Solved made{std::move(columns), {}, {}};
+        made.values = made.columns.colPivHouseholderQr().solve(right);
+        made.residuals = right - made.columns * made.values;
+        return made;
+    }
+
+    /// The columns of the compliances and more of them, a function of reading and unit each.
+    template <class Column>
+    [[nodiscard]] Solved with(const Eigen::MatrixXd& compliances, const Eigen::VectorXd& right,
+                              Eigen::Index units, Column column) const {
+        Eigen::MatrixXd all(compliances.rows(), compliances.cols() + units);
+        all.leftCols(compliances.cols()) = compliances;
+        for (Eigen::Index i = 0; i < all.rows(); ++i) {
+            for (Eigen::Index k = 0; k < units; ++k) {
+                all(i, compliances.cols() + k) =
+                    column(m_request.readings[static_cast<std::size_t>(i)],
+                           m_units[static_cast<std::size_t>(k)]);
+            }
+        }
+        return solved(std::move(all), right);
+    }
+
+    /// Whether so many columns more leave less than chance would let them.
+    static bool isBetter(const Solved& more, const Solved& plain) {
+        constexpr double probability = 0.99;
+        const double columns = plain.freedom() - more.freedom();
+        const double least = 1e-18 * plain.columns.squaredNorm(); // of exact readings
+        return more.freedom() > 0 && plain.squares() > least
+               && (plain.squares() - more.squares()) * more.freedom()
+                      > fisherQuantile(probability, columns, more.freedom()) * columns
+                            * std::max(more.squares(), least);
+    }
+
+    /// The straight line, or the one with play where there is any.
+    Solved testLine(Solved plain, const Eigen::VectorXd& right) {
+        const auto [least, most] =
+            std::ranges::minmax(m_request.readings, {}, &StiffnessReading::load_n);
+        // The wheel head's play could not be told from that of both centres.
+        const Eigen::Index units = m_project.part->shaft.mounting == Mounting::centres ? 2 : 1;
+        if (least.load_n == most.load_n || plain.freedom() <= static_cast<double>(units)) {
+            return plain;
+        }
+        m_trial.line = LoadLine::straight;
+        Solved play = with(plain.columns, right, units,
+                           [this](const StiffnessReading& reading, StiffnessUnit unit) {
+                               const double share = shareOf(unit, reading.position_mm);
+                               return std::sqrt(share); // of the unit's own movement
+                           });
+        const Solved bent =
+            with(plain.columns, right, units,
+                 [this](const StiffnessReading& reading, StiffnessUnit unit) {
+                     return reading.load_n * reading.load_n * shareOf(unit, reading.position_mm);
+                 });
+        if (!isBetter(play, plain) && !isBetter(bent, plain)) {
+            return plain;
+        }
+        m_trial.line = play.squares() <= bent.squares() ? LoadLine::play : LoadLine::bent;
+        if (m_trial.line == LoadLine::bent) {
+            return plain;
+        }
+        for (Eigen::Index k = 0; k < units; ++k) {
+            m_trial.play_um.push_back(play.values[plain.values.size() + k]);
+        }
+        return play;
+    }
+
     void solve() {
         const Compliance shaft = bentShaft(m_project);
         const auto rows = static_cast<Eigen::Index>(m_request.readings.size());
@@ -126,13 +202,16 @@ private:
             }
             right[i] = reading.deflection_um - reading.load_n * known;
         }
-        const Eigen::VectorXd c = A.colPivHouseholderQr().solve(right);
-        const Eigen::VectorXd residuals = right - A * c;
-        m_trial.residuals_um.assign(residuals.data(), residuals.data() + rows);
-        const auto freedom = static_cast<double>(rows - columns);
-        m_trial.rms_um = freedom > 0 ? residuals.norm() / std::sqrt(freedom) : 0;
+        const Solved line = testLine(solved(std::move(A), right), right);
+        const Eigen::VectorXd& c = line.values;
+        m_trial.unknowns = static_cast<std::size_t>(c.size());
+        m_trial.residuals_um.assign(line.residuals.data(), line.residuals.data() + rows);
+        const double freedom = line.freedom();
+        m_trial.rms_um = freedom > 0 ? line.residuals.norm() / std::sqrt(freedom) : 0;
         const Eigen::MatrixXd covariance =
-            (A.transpose() * A).ldlt().solve(Eigen::MatrixXd::Identity(columns, columns));
+            (line.columns.transpose() * line.columns)
+                .ldlt()
+                .solve(Eigen::MatrixXd::Identity(c.size(), c.size()));
         for (Eigen::Index k = 0; k < columns; ++k) {
             const StiffnessUnit unit = m_units[static_cast<std::size_t>(k)];
             if (!(c[k] > 0)) {

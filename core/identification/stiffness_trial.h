@@ -31,9 +31,17 @@ enum class StiffnessTrialStatus {
     negative,      ///< a unit would be stiffer than rigid: the readings contradict the shaft
 };
 
+/// How deflection follows load at a place.
+enum class LoadLine {
+    straight, ///< in proportion
+    play,     ///< straight, but from a deflection that is there without load
+    bent,     ///< the stiffness changes with the load
+    untested  ///< one load alone, or too few readings
+};
+
 struct FoundStiffness {
     StiffnessUnit unit = StiffnessUnit::headstock;
-    double n_um = 0;                    ///< [N/µm]
+    double n_um = 0;                    ///< [N/µm]; beyond the play, if there is any
     std::optional<Interval> interval95; ///< of more readings than unknowns; high may be infinite
 };
 
@@ -44,6 +52,9 @@ struct StiffnessTrial {
     std::vector<double> residuals_um;    ///< of the readings in their order, measured less fitted
     double rms_um = 0;                   ///< √(Σr²/(readings − unknowns)); 0 without freedom
     std::size_t unknowns = 0;
+    LoadLine line = LoadLine::untested;
+    /// With that line: of headstock and tailstock, in a chuck of the headstock alone.
+    std::vector<double> play_um;
 };
 
 struct StiffnessRequest {
@@ -56,6 +67,11 @@ struct StiffnessRequest {
 /// Least squares of δ/P = 1/j_w + (1 − u)²/j_h + u²/j_t + B(x), u = x/L_s, B the bending of the
 /// project's shaft, which is known: the model's γ(x), linear in the compliances [MODEL-6]. In a
 /// chuck 1/j_h + B(x).
+///
+/// Readings at several loads are also fitted with play, (1 − u)·s_h + u·s_t more, and with
+/// compliances that change with the load, P² in place of P: the better of the two is named where it
+/// leaves less than 99 % of Fisher's law allow by chance, and play is then kept apart from the
+/// stiffness.
 [[nodiscard]] StiffnessTrial stiffnessFromTrial(const Project& project,
                                                 const StiffnessRequest& request);
 

@@ -4,6 +4,7 @@
 #include "core/identification/applicable.h"
 #include "core/identification/cycle_response.h"
 #include "core/identification/fit_problem.h"
+#include "core/identification/fit_proposal.h"
 #include "core/identification/identifiability.h"
 #include "core/identification/levenberg_marquardt.h"
 #include "core/process/force.h"
@@ -34,6 +35,7 @@ namespace {
 constexpr double feedFactors[] = {1.0 / 3, 1, 3};
 constexpr double shareOfStock = 0.8; ///< that a trial feeds: it ends above size
 constexpr double normal95 = 1.959963984540054;
+constexpr double machineShare = 0.01; ///< an estimate of how well a machine keeps feed and speed
 
 Eigen::Index numbered(std::size_t i) {
     return static_cast<Eigen::Index>(i);
@@ -175,14 +177,12 @@ private:
     /// The parameters of interest, then what has to be found from the same traces beside them.
     [[nodiscard]] std::vector<FittedParameter> withNuisances(const FitData& data) const {
         std::vector<FittedParameter> all = m_request.parameters;
-        const auto add = [&](FitSource source, FittedKind kind) {
-            if (data.has(source)
+        for (const FittedKind kind : proposedParameters(data)) {
+            if ((isOfRecorder(kind) || kind == FittedKind::idle_power)
                 && std::ranges::find(all, kind, &FittedParameter::kind) == all.end()) {
                 all.push_back({kind, {}, {}});
             }
-        };
-        add(FitSource::size, FittedKind::size_offset);
-        add(FitSource::power, FittedKind::idle_power);
+        }
         return all;
     }
 
@@ -255,9 +255,10 @@ private:
                 trial.cannotTell.push_back(wanted[i]);
                 continue;
             }
-            trial.expected.push_back({wanted[i], error,
-                                      FitProblem::valueOf(kind, q[i] - normal95 * error),
-                                      FitProblem::valueOf(kind, q[i] + normal95 * error)});
+            // No machine repeats a trial exactly, however little noise the record has.
+            const double wide = normal95 * std::hypot(error, isFactor(kind) ? machineShare : 0.0);
+            trial.expected.push_back({wanted[i], error, FitProblem::valueOf(kind, q[i] - wide),
+                                      FitProblem::valueOf(kind, q[i] + wide)});
         }
         if (trial.cannotTell.empty()) {
             // ln det through the factor of Cholesky, whose product may leave the range of a double.

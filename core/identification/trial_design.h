@@ -40,7 +40,9 @@ struct TrialExpectation {
     FittedParameter parameter;
     double error = 0; ///< standard error of its coordinate, to first order in the noise: of a
                       ///< factor relative to it
-    double low = 0, high = 0; ///< expected 95 % interval, as the value of a fit has it
+    /// Expected 95 % interval, as the value of a fit has it; of a factor with 1 % more, an estimate
+    /// of how well a machine keeps feed and speed.
+    double low = 0, high = 0;
 };
 
 struct Trial {
@@ -51,8 +53,9 @@ struct Trial {
     std::vector<int> stepsByStage;
     double duration_s = 0;
     std::size_t samples = 0; ///< of all traces
-    /// ln det of the information about the parameters, after offset of the gauge and idle power are
-    /// found from the same traces; not given: some of the parameters cannot be told.
+    /// ln det of the information about the parameters, after offset and time of the recorder and
+    /// the idle power, which a fit proposes, are found from the same traces; not given: some of the
+    /// parameters cannot be told.
     std::optional<double> logDeterminant;
     std::vector<TrialExpectation> expected;  ///< none where they cannot be told
     std::vector<FittedParameter> cannotTell; ///< those alone or together without information

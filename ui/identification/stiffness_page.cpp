@@ -302,6 +302,16 @@ void StiffnessPage::showFound() {
     QStringList words{tr("%n reading(s); those less what the stiffness gives: RMS %1 µm.", nullptr,
                          static_cast<int>(m_trial.residuals_um.size()))
                           .arg(FitWords::number(m_trial.rms_um))};
+    if (m_trial.line != LoadLine::straight) {
+        QStringList play;
+        for (const double one_um : m_trial.play_um) {
+            play << Names::micrometres(one_um);
+        }
+        const QString line = FitWords::trial(wordsOf(m_trial.line));
+        words << (play.isEmpty() ? tr("Attention: %1.").arg(line)
+                                 : tr("Attention: %1 (%2 µm).", "what is wrong, play of the units")
+                                       .arg(line, play.join(QStringLiteral("; "))));
+    }
     if (!before) {
         const QString wheelHead = FitWords::number(after.machine->stiffness_n_um->wheel_head);
         const bool isMeasured = std::ranges::any_of(m_trial.found, [](const FoundStiffness& one) {

@@ -148,6 +148,53 @@ private slots:
         QVERIFY2(std::abs(covered - expected) < allowed, QByteArray::number(covered).constData());
     }
 
+    /// Three micrometres of play at the headstock: the stiffness beyond it is the true one, where a
+    /// line through zero has half of it.
+    void playIsKeptApart() {
+        const Project project = onCentres();
+        auto list = readings(project, {35, 22, 80}, DeflectionOf::part, {0.1, 0.5, 0.9}, 0.05);
+        QVERIFY(stiffnessFromTrial(project, {list, {}, false}).line == LoadLine::straight);
+        for (StiffnessReading& reading : list) {
+            reading.deflection_um += 3 * (1 - reading.position_mm / shaftLength(project));
+        }
+        const StiffnessTrial trial = stiffnessFromTrial(project, {list, {}, false});
+        QVERIFY(trial.line == LoadLine::play);
+        const FoundStiffness& head = *find(trial, StiffnessUnit::headstock);
+        QVERIFY(head.interval95->low < 35 && head.interval95->high > 35
+                && std::abs(head.n_um / 35 - 1) < 0.1);
+        QVERIFY(std::abs(trial.play_um[0] - 3) < 0.3 && std::abs(trial.play_um[1]) < 0.3);
+        // At one load it looks like a softer headstock, and that is said.
+        std::erase_if(list, [](const StiffnessReading& one) { return one.load_n > 150; });
+        const StiffnessTrial once = stiffnessFromTrial(project, {list, {}, false});
+        QVERIFY(once.line == LoadLine::untested && once.play_um.empty());
+        QVERIFY(find(once, StiffnessUnit::headstock)->n_um < 20);
+    }
+
+    /// A joint that stiffens under load, as contacts do, bends the line; chance says so, or that
+    /// there is play, in about 1 % of straight trials each.
+    void aBentLineIsNamed() {
+        const Project project = onCentres();
+        auto list = readings(project, {35, 22, 80}, DeflectionOf::part, {0.1, 0.5, 0.9}, 0.05);
+        for (StiffnessReading& reading : list) {
+            const double u = reading.position_mm / shaftLength(project);
+            reading.deflection_um -= 1e-5 * (1 - u) * (1 - u) * std::pow(reading.load_n, 2);
+        }
+        QVERIFY(stiffnessFromTrial(project, {list, {}, false}).line == LoadLine::bent);
+        const int repeats = samples::sized(1000, 300, 10'000);
+        int named = 0;
+        for (int i = 0; i < repeats; ++i) {
+            named += stiffnessFromTrial(
+                         project, {readings(project, {35, 22, 80}, DeflectionOf::part,
+                                            {0.1, 0.5, 0.9}, 0.3, static_cast<std::uint32_t>(i)),
+                                   {},
+                                   false})
+                         .line
+                     != LoadLine::straight;
+        }
+        QVERIFY2(named <= 0.02 * repeats + 3.3 * std::sqrt(0.02 * repeats),
+                 QByteArray::number(named).constData());
+    }
+
     void readingsThatNoShaftGivesAreRefused() {
         const Project project = onCentres();
         auto list = readings(project, {35, 22, 80}, DeflectionOf::part, {0.2, 0.8});

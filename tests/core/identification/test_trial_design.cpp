@@ -74,7 +74,7 @@ Scatter scatterOf(const Trial& trial, const Project& ground, const TrialNoise& n
     group.values.assign(trial.samples, 0);
     group.noise = noise.size_mm;
     const std::vector<FittedParameter> all{of(FittedKind::alpha), of(FittedKind::beta),
-                                           of(FittedKind::size_offset)};
+                                           of(FittedKind::size_offset), of(FittedKind::time_shift)};
     FitProblem problem(ground, data, all);
     problem.setSteps(trial.stepsByStage);
     std::vector<double> differences;

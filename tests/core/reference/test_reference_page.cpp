@@ -219,7 +219,7 @@ private slots:
         parts.deviation = 1;
         parts.values = {-1, 0, 1};
         const PredictedRange range{.low = -2, .high = 2, .mean = 0, .deviation = 1, .count = 100};
-        answer.rows = {judgeAdequacy(parts, range)};
+        answer.rows = {judgeAdequacy(parts, range, {.bias = 1})};
         answer.fit.emplace().values.emplace_back();
         answer.fit->residuals.emplace_back();
         const json measured = json::parse(measuredJson(project, answer));
