@@ -16,6 +16,28 @@ inline void addLanguages() {
     }
 }
 
+/// Of a short run Russian alone, whose words are the longer ones.
+inline void addLongerLanguages() {
+    QTest::addColumn<QString>("language");
+    for (const char* language : {"en", "ru"}) {
+        if (qEnvironmentVariableIsSet("SPARKOUT_LONG") || QByteArray(language) == "ru") {
+            QTest::newRow(language) << language;
+        }
+    }
+}
+
+/// Of a short run every second file, and those between in the other language.
+inline QStringList filesIn(const QString& language, const QStringList& paths) {
+    QStringList share;
+    for (qsizetype i = 0; i < paths.size(); ++i) {
+        if (qEnvironmentVariableIsSet("SPARKOUT_LONG")
+            || (i % 2 == 0) == (language == QStringLiteral("en"))) {
+            share << paths[i];
+        }
+    }
+    return share;
+}
+
 /// At the usual size of the font and a larger one.
 inline void addLanguagesAndSizes() {
     QTest::addColumn<QString>("language");

@@ -7,6 +7,7 @@
 #include "core/setup/setup_file.h"
 #include "tests/registry.h"
 #include "tests/ui/support/examples.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
 #include "ui/dialogs/faults_dialog.h"
@@ -155,7 +156,7 @@ private slots:
         Bench bench(language, Theme(theme));
         bench.window->resize(size);
         const QDir folder = galleryFolder();
-        for (const QString& path : examplePaths()) {
+        for (const QString& path : filesIn(language, examplePaths())) {
             QVERIFY2(bench.open(path), qPrintable(path));
             QSet<QByteArray> different;
             for (View* view : bench.window->views()) {

@@ -4,6 +4,7 @@
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/examples.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
@@ -93,7 +94,7 @@ private slots:
     void everyVisibleTextHasRoomOnASmallScreen_data() {
         addColumns<QString, QString>("language", "path");
         for (const char* language : {"en", "ru"}) {
-            for (const QString& path : examplePaths()) {
+            for (const QString& path : filesIn(QString::fromUtf8(language), examplePaths())) {
                 QTest::addRow("%s %s", language, qPrintable(nameOf(path)))
                     << QString::fromUtf8(language) << path;
             }
@@ -194,7 +195,7 @@ private slots:
 
     void inARussianWindowNoEnglishIsLeft_data() {
         QTest::addColumn<QString>("path");
-        for (const QString& path : examplePaths()) {
+        for (const QString& path : filesIn(QStringLiteral("ru"), examplePaths())) {
             QTest::addRow("%s", qPrintable(nameOf(path))) << path;
         }
         QTest::newRow("with warnings") << QString();

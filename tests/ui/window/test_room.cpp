@@ -75,7 +75,7 @@ class TestRoom : public QObject {
     Q_OBJECT
 
 private slots:
-    void theViewsHaveTheirShareOfTheWindow_data() { addLanguages(); }
+    void theViewsHaveTheirShareOfTheWindow_data() { addLongerLanguages(); }
     void theViewsHaveTheirShareOfTheWindow() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
@@ -94,7 +94,7 @@ private slots:
         }
     }
 
-    void theNinePlotsOfFeedsAreLargeEnough_data() { addLanguages(); }
+    void theNinePlotsOfFeedsAreLargeEnough_data() { addLongerLanguages(); }
     void theNinePlotsOfFeedsAreLargeEnough() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
@@ -110,7 +110,7 @@ private slots:
     }
 
     /// Where the window is too small for nine of them, they are scrolled.
-    void thePlotsOfFeedsAreLegibleInLargeType_data() { addLanguages(); }
+    void thePlotsOfFeedsAreLegibleInLargeType_data() { addLongerLanguages(); }
     void thePlotsOfFeedsAreLegibleInLargeType() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
@@ -141,7 +141,7 @@ private slots:
 
     /// Where the views are too small for both of their plots, they are scrolled; so are the zones
     /// of a batch.
-    void theOtherPlotsAreLegibleInLargeType_data() { addLanguages(); }
+    void theOtherPlotsAreLegibleInLargeType_data() { addLongerLanguages(); }
     void theOtherPlotsAreLegibleInLargeType() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
@@ -213,7 +213,7 @@ private slots:
     }
 
     /// A text that is longer than the legend is wide is wrapped.
-    void noLegendIsElided_data() { addLanguages(); }
+    void noLegendIsElided_data() { addLongerLanguages(); }
     void noLegendIsElided() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
@@ -243,7 +243,7 @@ private slots:
     }
 
     /// Of the present run and two kept ones, neither curves nor what differs.
-    void nothingOfCompareIsScrolledSideways_data() { addLanguages(); }
+    void nothingOfCompareIsScrolledSideways_data() { addLongerLanguages(); }
     void nothingOfCompareIsScrolledSideways() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
@@ -285,7 +285,7 @@ private slots:
         QVERIFY(row.data(Qt::ToolTipRole).toString().contains(name));
     }
 
-    void theRequirementsOfConstraintsHaveRoom_data() { addLanguages(); }
+    void theRequirementsOfConstraintsHaveRoom_data() { addLongerLanguages(); }
     void theRequirementsOfConstraintsHaveRoom() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
@@ -313,7 +313,7 @@ private slots:
         }
     }
 
-    void theCyclesFoundAreReadWithoutScrolling_data() { addLanguages(); }
+    void theCyclesFoundAreReadWithoutScrolling_data() { addLongerLanguages(); }
     void theCyclesFoundAreReadWithoutScrolling() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
@@ -340,7 +340,7 @@ private slots:
     }
 
     /// Also when the program starts so.
-    void theToolsAreAllShownWhateverTheType_data() { addLanguages(); }
+    void theToolsAreAllShownWhateverTheType_data() { addLongerLanguages(); }
     void theToolsAreAllShownWhateverTheType() {
         QFETCH(QString, language);
         for (const int percent : fontSizes) {
@@ -402,7 +402,7 @@ private slots:
     }
 
     /// Longer than any hint: the values of a pass with their spread.
-    void theValuesUnderThePointerHaveRoomInLargeType_data() { addLanguages(); }
+    void theValuesUnderThePointerHaveRoomInLargeType_data() { addLongerLanguages(); }
     void theValuesUnderThePointerHaveRoomInLargeType() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
@@ -423,7 +423,7 @@ private slots:
         }
     }
 
-    void noCaptionOfFeedsAndProfilesIsCutOff_data() { addLanguages(); }
+    void noCaptionOfFeedsAndProfilesIsCutOff_data() { addLongerLanguages(); }
     void noCaptionOfFeedsAndProfilesIsCutOff() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
@@ -453,7 +453,7 @@ private slots:
         QVERIFY(captions > 30);
     }
 
-    void theNamesOfAxesHaveRoom_data() { addLanguages(); }
+    void theNamesOfAxesHaveRoom_data() { addLongerLanguages(); }
     void theNamesOfAxesHaveRoom() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
@@ -488,7 +488,7 @@ private slots:
     }
 
     /// Beside or below its mark, in whatever type.
-    void aLongFeedWithAWarningIsReadInFull_data() { addLanguages(); }
+    void aLongFeedWithAWarningIsReadInFull_data() { addLongerLanguages(); }
     void aLongFeedWithAWarningIsReadInFull() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
@@ -516,7 +516,7 @@ private slots:
     }
 
     /// Also the titles of boxes that say what all surfaces of a part share.
-    void theInputsOfSeveralSurfacesHaveRoom_data() { addLanguages(); }
+    void theInputsOfSeveralSurfacesHaveRoom_data() { addLongerLanguages(); }
     void theInputsOfSeveralSurfacesHaveRoom() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("setups/spindle"));
@@ -618,7 +618,7 @@ private slots:
     }
 
     /// The strip of the part does not take the room of the panels, whatever the type.
-    void thePartStripLeavesTheVerdictItsWidth_data() { addLanguages(); }
+    void thePartStripLeavesTheVerdictItsWidth_data() { addLongerLanguages(); }
     void thePartStripLeavesTheVerdictItsWidth() {
         QFETCH(QString, language);
         Bench bench(language);
