@@ -175,6 +175,12 @@ private slots:
     void aBentLineIsNamed() {
         const Project project = onCentres();
         auto list = readings(project, {35, 22, 80}, DeflectionOf::part, {0.1, 0.5, 0.9}, 0.05);
+        const auto heavier = readings(project, {35, 22, 80}, DeflectionOf::part, {0.1, 0.5, 0.9});
+        for (StiffnessReading reading : heavier) { // two loads alone do not bend a line
+            reading.load_n *= 4;
+            reading.deflection_um *= 4;
+            list.push_back(reading);
+        }
         for (StiffnessReading& reading : list) {
             const double u = reading.position_mm / shaftLength(project);
             reading.deflection_um -= 1e-5 * (1 - u) * (1 - u) * std::pow(reading.load_n, 2);

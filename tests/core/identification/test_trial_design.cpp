@@ -187,7 +187,10 @@ private slots:
             for (const TrialSparkOut sparkOut :
                  {TrialSparkOut::none, TrialSparkOut::untilSettled}) {
                 const Trial& trial = *find(design, 1, sparkOut, TrialRecord::size);
-                QVERIFY(trial.cannotTell.empty());
+                if (!trial.cannotTell.empty()) { // without a spark-out its time is α, too
+                    QVERIFY(share == 1 && sparkOut == TrialSparkOut::none);
+                    continue;
+                }
                 const Scatter found =
                     scatterOf(trial, trialProject(project, 1, sparkOut), request.noise, repeats);
                 for (std::size_t p = 0; p < found.squares.size(); ++p) {
