@@ -139,8 +139,8 @@ void stateNormalForce(FormulaSheet* sheet, const ForceLaw& law, double b, double
     const FormulaTerm force{"P_y", law.normal(b, std::sqrt(a)), "N"}, width{"b", b, "mm"},
         depth{"a", a, "mm"};
     if (law.threshold) {
-        state(sheet, "{P_y} = {b}·({F'_0} + {K}·{a})", force,
-              {width, {"F'_0", law.kr, "N/mm"}, {"K", law.ks, "MPa"}, depth});
+        state(sheet, "{P_y} = {b}·({F′_0} + {K}·{a})", force,
+              {width, {"F′_0", law.kr, "N/mm"}, {"K", law.ks, "MPa"}, depth});
     } else {
         state(sheet, "{P_y} = {b}·({k_s}·{a} + {k_r}·√({a}))", force,
               {width, {"k_s", law.ks, "MPa"}, depth, {"k_r", law.kr, "N/mm^1.5"}});
@@ -151,8 +151,8 @@ void stateTangentialForce(FormulaSheet* sheet, const ForceLaw& law, double b, do
     const FormulaTerm force{"P_z", law.tangential(b, std::sqrt(a)), "N"}, width{"b", b, "mm"},
         depth{"a", a, "mm"}, friction{"μ", law.mu, ""};
     if (law.threshold) {
-        state(sheet, "{P_z} = {b}·({K_z}·{a} + {μ}·{F'_0})", force,
-              {width, {"K_z", law.kt, "MPa"}, depth, friction, {"F'_0", law.kr, "N/mm"}});
+        state(sheet, "{P_z} = {b}·({K_z}·{a} + {μ}·{F′_0})", force,
+              {width, {"K_z", law.kt, "MPa"}, depth, friction, {"F′_0", law.kr, "N/mm"}});
     } else {
         state(sheet, "{P_z} = {b}·({k_t}·{a} + {μ}·{k_r}·√({a}))", force,
               {width, {"k_t", law.kt, "MPa"}, depth, friction, {"k_r", law.kr, "N/mm^1.5"}});

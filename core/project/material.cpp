@@ -67,17 +67,17 @@ const StructInfo& tableOf<Material>() {
                        .sparse = true, .page = Page::material,
                        .hint = SPARKOUT_NOOP(
                            "Input",
-                           "With a threshold nothing is cut below the force F'_0, and a spark-out "
+                           "With a threshold nothing is cut below the force F′_0, and a spark-out "
                            "ends exponentially; flow stress and dullness do not enter the force."),
-                       .formula = "P_y = b·(F'_0 + K·a)", .source = "HON585"),
+                       .formula = "P_y = b·(F′_0 + K·a)", .source = "HON585"),
         SPARKOUT_FIELD(
             Material, threshold_force_n_mm, .label = SPARKOUT_NOOP("Input", "Threshold force"),
-            .symbol = "F'_0", .unit = "N/mm", .hard = {0, 1000}, .soft = {0.05, 10},
+            .symbol = "F′_0", .unit = "N/mm", .hard = {0, 1000}, .soft = {0.05, 10},
             .relevant = byThreshold, .sparse = true, .page = Page::material,
             .hint = SPARKOUT_NOOP("Input", "Normal force per millimetre of width up to which the "
                                            "wheel only rubs. It is found from a recorded "
-                                           "spark-out: what is left is γ·b·F'_0."),
-            .formula = "P_y = b·(F'_0 + K·a)", .source = "HON585"),
+                                           "spark-out: what is left is γ·b·F′_0."),
+            .formula = "P_y = b·(F′_0 + K·a)", .source = "HON585"),
         SPARKOUT_FIELD(
             Material, specific_force_mpa, .label = SPARKOUT_NOOP("Input", "Specific normal force"),
             .symbol = "K_0", .unit = "MPa", .hard = {1, 1e8}, .soft = {2000, 500000},
@@ -94,7 +94,7 @@ const StructInfo& tableOf<Material>() {
             .relevant = byThreshold, .sparse = true, .page = Page::material,
             .hint = SPARKOUT_NOOP("Input", "Tangential force per area of chip, beyond the friction "
                                            "at the threshold: it makes the power."),
-            .formula = "P_z = b·(K_z0·V_d/V_k·a + μ·F'_0)", .source = "MODEL-2"),
+            .formula = "P_z = b·(K_z0·V_d/V_k·a + μ·F′_0)", .source = "MODEL-2"),
         SPARKOUT_FIELD(
             Material, conductivity_w_mk, .label = SPARKOUT_NOOP("Input", "Thermal conductivity"),
             .symbol = "λ", .unit = "W/(m·K)", .hard = {0.1, 1000}, .soft = {10, 80},

@@ -17,9 +17,9 @@ FormulaSheet thresholdSheet(const Project& project, const Cutting& cutting, doub
     FormulaSheet sheet{SPARKOUT_NOOP("Formula", "Elastic balance"), "MODEL-3", {}};
     stateContact(&sheet, project, cutting);
     stateNormal(&sheet, project, cutting);
-    const FormulaTerm lag{"h", h, "mm"}, most{"C", C, "mm"};
-    state(&sheet, "{C} = {γ}·{b}·{F'_0}", most,
-          {{"γ", gamma, "mm/N"}, {"b", b, "mm"}, {"F'_0", F0, "N/mm"}});
+    const FormulaTerm lag{"h", h, "mm"}, most{"h_0", C, "mm"};
+    state(&sheet, "{h_0} = {γ}·{b}·{F′_0}", most,
+          {{"γ", gamma, "mm/N"}, {"b", b, "mm"}, {"F′_0", F0, "N/mm"}});
     if (!(h > C)) {
         state(&sheet, "{P_y} = {h}/{γ}", {"P_y", gamma > 0 ? h / gamma : 0, "N"},
               {lag, {"γ", gamma, "mm/N"}});
@@ -30,9 +30,9 @@ FormulaSheet thresholdSheet(const Project& project, const Cutting& cutting, doub
     const double a = (h - C) / A;
     state(&sheet, "{A} = 1 + {γ}·{b}·{K}", {"A", A, ""},
           {{"γ", gamma, "mm/N"}, {"b", b, "mm"}, {"K", K, "MPa"}});
-    state(&sheet, "{P_y} = {b}·({F'_0} + {K}·({h} − {C})/{A})", {"P_y", b * (F0 + K * a), "N"},
-          {{"b", b, "mm"}, {"F'_0", F0, "N/mm"}, {"K", K, "MPa"}, lag, most, {"A", A, ""}});
-    state(&sheet, "{a} = ({h} − {C})/{A}", {"a", a, "mm"}, {lag, most, {"A", A, ""}});
+    state(&sheet, "{P_y} = {b}·({F′_0} + {K}·({h} − {h_0})/{A})", {"P_y", b * (F0 + K * a), "N"},
+          {{"b", b, "mm"}, {"F′_0", F0, "N/mm"}, {"K", K, "MPa"}, lag, most, {"A", A, ""}});
+    state(&sheet, "{a} = ({h} − {h_0})/{A}", {"a", a, "mm"}, {lag, most, {"A", A, ""}});
     state(&sheet, "{γ·P_y} = {h} − {a}", {"γ·P_y", h - a, "mm"}, {lag, {"a", a, "mm"}});
     return sheet;
 }

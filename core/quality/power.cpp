@@ -43,8 +43,8 @@ double PowerModel::limitDepth(const Drive& drive, double b, double power,
            {drive.speedSymbol, drive.speed, "mm/s"}});
     if (m_cutting.law.threshold) {
         const double a = std::max(0.0, F - m) / kt;
-        state(sheet, F > m ? "{a} = ({F} − {μ}·{F'_0})/{K_z}" : "{a}", {"a", a, "mm"},
-              {{"F", F, "N/mm"}, {"μ", mu, ""}, {"F'_0", kr, "N/mm"}, {"K_z", kt, "MPa"}});
+        state(sheet, F > m ? "{a} = ({F} − {μ}·{F′_0})/{K_z}" : "{a}", {"a", a, "mm"},
+              {{"F", F, "N/mm"}, {"μ", mu, ""}, {"F′_0", kr, "N/mm"}, {"K_z", kt, "MPa"}});
         return a;
     }
     const double u = 2 * F / (m + std::sqrt(m * m + 4 * kt * F));
