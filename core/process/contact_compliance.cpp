@@ -113,8 +113,9 @@ ThresholdState ContactCompliance::state(const Balance& balance, double h) const 
         }
         (rest > 0 ? high : low) = x;
         const double force = (cuts ? force_n : 0) + perForce * x;
+        const bool creeps = step > usualSteps && step % 2 == 0;
         double next = x - rest / (stiff + perForce * compliance(force));
-        if (!(next > low && next < high) || (step > usualSteps && step % 2 == 0)) {
+        if (creeps || !(next > low && next < high)) {
             next = low + (high - low) / 2;
         }
         if (next == low || next == high || next == x) {

@@ -150,11 +150,11 @@ double PeakForces::of(const Lanes& lanes, std::size_t section) const {
 
 void PeakForces::turnTo(Lanes& lanes, const PassRange& range, std::size_t section) {
     m_sections[section] = {range.bks, range.bkr, of(lanes, section)};
-    for (std::vector<double>* peaks : {&lanes.peakRoot, &lanes.peakRubbing}) {
-        if (!peaks->empty()) {
-            std::fill_n(peaks->begin() + static_cast<std::ptrdiff_t>(section * m_radii), m_radii,
-                        0.0);
-        }
+    const auto first = static_cast<std::ptrdiff_t>(section * m_radii);
+    std::fill_n(lanes.peakRoot.begin() + static_cast<std::ptrdiff_t>(section * m_radii), m_radii,
+                0.0);
+    if (!lanes.peakRubbing.empty()) {
+        std::fill_n(lanes.peakRubbing.begin() + first, m_radii, 0.0);
     }
 }
 

@@ -90,16 +90,20 @@ struct LaneBalance {
         , C2(C * C)
         , A4(4 * (1 + gamma * bks))
         , inverse2A(1 / (2 * (1 + gamma * bks)))
-        , multiplied(bkr <= multipliedFormLimit * bks)
+        , multiplied(bkr <= multipliedFormLimit * bks && !hasThreshold)
         , threshold(hasThreshold) {}
     /// √a [√mm] where the infeed is h [mm] beyond the radius, as a pass has it but for rounding.
     [[nodiscard]] double root(double h) const {
-        if (threshold) {
-            return h > C && h > 0 ? std::sqrt(4 * (h - C) / A4) : 0;
-        }
         const double infeed = h > 0 ? h : 0;
         const double q = std::sqrt(C2 + A4 * infeed);
-        return multiplied ? (q - C) * inverse2A : 2 * infeed / (C + q);
+        return multiplied  ? (q - C) * inverse2A
+               : threshold ? rootBeyond(infeed)
+                           : 2 * infeed / (C + q);
+    }
+
+private:
+    [[nodiscard]] double rootBeyond(double infeed) const {
+        return infeed > C ? std::sqrt(4 * (infeed - C) / A4) : 0;
     }
 };
 
