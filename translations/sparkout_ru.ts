@@ -9696,6 +9696,14 @@ With another name both versions stay as they are.</source>
             <source>Tabor, 1951, yield stress and hardness</source>
             <translation>Тейбор, 1951, предел текучести и твёрдость</translation>
         </message>
+        <message>
+            <source>hon1.ru, spark-out and threshold force</source>
+            <translation>hon1.ru, выхаживание и пороговая сила</translation>
+        </message>
+        <message>
+            <source>Akaike, 1974, choice of a model</source>
+            <translation>Акаике, 1974, выбор модели</translation>
+        </message>
     </context>
     <context>
         <name>Struct</name>
