@@ -89,7 +89,7 @@ private:
 };
 
 /// A law with its best values: a curve of revolutions by two shapes, or one.
-struct Fit {
+struct LawFit {
     Line line;
     double first = 0, second = 0; ///< logarithms of the shapes
     std::vector<double> curve;
@@ -179,7 +179,7 @@ std::pair<double, double> searched(std::pair<double, double> first,
     return best;
 }
 
-Fit fitSources(Readings& readings, const Ratios& ratios, const std::stop_token& stop) {
+LawFit fitSources(Readings& readings, const Ratios& ratios, const std::stop_token& stop) {
     constexpr int cells = 40;
     const std::size_t revolutions = readings.revolutions();
     const auto lineAt = [&](const std::pair<double, double>& at, const std::vector<double>& curve) {
@@ -194,12 +194,12 @@ Fit fitSources(Readings& readings, const Ratios& ratios, const std::stop_token& 
     const auto best = searched(
         {std::log(1e-4), std::log(1e2)}, {std::log(1e-6), std::log(1e6)}, cells,
         [&](const std::pair<double, double>& at) { return lineAt(at, curveAt(at)).squares; }, stop);
-    Fit fit{{}, best.first, best.second, curveAt(best)};
+    LawFit fit{{}, best.first, best.second, curveAt(best)};
     fit.line = lineAt(best, fit.curve);
     return fit;
 }
 
-Fit fitThreshold(Readings& readings, const std::stop_token& stop) {
+LawFit fitThreshold(Readings& readings, const std::stop_token& stop) {
     constexpr int cells = 200;
     const std::size_t revolutions = readings.revolutions();
     const auto curveAt = [&](double constant) {
@@ -211,7 +211,7 @@ Fit fitThreshold(Readings& readings, const std::stop_token& stop) {
             return readings.fitted(curveAt(at.first)).squares;
         },
         stop);
-    Fit fit{{}, best.first, 0, curveAt(best.first)};
+    LawFit fit{{}, best.first, 0, curveAt(best.first)};
     fit.line = readings.fitted(fit.curve);
     return fit;
 }
@@ -268,7 +268,7 @@ public:
 private:
     /// What the law with these values would record in so many revolutions, without noise.
     [[nodiscard]] SparkOutRecord continued(bool sources, int revolutions) const {
-        const Fit& fit = sources ? m_sources : m_threshold;
+        const LawFit& fit = sources ? m_sources : m_threshold;
         const auto all = static_cast<std::size_t>(revolutions);
         const std::vector<double> curve =
             sources ? sourcesCurve(std::exp(fit.first), std::exp(fit.second), all)
@@ -318,7 +318,7 @@ private:
     const SparkOutRecord& m_record;
     Ratios m_ratios;
     const std::stop_token& m_stop;
-    Fit m_sources, m_threshold;
+    LawFit m_sources, m_threshold;
     double m_share = 1, m_variance = 0;
 };
 
