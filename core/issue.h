@@ -48,6 +48,7 @@ enum class IssueCode {
     stocksDoNotSumUp,
     tooManyStages,
     notUsedHere,
+    notWithThreshold, ///< of the force
     tooMuchGap,
     gapBetweenRadii,
     gaugeDropsIn,

@@ -767,6 +767,14 @@
         <source>Interval and indices of the batch</source>
         <translation>Интервал и показатели партии</translation>
     </message>
+        <message>
+            <source>with √a, of the sources</source>
+            <translation>с √a, по источникам</translation>
+        </message>
+        <message>
+            <source>with a threshold</source>
+            <translation>с порогом</translation>
+        </message>
 </context>
     <context>
         <name>Company</name>
@@ -1301,6 +1309,34 @@
         <message>
             <source>delay of the force trace</source>
             <translation>запаздывание записи силы</translation>
+        </message>
+        <message>
+            <source>factor of the specific normal force K₀</source>
+            <translation>множитель удельной нормальной силы K₀</translation>
+        </message>
+        <message>
+            <source>factor of the threshold force F′₀</source>
+            <translation>множитель пороговой силы F′₀</translation>
+        </message>
+        <message>
+            <source>factor of b·K_z·Vₖ</source>
+            <translation>множитель b·K_z·Vₖ</translation>
+        </message>
+        <message>
+            <source>factor of b·μ·F′₀·Vₖ</source>
+            <translation>множитель b·μ·F′₀·Vₖ</translation>
+        </message>
+        <message>
+            <source>the spark-out supports the sources&apos; force law</source>
+            <translation>выхаживание подтверждает закон силы источников</translation>
+        </message>
+        <message>
+            <source>the spark-out supports the force law with a threshold</source>
+            <translation>выхаживание подтверждает закон силы с порогом</translation>
+        </message>
+        <message>
+            <source>the spark-out does not separate the two force laws</source>
+            <translation>выхаживание не разделяет два закона силы</translation>
         </message>
     </context>
     <context>
@@ -6798,6 +6834,42 @@ With another name both versions stay as they are.</source>
             <source>Up to this difference the measured mean and the predicted one count as the same. Where the drawing has no tolerance either, it is half the predicted standard deviation.</source>
             <translation>До этой разности измеренное и прогнозируемое средние считаются одинаковыми. Если допуска нет и на чертеже, это половина прогнозируемого стандартного отклонения.</translation>
         </message>
+        <message>
+            <source>Force law</source>
+            <translation>Закон силы</translation>
+        </message>
+        <message>
+            <source>With a threshold nothing is cut below the force F′_0, and a spark-out ends exponentially; flow stress and dullness do not enter the force.</source>
+            <translation>С порогом при силе ниже F′_0 съёма нет, а выхаживание заканчивается по экспоненте; интенсивность напряжений и степень затупления в силу не входят.</translation>
+        </message>
+        <message>
+            <source>Threshold force</source>
+            <translation>Пороговая сила</translation>
+        </message>
+        <message>
+            <source>Normal force per millimetre of width up to which the wheel only rubs. It is found from a recorded spark-out: what is left is γ·b·F′_0.</source>
+            <translation>Нормальная сила на миллиметр ширины, до которой круг только трёт. Определяется по записи выхаживания: остаётся γ·b·F′_0.</translation>
+        </message>
+        <message>
+            <source>Specific normal force</source>
+            <translation>Удельная нормальная сила</translation>
+        </message>
+        <message>
+            <source>Normal force per area of chip, beyond the threshold. It is found from the time constant of a recorded spark-out.</source>
+            <translation>Нормальная сила сверх пороговой на единицу площади среза. Определяется по постоянной времени записанного выхаживания.</translation>
+        </message>
+        <message>
+            <source>Specific tangential force</source>
+            <translation>Удельная касательная сила</translation>
+        </message>
+        <message>
+            <source>K_0·ε_i/(ε_i·tg β), as in the sources&apos; law</source>
+            <translation>K_0·ε_i/(ε_i·tg β), как в законе источников</translation>
+        </message>
+        <message>
+            <source>Tangential force per area of chip, beyond the friction at the threshold: it makes the power.</source>
+            <translation>Касательная сила на единицу площади среза сверх трения при пороговой силе: от неё зависит мощность.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -7013,6 +7085,10 @@ With another name both versions stay as they are.</source>
         <source>a wheel {value} wide does not fit between the shoulders of the shaft; allowed: {limit}</source>
         <translation>круг высотой {value} не проходит между уступами вала; допускается: {limit}</translation>
     </message>
+        <message>
+            <source>{value} belongs to the sources&apos; force law and is not computed for one with a threshold; allowed: {limit}</source>
+            <translation>{value}: относится к закону силы источников, для закона с порогом не вычисляется; допустимо: {limit}</translation>
+        </message>
 </context>
     <context>
         <name>LayersLook</name>
@@ -9656,6 +9732,14 @@ With another name both versions stay as they are.</source>
             <source>Tabor, 1951, yield stress and hardness</source>
             <translation>Тейбор, 1951, предел текучести и твёрдость</translation>
         </message>
+        <message>
+            <source>hon1.ru, spark-out and threshold force</source>
+            <translation>hon1.ru, выхаживание и пороговая сила</translation>
+        </message>
+        <message>
+            <source>Akaike, 1974, choice of a model</source>
+            <translation>Акаике, 1974, выбор модели</translation>
+        </message>
     </context>
     <context>
         <name>Struct</name>
@@ -10557,6 +10641,22 @@ With another name both versions stay as they are.</source>
         <message>
             <source>the sources&apos; name of b·k_r in plunge</source>
             <translation>b·k_r при врезании, как в источниках</translation>
+        </message>
+        <message>
+            <source>normal force beyond the threshold, per width and depth</source>
+            <translation>нормальная сила сверх пороговой на единицу ширины и глубины</translation>
+        </message>
+        <message>
+            <source>tangential force per area of chip</source>
+            <translation>касательная сила на единицу площади среза</translation>
+        </message>
+        <message>
+            <source>tangential force beyond friction, per width and depth</source>
+            <translation>касательная сила сверх трения на единицу ширины и глубины</translation>
+        </message>
+        <message>
+            <source>lag up to which the wheel only rubs</source>
+            <translation>отставание, до которого круг только трёт</translation>
         </message>
     </context>
     <context>
@@ -18184,6 +18284,14 @@ good</source>
         <message>
             <source>%1 (stage %2)</source>
             <translation>%1 (ступень %2)</translation>
+        </message>
+        <message>
+            <source>Force law: %1 (%2 revolutions; residuals %3 µm by the sources&apos; law, %4 µm with a threshold).</source>
+            <translation>Закон силы: %1 (оборотов: %2; остатки %3 мкм по закону источников, %4 мкм с порогом).</translation>
+        </message>
+        <message>
+            <source>A spark-out longer by %1 revolutions would separate them.</source>
+            <translation>Их разделит выхаживание, которое длиннее на столько оборотов: %1.</translation>
         </message>
     </context>
     <context>

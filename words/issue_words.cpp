@@ -146,6 +146,10 @@ IssueWords wordsOf(IssueCode code) {
     case IssueCode::notUsedHere:
         return {"not_used_here",
                 SPARKOUT_NOOP("Issue", "{value} is not used here; it applies to {limit}")};
+    case IssueCode::notWithThreshold:
+        return {"not_with_threshold",
+                SPARKOUT_NOOP("Issue", "{value} belongs to the sources' force law and is not "
+                                       "computed for one with a threshold; allowed: {limit}")};
     case IssueCode::tooMuchGap:
         return {"too_much_gap",
                 SPARKOUT_NOOP("Issue", "the gaps leave too little of the surface: {value} radii "

@@ -87,6 +87,26 @@ constexpr Output<OutOfStepOf> outOfStepRows[] = {
      [](const OutOfStepOf& o) { return o.time.value; }},
 };
 
+constexpr Output<ForceLawChoice> forceLawRows[] = {
+    {{.key = "supported", .hint = "by the spark-out: sources, threshold or undecided"},
+     [](const ForceLawChoice& c) { return std::string(wordsOf(c.supported).key); }},
+    {{.key = "aic_difference", .hint = "of the sources' law less that of the threshold"},
+     [](const ForceLawChoice& c) { return c.aicDifference; }},
+    {{.key = "sources_rms_um", .hint = "what the sources' law leaves of the diameter"},
+     [](const ForceLawChoice& c) { return c.sourcesRms_um; }},
+    {{.key = "threshold_rms_um", .hint = "what the law with a threshold leaves of it"},
+     [](const ForceLawChoice& c) { return c.thresholdRms_um; }},
+    {{.key = "time_constant_s", .hint = "of the law with a threshold"},
+     [](const ForceLawChoice& c) { return c.timeConstant_s; }},
+    {{.key = "revolutions", .hint = "of the spark-out that are recorded"},
+     [](const ForceLawChoice& c) { return std::int64_t{c.revolutions}; }},
+    {{.key = "readings"}, [](const ForceLawChoice& c) { return std::int64_t(c.readings); }},
+    {{.key = "revolutions_more", .hint = "undecided: so many more would decide"},
+     [](const ForceLawChoice& c) {
+         return c.revolutionsMore ? std::optional<std::int64_t>(*c.revolutionsMore) : std::nullopt;
+     }},
+};
+
 ordered_json rowJson(const Project& project, const AdequacyRow& row) {
     ordered_json json = outputsJson(adequacyOutputs(), {project, row});
     json["predicted"] = outputsJson(predictedOutputs(), row.predicted);
@@ -100,6 +120,9 @@ ordered_json fitJson(const Identification& found, const std::vector<FittedParame
     json["values"] = outputsJsonOfEach(fittedValueOutputs(), found.values);
     json["correlation"] = found.correlation;
     json["residuals"] = outputsJsonOfEach(fitResidualsOutputs(), found.residuals);
+    if (found.forceLaw) {
+        json["force_law"] = outputsJson(forceLawOutputs(), *found.forceLaw);
+    }
     json["out_of_step"] = ordered_json::array();
     json["cannot_tell"] = ordered_json::array();
     json["remarks"] = ordered_json::array();
@@ -224,6 +247,10 @@ std::span<const Output<FittedValue>> fittedValueOutputs() {
 
 std::span<const Output<FitResiduals>> fitResidualsOutputs() {
     return residualsRows;
+}
+
+std::span<const Output<ForceLawChoice>> forceLawOutputs() {
+    return forceLawRows;
 }
 
 std::span<const Output<OutOfStepOf>> outOfStepOutputs() {

@@ -38,6 +38,7 @@ struct OutOfStepOf {
 [[nodiscard]] std::span<const Output<FittedValue>> fittedValueOutputs();
 [[nodiscard]] std::span<const Output<FitResiduals>> fitResidualsOutputs();
 [[nodiscard]] std::span<const Output<OutOfStepOf>> outOfStepOutputs();
+[[nodiscard]] std::span<const Output<ForceLawChoice>> forceLawOutputs();
 
 /// The object of `measured --json`.
 [[nodiscard]] std::string measuredJson(const Project& project, const MeasuredAnswer& answer);

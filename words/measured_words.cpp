@@ -77,7 +77,33 @@ MeasuredWords wordsOf(Advice advice) {
     return {"several_parts", SPARKOUT_NOOP("Measured", "measure more parts")};
 }
 
-MeasuredWords wordsOf(FittedKind kind) {
+MeasuredWords wordsOf(SupportedLaw law) {
+    switch (law) {
+    case SupportedLaw::sources:
+        return {"sources",
+                SPARKOUT_NOOP("Measured", "the spark-out supports the sources' force law")};
+    case SupportedLaw::threshold:
+        return {"threshold", SPARKOUT_NOOP("Measured", "the spark-out supports the force law with "
+                                                       "a threshold")};
+    case SupportedLaw::undecided: break;
+    }
+    return {"undecided",
+            SPARKOUT_NOOP("Measured", "the spark-out does not separate the two force laws")};
+}
+
+MeasuredWords wordsOf(FittedKind kind, bool hasThreshold) {
+    if (hasThreshold && kind == FittedKind::alpha) {
+        return {"alpha", SPARKOUT_NOOP("Measured", "factor of the specific normal force K₀")};
+    }
+    if (hasThreshold && kind == FittedKind::beta) {
+        return {"beta", SPARKOUT_NOOP("Measured", "factor of the threshold force F′₀")};
+    }
+    if (hasThreshold && kind == FittedKind::chip_power) {
+        return {"chip_power", SPARKOUT_NOOP("Measured", "factor of b·K_z·Vₖ")};
+    }
+    if (hasThreshold && kind == FittedKind::friction_power) {
+        return {"friction_power", SPARKOUT_NOOP("Measured", "factor of b·μ·F′₀·Vₖ")};
+    }
     switch (kind) {
     case FittedKind::alpha: return {"alpha", SPARKOUT_NOOP("Measured", "factor of α = γ·b·kₛ")};
     case FittedKind::beta: return {"beta", SPARKOUT_NOOP("Measured", "factor of β = γ·b·kᵣ")};

@@ -16,7 +16,9 @@ struct MeasuredWords {
 [[nodiscard]] MeasuredWords wordsOf(IdentificationStatus status);
 /// What to measure.
 [[nodiscard]] MeasuredWords wordsOf(Advice advice);
-[[nodiscard]] MeasuredWords wordsOf(FittedKind kind);
+[[nodiscard]] MeasuredWords wordsOf(SupportedLaw law);
+/// Of a project whose force has a threshold or of another.
+[[nodiscard]] MeasuredWords wordsOf(FittedKind kind, bool hasThreshold = false);
 [[nodiscard]] MeasuredWords wordsOf(FitSource source);
 /// What a trace has that the cycle that was run has not.
 [[nodiscard]] MeasuredWords wordsOf(Unlike unlike);

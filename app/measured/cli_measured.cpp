@@ -17,6 +17,7 @@
 #include "core/identification/identification.h"
 #include "core/measured/measured_table.h"
 #include "core/printable.h"
+#include "core/process/force.h"
 #include "core/project/batch.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
@@ -87,15 +88,16 @@ std::string rowText(const Project& project, const AdequacyRow& row) {
     return text + ": " + textOf(row.verdict) + '\n';
 }
 
-std::string fitText(const Identification& found, const std::vector<FittedParameter>& requested) {
+std::string fitText(const Project& project, const Identification& found,
+                    const std::vector<FittedParameter>& requested) {
     std::string text;
     constexpr int digits = 4;
     for (const FittedValue& value : found.values) {
         const std::string unit = unitOf(value.parameter.kind);
         text += parameterName(value.parameter) + ": " + fixed(value.value, digits) + " ("
                 + fixed(value.interval95.low, digits) + "…" + fixed(value.interval95.high, digits)
-                + ")" + (unit.empty() ? "" : " " + unit) + ", " + wordsOf(value.parameter.kind).text
-                + '\n';
+                + ")" + (unit.empty() ? "" : " " + unit) + ", "
+                + wordsOf(value.parameter.kind, hasThreshold(project)).text + '\n';
     }
     for (const FitResiduals& group : found.residuals) {
         text += std::string(wordsOf(group.source).text) + ": residuals of "
@@ -116,6 +118,19 @@ std::string fitText(const Identification& found, const std::vector<FittedParamet
                            : "")
                     + '\n';
         }
+    }
+    if (found.forceLaw) {
+        const ForceLawChoice& law = *found.forceLaw;
+        text += std::string("force law: ") + wordsOf(law.supported).text + " ("
+                + std::to_string(law.revolutions)
+                + " revolutions; AIC of the sources' law less that with a threshold "
+                + fixed(law.aicDifference, 1) + "; RMS of the residuals "
+                + fixed(law.sourcesRms_um, 3) + " and " + fixed(law.thresholdRms_um, 3) + " µm)"
+                + (law.revolutionsMore
+                       ? "; a spark-out longer by " + std::to_string(*law.revolutionsMore)
+                             + " revolutions would separate them"
+                       : "")
+                + '\n';
     }
     for (const OutOfStep& one : found.outOfStep) {
         constexpr double normal95 = 1.96;
@@ -223,7 +238,7 @@ int measureOne(Project project, const Surfaces& surfaces, std::size_t surface,
         for (const AdequacyRow& row : answer.rows) {
             print(stdout, rowText(project, row));
         }
-        print(stdout, answer.fit ? fitText(*answer.fit, parameters) : std::string());
+        print(stdout, answer.fit ? fitText(project, *answer.fit, parameters) : std::string());
     }
     if (caughtSignal() != 0) {
         return interrupted + caughtSignal();

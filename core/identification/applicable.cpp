@@ -2,6 +2,7 @@
 #include "core/identification/applicable.h"
 
 #include "core/identification/scaled_project.h"
+#include "core/process/force.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
 
@@ -23,10 +24,14 @@ bool areApplicable(const Project& project, const std::vector<FittedParameter>& l
                 || *list[i].place < 0 || *list[i].place >= placeCount(project));
         const bool measuredForm = list[i].kind == FittedKind::blank_runout
                                   && project.part->profile == ProfileForm::measured;
+        const bool threshold = hasThreshold(project);
         const bool notLinear =
             (list[i].kind == FittedKind::alpha || list[i].kind == FittedKind::beta)
-            && project.machine->wheel_contact;
-        if (twice || noPlace || measuredForm || notLinear) {
+            && project.machine->wheel_contact && !threshold;
+        const bool notInForce =
+            threshold
+            && (list[i].kind == FittedKind::flow_stress || list[i].kind == FittedKind::dullness);
+        if (twice || noPlace || measuredForm || notLinear || notInForce) {
             return false;
         }
     }

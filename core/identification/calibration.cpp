@@ -2,6 +2,7 @@
 #include "core/identification/calibration.h"
 
 #include "core/identification/scaled_project.h"
+#include "core/process/force.h"
 #include "core/process/recipe_force.h"
 #include "core/process/scaled_compliance.h"
 #include "core/project/machine.h"
@@ -55,6 +56,9 @@ public:
     // The factors as scaledProject() and the problem have them: γ' = γ·c·α, η' = η·d·β/α, and the
     // products of the powers stay what they were found to be: μ'·η' = μ·η·d·m.
     Project make() {
+        if (hasThreshold(m_before)) {
+            return makeThreshold();
+        }
         changeCompliance();
         change("/material/flow_stress_mpa", {{FittedKind::flow_stress, 1}});
         change(dullnessPath(*m_before.wheel),
@@ -69,6 +73,29 @@ public:
     }
 
 private:
+    /// K' = K·α, F'_0' = F'_0·β, and the powers what they were found to be: K_z' = K_z·c,
+    /// μ'·F'_0' = μ·F'_0·m.
+    Project makeThreshold() {
+        changeCompliance();
+        change("/material/specific_force_mpa", {{FittedKind::alpha, 1}});
+        change("/material/threshold_force_n_mm", {{FittedKind::beta, 1}});
+        if (has(FittedKind::chip_power)) {
+            const Material& material = *m_before.material;
+            auto& tangential = m_made.material->specific_tangential_force_mpa;
+            const Found found = productOf({find(FittedKind::chip_power, {})}, {1});
+            tangential =
+                material.specific_tangential_force_mpa.value_or(
+                    material.specific_force_mpa * material.shear_strain / material.shear_factor)
+                * found.factor;
+            record("/material/specific_tangential_force_mpa", found.error);
+        }
+        change("/material/friction", {{FittedKind::friction_power, 1}, {FittedKind::beta, -1}},
+               has(FittedKind::friction_power));
+        changeRunout();
+        changeSetting();
+        return std::move(m_made);
+    }
+
     struct Term {
         FittedKind kind;
         double sign; ///< in the sum of the logarithms
@@ -126,7 +153,9 @@ private:
     }
 
     void changeCompliance() {
-        const auto [common, signs] = termsOf({{FittedKind::compliance, 1}, {FittedKind::alpha, 1}});
+        const auto [common, signs] =
+            hasThreshold(m_before) ? termsOf({{FittedKind::compliance, 1}})
+                                   : termsOf({{FittedKind::compliance, 1}, {FittedKind::alpha, 1}});
         std::vector<Found> places(static_cast<std::size_t>(placeCount(m_before)));
         bool any = !common.empty(), anyPlace = false;
         for (std::size_t i = 0; i < places.size(); ++i) {

@@ -28,6 +28,7 @@ public:
               const std::stop_token& stop)
         : m_scaled(scaledProject(project, factors))
         , m_law(forceLaw(project))
+        , m_scaledLaw(forceLaw(m_scaled))
         , m_withPlaces(withPlaces)
         , m_isExternal(project.part->surface == Surface::external)
         , m_steps(m_scaled.operation->hasZones
@@ -101,7 +102,7 @@ private:
                 const Visit& visit = m_trajectory.visits[pass.firstVisit + k];
                 if (!visit.isGap()) {
                     depths += visit.actual_mm;
-                    roots += std::sqrt(std::max(0.0, visit.actual_mm));
+                    roots += rubbingOf(visit, pass.effectiveWidth_mm);
                     ++ground;
                 }
             }
@@ -117,6 +118,16 @@ private:
         m_response.friction_n.push_back(m_law.kr * friction);
         m_response.chip_kw.push_back(m_law.kt * chip * m_kwPerN);
         m_response.friction_kw.push_back(m_law.mu * m_law.kr * friction * m_kwPerN);
+    }
+
+    /// What stands beside k_r: √a, or v with a threshold.
+    [[nodiscard]] double rubbingOf(const Visit& visit, double width_mm) const {
+        const double a = std::max(0.0, visit.actual_mm);
+        if (!m_law.threshold) {
+            return std::sqrt(a);
+        }
+        const ForceLaw& law = m_scaledLaw; // which the visit's force is of
+        return a > 0 ? 1 : law.kr > 0 ? visit.normalForce_n / (width_mm * law.kr) : 0;
     }
 
     void addSize() {
@@ -175,7 +186,8 @@ private:
     }
 
     Project m_scaled;
-    ForceLaw m_law; ///< of the project as it is
+    ForceLaw m_law;       ///< of the project as it is
+    ForceLaw m_scaledLaw; ///< of the cycle that is run
     bool m_withPlaces, m_isExternal;
     double m_kwPerN = 0;
     Trajectory m_trajectory;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/fit_problem.h"
 
+#include "core/process/force.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -82,7 +84,11 @@ CycleFactors cycleFactors(const Project& project, const std::vector<FittedParame
 
 FitProblem::FitProblem(const Project& project, const FitData& data,
                        const std::vector<FittedParameter>& parameters, std::stop_token stop)
-    : m_project(project), m_data(data), m_stop(std::move(stop)), m_parameters(parameters) {
+    : m_project(project)
+    , m_data(data)
+    , m_stop(std::move(stop))
+    , m_parameters(parameters)
+    , m_hasThreshold(hasThreshold(project)) {
     for (const FittedParameter& parameter : parameters) {
         m_priors += parameter.prior ? 1 : 0;
     }
@@ -120,6 +126,8 @@ FitProblem::Scalars FitProblem::scalarsAt(const std::vector<double>& q) const {
         switch (m_parameters[i].kind) {
         case FittedKind::flow_stress: scalars.flow = value; break;
         case FittedKind::dullness: scalars.dullness = value; break;
+        case FittedKind::alpha: scalars.chipForce = m_hasThreshold ? value : 1; break;
+        case FittedKind::beta: scalars.rubbingForce = m_hasThreshold ? value : 1; break;
         case FittedKind::chip_power: scalars.chip = value; break;
         case FittedKind::friction_power: scalars.friction = value; break;
         case FittedKind::idle_power: scalars.idle_kw = value; break;
@@ -182,7 +190,8 @@ double FitProblem::predicted(const FitGroup& group, std::size_t index,
     };
     if (group.source == FitSource::force) {
         return scalars.flow
-               * (value(m_response.chip_n) + scalars.dullness * value(m_response.friction_n));
+               * (scalars.chipForce * value(m_response.chip_n)
+                  + scalars.rubbingForce * scalars.dullness * value(m_response.friction_n));
     }
     return scalars.idle_kw
            + scalars.flow

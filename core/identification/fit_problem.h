@@ -65,8 +65,9 @@ public:
 private:
     /// What does not change the cycle.
     struct Scalars {
-        double flow = 1, dullness = 1, chip = 1, friction = 1, idle_kw = 0, offset_mm = 0,
-               shift_s = 0, powerDelay_s = 0, forceDelay_s = 0, lag_s = 0, drift_mm_min = 0;
+        double flow = 1, dullness = 1, chipForce = 1, rubbingForce = 1, chip = 1, friction = 1,
+               idle_kw = 0, offset_mm = 0, shift_s = 0, powerDelay_s = 0, forceDelay_s = 0,
+               lag_s = 0, drift_mm_min = 0;
     };
     [[nodiscard]] Scalars scalarsAt(const std::vector<double>& q) const;
     [[nodiscard]] double predicted(const FitGroup& group, std::size_t index,
@@ -83,6 +84,7 @@ private:
     const FitData& m_data;
     std::stop_token m_stop;
     std::vector<FittedParameter> m_parameters;
+    bool m_hasThreshold; ///< of the force
     std::vector<int> m_steps;
     std::vector<double> m_noise, m_weights;
     std::size_t m_priors = 0;

@@ -6,7 +6,7 @@
 
 namespace sparkout {
 
-std::vector<FittedKind> proposedParameters(const FitData& data) {
+std::vector<FittedKind> proposedParameters(const FitData& data, bool hasThreshold) {
     const bool size = data.has(FitSource::size), power = data.has(FitSource::power);
     const bool force = data.has(FitSource::force), parts = data.has(FitSource::parts);
     std::vector<FittedKind> kinds;
@@ -26,6 +26,10 @@ std::vector<FittedKind> proposedParameters(const FitData& data) {
         if (places.size() > 1 && !power) {
             kinds.insert(kinds.begin(), FittedKind::beta);
         }
+    }
+    if (hasThreshold) {
+        std::ranges::replace(kinds, FittedKind::flow_stress, FittedKind::alpha);
+        std::ranges::replace(kinds, FittedKind::dullness, FittedKind::beta);
     }
     if (power) {
         kinds.insert(kinds.end(), {FittedKind::chip_power, FittedKind::friction_power});

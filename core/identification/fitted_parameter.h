@@ -7,7 +7,8 @@ namespace sparkout {
 
 /// What can be found from measurements [MODEL-13]. In the balance of a pass, D = a + α·a + β·√a,
 /// α = γ·b·k_s and β = γ·b·k_r; the wheel's power is idle + b·k_t·V_k·a + b·μ·k_r·V_k·√a, the
-/// normal force b·k_s·a + b·k_r·√a.
+/// normal force b·k_s·a + b·k_r·√a. With a threshold [MODEL-2] α is the factor of K, β that of
+/// F'_0, of the normal force, too, and neither flow stress nor dullness is anything to find.
 enum class FittedKind {
     alpha,          ///< factor of α alone
     beta,           ///< factor of β alone

@@ -617,6 +617,17 @@ std::vector<OutOfStep> outOfStepAnew(const Project& project, const Identificatio
     return found;
 }
 
+/// The force law that the recorded spark-out supports, whatever law the fit is of.
+void addForceLaw(const Project& project, const std::stop_token& stop, Identification& found) {
+    double begin_s = 0;
+    for (const FittedValue& value : found.values) {
+        begin_s += value.parameter.kind == FittedKind::time_shift ? value.value : 0;
+    }
+    if (const auto record = sparkOutOf(project, found.stepsByStage, begin_s)) {
+        found.forceLaw = chooseForceLaw(project, *record, stop);
+    }
+}
+
 /// What validate() says of the inputs with these values and did not say before: with values that it
 /// refuses the model does not fit.
 void judgeInputs(const Project& project, Identification& found) {
@@ -675,6 +686,7 @@ Identification identify(const Project& project, const IdentificationRequest& req
         }
     }
     judgeInputs(project, found);
+    addForceLaw(project, stop, found);
     return found;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/identification/fit_data.h"
 #include "core/identification/fitted_parameter.h"
+#include "core/identification/force_law_choice.h"
 #include "core/identification/identifiability.h"
 #include "core/identification/noise_model.h"
 #include "core/identification/out_of_step.h"
@@ -72,7 +73,8 @@ struct Identification {
     std::vector<OutOfStep> outOfStep;   ///< times left out that are hardly 0: the values are wrong
     double condition = 1;
     std::vector<Unidentified> unidentified;
-    std::vector<int> stepsByStage;  ///< of the cycle that fits
+    std::vector<int> stepsByStage;          ///< of the cycle that fits
+    std::optional<ForceLawChoice> forceLaw; ///< that its spark-out supports, where it is recorded
     std::vector<int> withoutFactor; ///< currents left out, as their factor is not given; by number
     std::size_t count = 0;          ///< measured values
     /// Why the cycle cannot be run, or what is refused or unusual of the inputs with these values.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/scaled_project.h"
 
+#include "core/process/force.h"
 #include "core/process/profile.h"
 #include "core/process/recipe_force.h"
 #include "core/process/scaled_compliance.h"
 #include "core/process/system_compliance.h"
 #include "core/project/machine.h"
+#include "core/project/material.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 
@@ -46,6 +48,16 @@ Project scaledProject(const Project& project, const CycleFactors& factors) {
     Project scaled = project;
     scaled.runs.clear();
     scaled.measured.reset();
+    if (hasThreshold(project)) {
+        scaled.material->specific_force_mpa *= factors.alpha;
+        scaled.material->threshold_force_n_mm *= factors.beta;
+        scaleCompliance(scaled, factors.compliance);
+        if (!factors.places.empty()) {
+            scalePlaceCompliances(scaled, factors.places);
+        }
+        scaled.part->initial_runout_mm = factors.blankRunout_mm;
+        return scaled;
+    }
     scaleCompliance(scaled, factors.compliance * factors.flowStress * factors.alpha);
     if (auto& contact = scaled.machine->wheel_contact; contact && contact->n_um_at_n) {
         for (std::vector<double>& row : *contact->n_um_at_n) {

@@ -25,6 +25,8 @@ struct CycleFactors {
 /// Multiplies γ place by place; what is computed becomes given.
 void scalePlaceCompliances(Project& project, const std::vector<double>& factors);
 
+/// Where the force has a threshold alpha is the factor of K and beta that of F'_0.
+///
 /// The project whose cycle has these α and β in every balance; with a wheel contact, whose balance
 /// is no sum of the two, α and β are to be 1. Its forces are not those of the
 /// factors: they follow from the depths of cut.

@@ -59,9 +59,14 @@ int settlingSteps(const Project& project, double infeed_mm) {
     }
     const double A = 1 + gamma * width * law.ks, C = gamma * width * law.kr;
     double left = gamma * law.normal(width, std::sqrt(infeed_mm));
-    const double wanted = share * left;
+    // with a threshold of what is above γ·b·F'_0, which stays
+    const double wanted = law.threshold ? C + share * (left - C) : share * left;
     int steps = 0;
     for (; left > wanted && steps < most; ++steps) {
+        if (law.threshold) {
+            left -= std::max(0.0, left - C) / A;
+            continue;
+        }
         const double root = 2 * left / (C + std::sqrt(C * C + 4 * A * left));
         left -= root * root;
     }

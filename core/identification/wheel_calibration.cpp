@@ -125,7 +125,7 @@ Project withRoughness(const Project& project, const RoughnessCalibration& found,
 std::optional<StrengthsCalibration> strengthsFromLimit(const Project& project, LimitReading reading,
                                                        double value, double width_mm) {
     const auto wheel = selfSharpening(project);
-    if (!wheel || !(value > 0) || !(width_mm > 0)) {
+    if (!wheel || hasThreshold(project) || !(value > 0) || !(width_mm > 0)) {
         return std::nullopt;
     }
     constexpr double mwPerKw = 1e6;

@@ -44,8 +44,14 @@ std::optional<double> ofProject(FigureName name, const Project& project) {
     case FigureName::equivalentDiameter:
         return equivalentDiameter(project.part->diameter_mm, project.wheel->diameter_mm,
                                   project.part->surface);
-    case FigureName::shearCoefficient: return forceLaw(project).ks;
-    case FigureName::flatCoefficient: return forceLaw(project).kr;
+    case FigureName::shearCoefficient:
+    case FigureName::flatCoefficient: {
+        const ForceLaw law = forceLaw(project);
+        if (law.threshold) {
+            return std::nullopt; // it has neither
+        }
+        return name == FigureName::shearCoefficient ? law.ks : law.kr;
+    }
     case FigureName::burnFreeFeed:
         return project.material->burn_rise_k ? std::optional(
                    BurnModel(project).burnFreeDepth(*project.material->burn_rise_k) * umPerMm)

@@ -100,6 +100,13 @@ void stateContact(FormulaSheet* sheet, const Project& project, const Cutting& cu
 }
 
 void stateNormal(FormulaSheet* sheet, const Project& project, const Cutting& cutting) {
+    if (cutting.law.threshold) {
+        state(sheet, "{K} = {K_0}·{V_d}/{V_k}", {"K", cutting.law.ks, "MPa"},
+              {{"K_0", project.material->specific_force_mpa, "MPa"},
+               {"V_d", cutting.Vd_mm_s, "mm/s"},
+               {"V_k", cutting.Vk_mm_s, "mm/s"}});
+        return;
+    }
     stateShear(sheet, project, cutting, {"k_s", cutting.law.ks, "MPa"},
                {"ε_i·tg β", project.material->shear_factor, ""},
                "{k_s} = {ε_i·tg β}·{σ_i}·{V_d}/{V_k}", "{k_s} = {κ}·{ε_i·tg β}·{σ_i}·{V_d}/{V_k}");
@@ -107,10 +114,49 @@ void stateNormal(FormulaSheet* sheet, const Project& project, const Cutting& cut
 }
 
 void stateTangential(FormulaSheet* sheet, const Project& project, const Cutting& cutting) {
+    if (cutting.law.threshold) {
+        const Material& material = *project.material;
+        const double own = cutting.law.kt * cutting.Vk_mm_s / cutting.Vd_mm_s;
+        if (!material.specific_tangential_force_mpa) {
+            state(sheet, "{K_z0} = {K_0}·{ε_i}/{ε_i·tg β}", {"K_z0", own, "MPa"},
+                  {{"K_0", material.specific_force_mpa, "MPa"},
+                   {"ε_i", material.shear_strain, ""},
+                   {"ε_i·tg β", material.shear_factor, ""}});
+        }
+        state(sheet, "{K_z} = {K_z0}·{V_d}/{V_k}", {"K_z", cutting.law.kt, "MPa"},
+              {{"K_z0", own, "MPa"},
+               {"V_d", cutting.Vd_mm_s, "mm/s"},
+               {"V_k", cutting.Vk_mm_s, "mm/s"}});
+        return;
+    }
     stateShear(sheet, project, cutting, {"k_t", cutting.law.kt, "MPa"},
                {"ε_i", project.material->shear_strain, ""}, "{k_t} = {ε_i}·{σ_i}·{V_d}/{V_k}",
                "{k_t} = {κ}·{ε_i}·{σ_i}·{V_d}/{V_k}");
     stateFriction(sheet, project, cutting);
+}
+
+void stateNormalForce(FormulaSheet* sheet, const ForceLaw& law, double b, double a) {
+    const FormulaTerm force{"P_y", law.normal(b, std::sqrt(a)), "N"}, width{"b", b, "mm"},
+        depth{"a", a, "mm"};
+    if (law.threshold) {
+        state(sheet, "{P_y} = {b}·({F′_0} + {K}·{a})", force,
+              {width, {"F′_0", law.kr, "N/mm"}, {"K", law.ks, "MPa"}, depth});
+    } else {
+        state(sheet, "{P_y} = {b}·({k_s}·{a} + {k_r}·√({a}))", force,
+              {width, {"k_s", law.ks, "MPa"}, depth, {"k_r", law.kr, "N/mm^1.5"}});
+    }
+}
+
+void stateTangentialForce(FormulaSheet* sheet, const ForceLaw& law, double b, double a) {
+    const FormulaTerm force{"P_z", law.tangential(b, std::sqrt(a)), "N"}, width{"b", b, "mm"},
+        depth{"a", a, "mm"}, friction{"μ", law.mu, ""};
+    if (law.threshold) {
+        state(sheet, "{P_z} = {b}·({K_z}·{a} + {μ}·{F′_0})", force,
+              {width, {"K_z", law.kt, "MPa"}, depth, friction, {"F′_0", law.kr, "N/mm"}});
+    } else {
+        state(sheet, "{P_z} = {b}·({k_t}·{a} + {μ}·{k_r}·√({a}))", force,
+              {width, {"k_t", law.kt, "MPa"}, depth, friction, {"k_r", law.kr, "N/mm^1.5"}});
+    }
 }
 
 FormulaSheet beginTangential(const Project& project, const char* name) {
@@ -126,12 +172,7 @@ FormulaSheet normalForceSheet(const Project& project, double b, double a) {
     FormulaSheet sheet{SPARKOUT_NOOP("Formula", "Normal force"), "MODEL-2", {}};
     stateContact(&sheet, project, cutting);
     stateNormal(&sheet, project, cutting);
-    state(&sheet, "{P_y} = {b}·({k_s}·{a} + {k_r}·√({a}))",
-          {"P_y", cutting.law.normal(b, std::sqrt(a)), "N"},
-          {{"b", b, "mm"},
-           {"k_s", cutting.law.ks, "MPa"},
-           {"a", a, "mm"},
-           {"k_r", cutting.law.kr, "N/mm^1.5"}});
+    stateNormalForce(&sheet, cutting.law, b, a);
     return sheet;
 }
 
@@ -140,13 +181,7 @@ FormulaSheet tangentialForceSheet(const Project& project, double b, double a) {
     FormulaSheet sheet{SPARKOUT_NOOP("Formula", "Tangential force"), "MODEL-2", {}};
     stateContact(&sheet, project, cutting);
     stateTangential(&sheet, project, cutting);
-    state(&sheet, "{P_z} = {b}·({k_t}·{a} + {μ}·{k_r}·√({a}))",
-          {"P_z", cutting.law.tangential(b, std::sqrt(a)), "N"},
-          {{"b", b, "mm"},
-           {"k_t", cutting.law.kt, "MPa"},
-           {"a", a, "mm"},
-           {"μ", cutting.law.mu, ""},
-           {"k_r", cutting.law.kr, "N/mm^1.5"}});
+    stateTangentialForce(&sheet, cutting.law, b, a);
     return sheet;
 }
 

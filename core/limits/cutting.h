@@ -22,7 +22,7 @@ struct Cutting {
 [[nodiscard]] Cutting cuttingOf(const Project& project);
 
 /// Normal force P_y(a) [N] and tangential force P_z(a) [N] for an effective width b [mm], with
-/// everything they are made of [MODEL-2, KORCHAK].
+/// everything they are made of [MODEL-2, KORCHAK]. With a threshold of a width that cuts, a > 0.
 [[nodiscard]] FormulaSheet normalForceSheet(const Project& project, double b, double a);
 [[nodiscard]] FormulaSheet tangentialForceSheet(const Project& project, double b, double a);
 
@@ -32,6 +32,10 @@ void stateContact(FormulaSheet* sheet, const Project& project, const Cutting& cu
 void stateTangential(FormulaSheet* sheet, const Project& project, const Cutting& cutting);
 /// k_s and k_r with their numbers.
 void stateNormal(FormulaSheet* sheet, const Project& project, const Cutting& cutting);
+
+/// P_y and P_z themselves.
+void stateNormalForce(FormulaSheet* sheet, const ForceLaw& law, double b, double a);
+void stateTangentialForce(FormulaSheet* sheet, const ForceLaw& law, double b, double a);
 
 /// A sheet that begins with contact and tangential force.
 [[nodiscard]] FormulaSheet beginTangential(const Project& project, const char* name);

@@ -406,7 +406,8 @@ private:
 
 /// Whether passes of a radius follow one another as the release and the build-up suppose.
 bool countsPasses(const Project& project) {
-    return !project.operation->travels && !isCoupled(project) && !wheelContact(project);
+    return !project.operation->travels && !isCoupled(project) && !wheelContact(project)
+           && !hasThreshold(project);
 }
 
 /// Puts a bound in the place of a smaller one.

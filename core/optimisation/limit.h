@@ -120,9 +120,10 @@ struct SteplessLimit {
 /// bound, the least over N. Its third side falls with N, the others rise, so the least T is at the
 /// first N where they meet or the one before.
 ///
-/// In a plunge of uncoupled sections without wheel contact passes are whole, and counted [MODEL-8].
-/// A radius makes one in each revolution. With the allowance r of the radial runout, less the
-/// machine's, and δ as below, there is one that loses at least S and may stop κ above the target:
+/// In a plunge of uncoupled sections without wheel contact and threshold of the force passes are
+/// whole, and counted [MODEL-8]. A radius makes one in each revolution. With the allowance r of the
+/// radial runout, less the machine's, and δ as below, there is one that loses at least S and may
+/// stop κ above the target:
 ///
 /// (1) in the gauged section one that stands within the slack, of the deepest of the blank or less;
 /// (2) in every section one of two opposite radii stands δ before target at the most, κ = δ: of

@@ -69,6 +69,63 @@ double ContactCompliance::cut(Lanes& lanes, const LaneCoefficients& coefficients
     return largest;
 }
 
+double ContactCompliance::cutWithThreshold(Lanes& lanes, const LaneCoefficients& coefficients,
+                                           const PassFeed& feed, const PassRange& range) const {
+    double largest = 0, least = std::numeric_limits<double>::max();
+    for (std::size_t lane = range.first; lane < range.first + range.count; ++lane) {
+        const double h = std::max(0.0, feed.at(lanes.share[lane]) - lanes.depth_mm[lane]);
+        const ThresholdState found = state({.A = coefficients.A4[lane] / 4,
+                                            .C = coefficients.C[lane],
+                                            .bks = range.bks,
+                                            .bkr = range.bkr},
+                                           h);
+        putState(lanes, lane, found);
+        largest = std::max(largest, found.root);
+        least = std::min(least, found.root);
+    }
+    lanes.leastRoot = least;
+    return largest;
+}
+
+// The left side rises with x, v up to 1 or a from there on, and its slope is at least that of the
+// rigid contact: so the root lies between 0 and where the rigid contact has it.
+ThresholdState ContactCompliance::state(const Balance& balance, double h) const {
+    const auto& [A, C, bks, bkr] = balance;
+    if (h <= 0) {
+        return {};
+    }
+    const double force_n = bkr, atThreshold = C + deflection(force_n);
+    const bool cuts = h > atThreshold;
+    const double stiff = cuts ? A : C, perForce = cuts ? bks : bkr;
+    const auto lag = [&](double x) {
+        return cuts ? atThreshold + stiff * x + deflection(force_n + perForce * x)
+                          - deflection(force_n)
+                    : stiff * x + deflection(perForce * x);
+    };
+    double low = 0, high = cuts ? (h - atThreshold) / stiff : 1;
+    double x = high;
+    const double enough = 2 * std::numeric_limits<double>::epsilon() * h;
+    constexpr int mostSteps = 200, usualSteps = 20; // as in root()
+    for (int step = 0; step < mostSteps; ++step) {
+        const double rest = lag(x) - h;
+        if (std::abs(rest) <= enough) {
+            break;
+        }
+        (rest > 0 ? high : low) = x;
+        const double force = (cuts ? force_n : 0) + perForce * x;
+        const bool creeps = step > usualSteps && step % 2 == 0;
+        double next = x - rest / (stiff + perForce * compliance(force));
+        if (creeps || !(next > low && next < high)) {
+            next = low + (high - low) / 2;
+        }
+        if (next == low || next == high || next == x) {
+            break; // neighbouring numbers
+        }
+        x = next;
+    }
+    return cuts ? ThresholdState{std::sqrt(x), 1} : ThresholdState{0, x};
+}
+
 double ContactCompliance::root(const Balance& balance, double h, double from) const {
     const auto& [A, C, bks, bkr] = balance;
     if (h <= 0) {

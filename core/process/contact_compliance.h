@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/process/pass_kernel.h"
+#include "core/process/threshold_pass.h"
 #include "core/project/project.h"
 
 #include <optional>
@@ -40,12 +41,19 @@ public:
     double cut(Lanes& lanes, const LaneCoefficients& coefficients, const PassFeed& feed,
                const PassRange& range) const;
 
-    /// A·a + C·√a + δ_c(P) = h, P = bks·a + bkr·√a, for one lane.
+    /// The same where the force has a threshold [MODEL-2]: of the states of ThresholdState the one
+    /// with A·a + C·v + δ_c(bks·a + bkr·v) = h.
+    double cutWithThreshold(Lanes& lanes, const LaneCoefficients& coefficients,
+                            const PassFeed& feed, const PassRange& range) const;
+
+    /// A·a + C·√a + δ_c(P) = h, P = bks·a + bkr·√a, for one lane; with a threshold v for √a.
     struct Balance {
         double A = 0, C = 0, bks = 0, bkr = 0;
     };
     /// Its root √a, sought from a guess on; 0 where h ≤ 0.
     [[nodiscard]] double root(const Balance& balance, double h, double from) const;
+    /// The state with a threshold.
+    [[nodiscard]] ThresholdState state(const Balance& balance, double h) const;
 
 private:
     struct Row {

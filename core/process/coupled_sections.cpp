@@ -52,7 +52,7 @@ public:
         std::iota(m_all.begin(), m_all.end(), Index{0});
     }
 
-    Outcome solve(const double* lag_mm, double* root, const std::stop_token& stop);
+    Outcome solve(const double* lag_mm, double* root, const std::stop_token& stop, double* rubbing);
     void begin(const MapConst& h, Eigen::Ref<ArrayXd> u) const;
     [[nodiscard]] const SectionInfluence& influence() const { return m_influence; }
     [[nodiscard]] Index count() const { return m_count; }
@@ -72,6 +72,9 @@ private:
         return {m_influence.of(static_cast<std::size_t>(j)), m_count};
     }
     void start(const MapConst& h, const double* root);
+    void startTouching(const MapConst& h, const double* root, const double* rubbing);
+    void rootsOf(Point& point) const;
+    [[nodiscard]] double ownForce(Index j, double left) const;
     void evaluate(Point& point, const MapConst& h) const;
     [[nodiscard]] double contactForce(Index j, double f) const;
     [[nodiscard]] double slope(Index j, double u, double f) const;
@@ -106,7 +109,9 @@ private:
 };
 
 CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, double* root,
-                                                        const std::stop_token& stop) {
+                                                        const std::stop_token& stop,
+                                                        double* rubbing) {
+    assert(m_law.threshold == (rubbing != nullptr));
     const MapConst h(lag_mm, m_count);
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const double enough =
@@ -116,7 +121,11 @@ CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, do
         outcome.residual_mm = std::numeric_limits<double>::infinity();
         return outcome;
     }
-    start(h, root);
+    if (rubbing) {
+        startTouching(h, root, rubbing);
+    } else {
+        start(h, root);
+    }
     evaluate(m_now, h);
     while (!(m_now.residual <= enough) && outcome.iterations < maxIterations
            && !stop.stop_requested()) {
@@ -135,6 +144,10 @@ CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, do
         outcome.iterations += descend(h, enough, maxDescents, stop);
     }
     Eigen::Map<ArrayXd>(root, m_count) = m_now.u;
+    for (Index j = 0; rubbing && j < m_count; ++j) {
+        const double f = m_now.f[j], most = m_width[j] * m_law.kr;
+        rubbing[j] = f < most ? f / most : f > 0 ? 1 : 0;
+    }
     outcome.residual_mm = m_now.residual;
     outcome.converged = m_now.residual <= enough;
     return outcome;
@@ -148,6 +161,22 @@ void CoupledSections::Solver::start(const MapConst& h, const double* root) {
     m_now.f = m_width * m_now.u * (m_law.ks * m_now.u + m_law.kr);
 }
 
+// From the last revolution's forces, or each section in its own balance.
+void CoupledSections::Solver::startTouching(const MapConst& h, const double* root,
+                                            const double* rubbing) {
+    const MapConst v(rubbing, m_count);
+    if ((v > 0).any()) {
+        m_now.f = m_width * (m_law.ks * MapConst(root, m_count).square() + m_law.kr * v);
+        return;
+    }
+    for (Index j = 0; j < m_count; ++j) {
+        const double C = m_gamma[j] * m_law.kr;
+        const double a = std::max(0.0, h[j] - C) / (1 + m_gamma[j] * m_law.ks);
+        const double share = h[j] < C ? std::max(0.0, h[j]) / C : 1;
+        m_now.f[j] = m_width[j] * (m_law.ks * a + m_law.kr * share);
+    }
+}
+
 void CoupledSections::Solver::begin(const MapConst& h, Eigen::Ref<ArrayXd> u) const {
     for (Index j = 0; j < m_count; ++j) {
         const double C = m_gamma[j] * m_law.kr;
@@ -156,16 +185,22 @@ void CoupledSections::Solver::begin(const MapConst& h, Eigen::Ref<ArrayXd> u) co
     }
 }
 
-// u is the root of k_s·u² + k_r·u = p.
-void CoupledSections::Solver::evaluate(Point& point, const MapConst& h) const {
+// u is the root of k_s·u² + k_r·u = p; with a threshold of K·u² + F'_0 = p, or 0.
+void CoupledSections::Solver::rootsOf(Point& point) const {
     const double ks = m_law.ks;
     const double kr = m_law.kr;
-    if (kr > 0) {
+    if (m_law.threshold) {
+        point.u = ((point.f.array() / m_width - kr) / ks).max(0).sqrt();
+    } else if (kr > 0) {
         point.u = point.f.array() / m_width;
         point.u = 2 * point.u / (kr + (kr * kr + 4 * ks * point.u).sqrt());
     } else { // the quotient would be 0/0 at no pressure
         point.u = (point.f.array() / m_width / ks).sqrt();
     }
+}
+
+void CoupledSections::Solver::evaluate(Point& point, const MapConst& h) const {
+    rootsOf(point);
     point.w = point.u.square();
     for (Index j = 0; m_contact && j < m_count; ++j) {
         point.w[j] += m_contact->deflection(contactForce(j, point.f[j]));
@@ -183,9 +218,15 @@ double CoupledSections::Solver::contactForce(Index j, double f) const {
     return f * m_wholeWidth / m_width[j];
 }
 
-// dw/df at u = √a. A section about to touch has none, which a singular G would not survive.
+// dw/df at u = √a. A section about to touch has none, nor one that touches below the threshold,
+// which a singular G would not survive.
 double CoupledSections::Solver::slope(Index j, double u, double f) const {
-    double dw = m_law.kr > 0 ? 2 * u / (2 * m_law.ks * u + m_law.kr) : 1 / m_law.ks;
+    double dw = 0;
+    if (m_law.threshold) {
+        dw = u > 0 || m_law.kr == 0 ? 1 / m_law.ks : 0;
+    } else {
+        dw = m_law.kr > 0 ? 2 * u / (2 * m_law.ks * u + m_law.kr) : 1 / m_law.ks;
+    }
     if (m_contact) {
         dw += m_wholeWidth * m_contact->compliance(contactForce(j, f));
     }
@@ -307,20 +348,29 @@ void CoupledSections::Solver::sweep(const MapConst& h) {
     auto& bent = m_reduced; // G·f
     m_influence.multiply(m_now.f.data(), bent.data());
     for (Index j = 0; j < m_count; ++j) {
-        const double own = m_own[j];
-        const double left = h[j] - (bent[j] - own * m_now.f[j]);
-        const double gamma = own * m_width[j];
-        const double A = 1 + gamma * m_law.ks;
-        const double C = gamma * m_law.kr;
-        double u = left > 0 ? 2 * left / (C + std::sqrt(C * C + 4 * A * left)) : 0;
-        if (m_contact) {
-            const double width = m_wholeWidth;
-            u = m_contact->root({A, C, width * m_law.ks, width * m_law.kr}, left, u);
-        }
-        const double f = m_width[j] * u * (m_law.ks * u + m_law.kr);
+        const double f = ownForce(j, h[j] - (bent[j] - m_own[j] * m_now.f[j]));
         bent += (f - m_now.f[j]) * influenceOf(j);
         m_now.f[j] = f;
     }
+}
+
+// f_j of w(f_j) + G_jj·f_j = left, 0 where nothing is left.
+double CoupledSections::Solver::ownForce(Index j, double left) const {
+    const double gamma = m_own[j] * m_width[j];
+    const double A = 1 + gamma * m_law.ks;
+    const double C = gamma * m_law.kr;
+    const ContactCompliance::Balance balance{A, C, m_wholeWidth * m_law.ks,
+                                             m_wholeWidth * m_law.kr};
+    if (m_law.threshold) {
+        const auto [u, v] =
+            m_contact ? m_contact->state(balance, left) : thresholdState(C, 4 * A, left);
+        return m_width[j] * (m_law.ks * u * u + m_law.kr * v);
+    }
+    double u = left > 0 ? 2 * left / (C + std::sqrt(C * C + 4 * A * left)) : 0;
+    if (m_contact) {
+        u = m_contact->root(balance, left, u);
+    }
+    return m_width[j] * u * (m_law.ks * u + m_law.kr);
 }
 
 // Newton's for the sections with a force, the others keep theirs: none.
@@ -416,8 +466,8 @@ CoupledSections::CoupledSections(CoupledSections&&) noexcept = default;
 CoupledSections& CoupledSections::operator=(CoupledSections&&) noexcept = default;
 
 CoupledSections::Outcome CoupledSections::solve(const double* lag_mm, double* root,
-                                                const std::stop_token& stop) {
-    return m_solver->solve(lag_mm, root, stop);
+                                                const std::stop_token& stop, double* rubbing) {
+    return m_solver->solve(lag_mm, root, stop, rubbing);
 }
 
 void CoupledSections::begin(const double* lag_mm, double* root) const {

@@ -35,6 +35,11 @@ class SectionInfluence;
 /// = p_j·ΣΔx is the force of the whole width at its pressure, as with independent sections. δ_c
 /// rises strictly too, so all of this holds for the sum.
 ///
+/// With a threshold (ForceLaw) φ(p) = max(0, p − F'_0)/K: r_j = 0 of a touching section, too, whose
+/// force is below Δx·F'_0. Ψ is convex still, and strictly so where G is positive definite: then
+/// there is one solution. Where G is singular (a quill) the depths of all sections and G·f are
+/// unique, and so is the sum of the forces; how touching sections share theirs is left open.
+///
 /// Solved by Newton's method on min(a_j + G_jj·f_j, r_j) = 0 (the same conditions, the first term
 /// being what a section gives when it lets go) in the unknowns f, where the Jacobian is analytic
 /// and symmetric: (D + G)·δ = −r over the sections in contact, D = diag(da/df)
@@ -82,11 +87,14 @@ public:
 
     /// `root` holds u = √a of each section [√mm], from the last revolution as the start, and takes
     /// the solution; all zero is a cold start. Allocates nothing.
-    /// A stop ends it within a factor, not converged.
-    Outcome solve(const double* lag_mm, double* root, const std::stop_token& stop = {});
+    /// A stop ends it within a factor, not converged. With a threshold `rubbing` holds v of each
+    /// section and takes that of the solution.
+    Outcome solve(const double* lag_mm, double* root, const std::stop_token& stop = {},
+                  double* rubbing = nullptr);
 
     /// u where solve() begins cold: each section in its own balance, its neighbours at its
-    /// pressure, a + γ·p(a) = h, γ_j = Σ_l G_jl·Δx_l; the contact is left to the steps.
+    /// pressure, a + γ·p(a) = h, γ_j = Σ_l G_jl·Δx_l; the contact is left to the steps. Of a force
+    /// without a threshold.
     void begin(const double* lag_mm, double* root) const;
 
     [[nodiscard]] std::size_t size() const;

@@ -17,6 +17,10 @@ double equivalentDiameter(double d, double D, Surface surface) {
     return d * D / (surface == Surface::external ? D + d : d - D);
 }
 
+bool hasThreshold(const Project& project) {
+    return project.material->force_law == ForceLawKind::threshold;
+}
+
 ForceLaw forceLaw(const Project& project) {
     const Material& material = *project.material;
     const double d = project.part->diameter_mm;
@@ -24,6 +28,16 @@ ForceLaw forceLaw(const Project& project) {
     const double Vd = std::numbers::pi * d * project.machine->work_speed_rpm; // mm/min
     const double Vk =
         project.machine->wheel_speed_m_s * units::mmPerM * units::secondsPerMinute; // mm/min
+    if (hasThreshold(project)) {
+        const double K0 = material.specific_force_mpa;
+        const double Kz0 = material.specific_tangential_force_mpa.value_or(
+            K0 * material.shear_strain / material.shear_factor);
+        return {.ks = K0 * Vd / Vk,
+                .kr = material.threshold_force_n_mm,
+                .kt = Kz0 * Vd / Vk,
+                .mu = material.friction,
+                .threshold = true};
+    }
     const double sigma = material.flow_stress_mpa;
     ForceLaw law{.ks = material.shear_factor * sigma * Vd / Vk,
                  .kr = dullnessOf(*project.wheel) * sigma * std::sqrt(De) / 3,

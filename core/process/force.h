@@ -17,26 +17,45 @@ enum class Surface; // core/project/part.h
 ///
 /// b effective width of cut [mm], a depth of cut [mm]; valid for a ≥ 0. By the wheel's recipe κ,
 /// see RecipeShares, stands before k_s and k_t.
+///
+/// With a threshold, as an option [HON585], a width is in one of three states:
+///
+///     cutting     P_y = b·(F'_0 + K·a),  a > 0      P_z = b·(K_z·a + μ·F'_0)
+///     touching    P_y = b·F'_0·v,  0 < v ≤ 1, a = 0      P_z = μ·P_y
+///     off         P_y = P_z = 0
+///
+/// v = min(P_y/(b·F'_0), 1) is the rubbing share, 1 where it cuts. So both laws are
+/// P_y = b·(k_s·a + k_r·v), P_z = b·(k_t·a + μ·k_r·v): of the sources' v is √a, and k_s, k_r and
+/// k_t stand for K, F'_0 and K_z of the other.
 struct ForceLaw {
-    double ks = 0; ///< k_s = ε_i·tg β·σ_i·V_d/V_k [N/mm²]
-    double kr = 0; ///< k_r = η·σ_i·√D_e/3 [N/mm^1.5]
-    double kt = 0; ///< k_t = ε_i·σ_i·V_d/V_k [N/mm²]
-    double mu = 0; ///< μ
+    double ks = 0;          ///< k_s = ε_i·tg β·σ_i·V_d/V_k; K = K_0·V_d/V_k [N/mm²]
+    double kr = 0;          ///< k_r = η·σ_i·√D_e/3 [N/mm^1.5]; F'_0 [N/mm]
+    double kt = 0;          ///< k_t = ε_i·σ_i·V_d/V_k; K_z = K_z0·V_d/V_k [N/mm²]
+    double mu = 0;          ///< μ
+    bool threshold = false; ///< which of the laws it is
 
+    /// v of a depth of cut of u = √a [√mm]: with a threshold that of a width that cuts or is off.
+    [[nodiscard]] double rubbing(double u) const { return !threshold ? u : u > 0 ? 1 : 0; }
     /// P_y for u = √a [√mm].
-    [[nodiscard]] double normal(double b, double u) const { return b * (ks * u * u + kr * u); }
+    [[nodiscard]] double normal(double b, double u) const {
+        return b * (ks * u * u + kr * rubbing(u));
+    }
     /// P_z for u = √a [√mm].
     [[nodiscard]] double tangential(double b, double u) const {
-        return b * (kt * u * u + mu * kr * u);
+        return b * (kt * u * u + mu * kr * rubbing(u));
     }
-    /// The sums of P_y and P_z of sections of one width b, for Σa [mm] and Σu [√mm].
-    [[nodiscard]] double normalOfAll(double b, double a, double u) const {
-        return b * (ks * a + kr * u);
+    /// P_y and P_z of a depth of cut and its v, or the sums of sections of one width b, for Σa [mm]
+    /// and Σv.
+    [[nodiscard]] double normalOfAll(double b, double a, double v) const {
+        return b * (ks * a + kr * v);
     }
-    [[nodiscard]] double tangentialOfAll(double b, double a, double u) const {
-        return b * (kt * a + mu * kr * u);
+    [[nodiscard]] double tangentialOfAll(double b, double a, double v) const {
+        return b * (kt * a + mu * kr * v);
     }
 };
+
+/// Whether a project's force has a threshold.
+[[nodiscard]] bool hasThreshold(const Project& project);
 
 /// The law of a project's part, material, wheel and speeds.
 [[nodiscard]] ForceLaw forceLaw(const Project& project);

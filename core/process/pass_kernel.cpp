@@ -139,13 +139,23 @@ double PeakForces::of(const Lanes& lanes, std::size_t section) const {
         u = root[k] > u ? root[k] : u;
     }
     const Section& at = m_sections[section];
+    if (!lanes.rubbing.empty()) {
+        const auto first =
+            lanes.peakRubbing.begin() + static_cast<std::ptrdiff_t>(section * m_radii);
+        const double v = *std::max_element(first, first + static_cast<std::ptrdiff_t>(m_radii));
+        return std::max(at.peak_n, at.bks * (u * u) + at.bkr * v);
+    }
     return std::max(at.peak_n, at.bks * (u * u) + at.bkr * u);
 }
 
 void PeakForces::turnTo(Lanes& lanes, const PassRange& range, std::size_t section) {
     m_sections[section] = {range.bks, range.bkr, of(lanes, section)};
+    const auto first = static_cast<std::ptrdiff_t>(section * m_radii);
     std::fill_n(lanes.peakRoot.begin() + static_cast<std::ptrdiff_t>(section * m_radii), m_radii,
                 0.0);
+    if (!lanes.peakRubbing.empty()) {
+        std::fill_n(lanes.peakRubbing.begin() + first, m_radii, 0.0);
+    }
 }
 
 bool isSupported(VectorUnit unit) {

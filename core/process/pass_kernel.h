@@ -33,17 +33,24 @@ struct Lanes {
         rootBefore.assign(root.size(), 0.0);
         lastRoot.assign(root.size(), 0.0);
     }
+    /// From now on each pass also keeps every lane's rubbing share, for a force with a threshold.
+    void keepRubbing() {
+        rubbing.assign(root.size(), 0.0);
+        peakRubbing.assign(root.size(), 0.0);
+    }
     /// u of a lane's last pass with a > 0, or 0, where last cuts are kept [√mm].
     [[nodiscard]] double lastCut(std::size_t lane) const {
         return root[lane] > 0 ? root[lane] : lastRoot[lane];
     }
-    std::vector<double> depth_mm;   ///< how far the radius stands below first touch
-    std::vector<double> root;       ///< u = √a of the last pass [√mm]
-    std::vector<double> rootSum;    ///< Σ√a since the owner last cleared it [√mm]
-    std::vector<double> peakRoot;   ///< largest √a since the owner last cleared it [√mm]
-    std::vector<double> share;      ///< (k+1)/K, share of the revolution at which it is visited
-    std::vector<double> rootBefore; ///< u of the pass before the last; empty: not kept [√mm]
-    std::vector<double> lastRoot;   ///< lastCut() where the last pass did not cut, else of no use
+    std::vector<double> depth_mm; ///< how far the radius stands below first touch
+    std::vector<double> root;     ///< u = √a of the last pass [√mm]
+    std::vector<double> rootSum; ///< Σ√a since the owner last cleared it [√mm]; Σv with rubbing
+    std::vector<double> peakRoot;    ///< largest √a since the owner last cleared it [√mm]
+    std::vector<double> rubbing;     ///< v of the last pass; empty: the force has no threshold
+    std::vector<double> peakRubbing; ///< largest v likewise
+    std::vector<double> share;       ///< (k+1)/K, share of the revolution at which it is visited
+    std::vector<double> rootBefore;  ///< u of the pass before the last; empty: not kept [√mm]
+    std::vector<double> lastRoot;    ///< lastCut() where the last pass did not cut, else of no use
     double leastRoot = 0; ///< smallest u in the last pass, where last cuts are kept [√mm]
 };
 
@@ -75,19 +82,28 @@ struct PassFeed {
 struct LaneBalance {
     double C = 0, C2 = 0, A4 = 0, inverse2A = 0;
     bool multiplied = true;
+    bool threshold = false; ///< of the force: b·k_s is b·K, b·k_r is b·F'_0
     LaneBalance() = default;
     /// γ [mm/N], b·k_s [N/mm], b·k_r [N/√mm].
-    LaneBalance(double gamma, double bks, double bkr)
+    LaneBalance(double gamma, double bks, double bkr, bool hasThreshold = false)
         : C(gamma * bkr)
         , C2(C * C)
         , A4(4 * (1 + gamma * bks))
         , inverse2A(1 / (2 * (1 + gamma * bks)))
-        , multiplied(bkr <= multipliedFormLimit * bks) {}
+        , multiplied(bkr <= multipliedFormLimit * bks && !hasThreshold)
+        , threshold(hasThreshold) {}
     /// √a [√mm] where the infeed is h [mm] beyond the radius, as a pass has it but for rounding.
     [[nodiscard]] double root(double h) const {
         const double infeed = h > 0 ? h : 0;
         const double q = std::sqrt(C2 + A4 * infeed);
-        return multiplied ? (q - C) * inverse2A : 2 * infeed / (C + q);
+        return multiplied  ? (q - C) * inverse2A
+               : threshold ? rootBeyond(infeed)
+                           : 2 * infeed / (C + q);
+    }
+
+private:
+    [[nodiscard]] double rootBeyond(double infeed) const {
+        return infeed > C ? std::sqrt(4 * (infeed - C) / A4) : 0;
     }
 };
 
@@ -117,7 +133,8 @@ enum class VectorUnit { baseline, avx2 };
 ///
 /// P_y rises with √a, and so do its rounded products and their sum: of the passes at one width the
 /// largest √a bears the largest force, to the last bit. So a pass keeps that alone, and the force
-/// is taken where a section goes on at another width, and in the end.
+/// is taken where a section goes on at another width, and in the end. With a threshold the force
+/// rises with the rubbing share, too, and both are largest at once.
 class PeakForces {
 public:
     PeakForces(std::size_t sections, std::size_t radii) : m_radii(radii), m_sections(sections) {}

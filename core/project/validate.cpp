@@ -2,10 +2,12 @@
 #include "core/project/validate.h"
 
 #include "core/digits.h"
+#include "core/project/batch.h"
 #include "core/project/batch_rules.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
+#include "core/project/material.h"
 #include "core/project/measured.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
@@ -95,6 +97,7 @@ public:
         checkRoom();
         checkWheelSpeed();
         checkRecipe();
+        checkForceLaw();
         checkStages();
         checkOptimisation();
         checkBatch();
@@ -445,6 +448,34 @@ private:
         checkCuts(wheel, *wheel.force_recipe, shares);
         if (sound({"/wheel/force_recipe"})) {
             checkFlats(wheel, *wheel.force_recipe, shares);
+        }
+    }
+
+    /// With a threshold there is a force, and heat, where nothing is cut and the contact of the
+    /// sources' law has no length: temperature and pressure are not known there.
+    void checkForceLaw() {
+        const Material& material = *project().material;
+        const Wheel& wheel = *project().wheel;
+        if (material.force_law != ForceLawKind::threshold) {
+            return;
+        }
+        const auto refuse = [this](const char* path, Detail value) {
+            add(IssueCode::notWithThreshold, path, std::move(value), Quoted{"null"});
+        };
+        if (material.burn_rise_k) {
+            refuse("/material/burn_rise_k", Amount{*material.burn_rise_k, "K"});
+        }
+        const bool selfSharpens = wheel.grain_surface_energy_j_m2 && wheel.grain_modulus_gpa
+                                  && wheel.bond_surface_energy_j_m2 && wheel.bond_modulus_gpa;
+        if (selfSharpens) {
+            refuse("/wheel/grain_surface_energy_j_m2",
+                   Amount{*wheel.grain_surface_energy_j_m2, "J/m²"});
+        }
+        if (wheel.force_recipe) {
+            refuse("/wheel/force_recipe", Quoted{"{…}"});
+        }
+        if (project().batch && project().batch->factors.flow_stress_mpa) {
+            refuse("/batch/factors/flow_stress_mpa", Quoted{"{…}"});
         }
     }
 

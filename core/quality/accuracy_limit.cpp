@@ -25,8 +25,11 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// √a of b·(k_s·a + k_r·√a) = P.
+/// √a of b·(k_s·a + k_r·√a) = P; with a threshold 0 up to it.
 double rootOfForce(const ForceLaw& law, double b, double P) {
+    if (law.threshold) {
+        return std::sqrt(std::max(0.0, P / b - law.kr) / law.ks);
+    }
     const double A = b * law.ks, C = b * law.kr;
     return P > 0 ? 2 * P / (C + std::sqrt(C * C + 4 * A * P)) : 0;
 }
@@ -95,7 +98,7 @@ double spreadLimit(const Project& project, const ForceLaw& law, double b, double
 
 bool isProvable(const Project& project) {
     return !project.operation->hasZones && !isCoupled(project) && !wheelContact(project)
-           && zoneBlanks(*project.part).empty();
+           && !hasThreshold(project) && zoneBlanks(*project.part).empty();
 }
 
 } // namespace
@@ -108,6 +111,9 @@ double depthBefore(const ForceLaw& law, double b, double gamma, double a) {
 double depthAfter(const ForceLaw& law, double b, double gamma, double a, double infeed_mm) {
     const double A = 1 + gamma * b * law.ks, C = gamma * b * law.kr;
     const double h = gamma * forceAt(law, b, a) + infeed_mm;
+    if (law.threshold) {
+        return std::max(0.0, h - C) / A;
+    }
     const double root = h > 0 ? 2 * h / (C + std::sqrt(C * C + 4 * A * h)) : 0;
     return root * root;
 }
@@ -262,18 +268,20 @@ LimitPoints publishedAccuracy(const SimulationResult& result, const Trajectory& 
             continue;
         }
         const Visit* deepest = nullptr;
-        double least = infinite;
+        double least = infinite, least_n = infinite;
         for (int k = 0; k < trajectory.radii; ++k) {
             const Visit& visit = trajectory.visits[pass.firstVisit + static_cast<std::size_t>(k)];
             if (visit.isGap()) {
                 continue;
             }
             least = std::min(least, visit.actual_mm);
+            least_n = std::min(least_n, visit.normalForce_n); // of one that touches, too
             deepest = !deepest || visit.actual_mm > deepest->actual_mm ? &visit : deepest;
         }
         if (deepest && deepest->actual_mm > 0) {
             const double b = pass.effectiveWidth_mm;
-            const double root = rootOfForce(law, b, forceAt(law, b, least) + allowed / gamma);
+            const double leastForce_n = law.threshold ? least_n : forceAt(law, b, least);
+            const double root = rootOfForce(law, b, leastForce_n + allowed / gamma);
             points.push_back({sign * (deepest->radius_mm - target), root * root});
         }
     }

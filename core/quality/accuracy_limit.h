@@ -34,9 +34,9 @@
 /// calibrated bounds the last cut of every lane. Runout does not: the greater the cuts, the less of
 /// a blank's form do they copy.
 ///
-/// This is proved for uncoupled sections of a plunge of one blank without wheel contact and
-/// retraction, with S counted from the size that the radius ends at. It allows a last pass that
-/// finds no deflection and cuts the lanes unlike, and is wide.
+/// This is proved for uncoupled sections of a plunge of one blank without wheel contact, threshold
+/// of the force and retraction, with S counted from the size that the radius ends at. It allows a
+/// last pass that finds no deflection and cuts the lanes unlike, and is wide.
 ///
 /// The last cuts together. A last cut that is as great follows one that is small. Let x and y be
 /// the last cut of the compliant lane and the one before, e = D_2 − D_1 after each pass:

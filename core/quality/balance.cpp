@@ -7,8 +7,43 @@
 
 namespace sparkout {
 
+namespace {
+
+/// Of the three states the one that the lag leads to.
+FormulaSheet thresholdSheet(const Project& project, const Cutting& cutting, double b, double gamma,
+                            double h) {
+    const double K = cutting.law.ks, F0 = cutting.law.kr;
+    const double A = 1 + gamma * (b * K), C = gamma * (b * F0);
+    FormulaSheet sheet{SPARKOUT_NOOP("Formula", "Elastic balance"), "MODEL-3", {}};
+    stateContact(&sheet, project, cutting);
+    stateNormal(&sheet, project, cutting);
+    const FormulaTerm lag{"h", h, "mm"}, most{"h_0", C, "mm"};
+    state(&sheet, "{h_0} = {γ}·{b}·{F′_0}", most,
+          {{"γ", gamma, "mm/N"}, {"b", b, "mm"}, {"F′_0", F0, "N/mm"}});
+    if (!(h > C)) {
+        state(&sheet, "{P_y} = {h}/{γ}", {"P_y", gamma > 0 ? h / gamma : 0, "N"},
+              {lag, {"γ", gamma, "mm/N"}});
+        state(&sheet, "{a}", {"a", 0, "mm"}, {});
+        state(&sheet, "{γ·P_y} = {h}", {"γ·P_y", h, "mm"}, {lag});
+        return sheet;
+    }
+    const double a = (h - C) / A;
+    state(&sheet, "{A} = 1 + {γ}·{b}·{K}", {"A", A, ""},
+          {{"γ", gamma, "mm/N"}, {"b", b, "mm"}, {"K", K, "MPa"}});
+    state(&sheet, "{P_y} = {b}·({F′_0} + {K}·({h} − {h_0})/{A})", {"P_y", b * (F0 + K * a), "N"},
+          {{"b", b, "mm"}, {"F′_0", F0, "N/mm"}, {"K", K, "MPa"}, lag, most, {"A", A, ""}});
+    state(&sheet, "{a} = ({h} − {h_0})/{A}", {"a", a, "mm"}, {lag, most, {"A", A, ""}});
+    state(&sheet, "{γ·P_y} = {h} − {a}", {"γ·P_y", h - a, "mm"}, {lag, {"a", a, "mm"}});
+    return sheet;
+}
+
+} // namespace
+
 FormulaSheet balanceSheet(const Project& project, double b, double gamma, double h) {
     const Cutting cutting = cuttingOf(project);
+    if (cutting.law.threshold) {
+        return thresholdSheet(project, cutting, b, gamma, h);
+    }
     const double ks = cutting.law.ks, kr = cutting.law.kr;
     // The root as it is written below: a pass takes a form that is quicker and, with a dull wheel,
     // some hundred roundings less exact.

@@ -47,8 +47,8 @@ std::optional<PeakCut> peakCut(const SimulationResult& result) {
         return std::nullopt;
     }
     const double b = effectiveWidth(project, result.peakPowerAt);
-    return PeakCut{b,
-                   PowerModel(project).wheelLimitDepth(b, result.peakPower_w * milliwattsPerWatt)};
+    const double a = PowerModel(project).wheelLimitDepth(b, result.peakPower_w * milliwattsPerWatt);
+    return a > 0 ? std::optional(PeakCut{b, a}) : std::nullopt; // else the wheel only rubbed
 }
 
 } // namespace

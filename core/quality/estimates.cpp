@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/estimates.h"
 
+#include "core/process/force.h"
 #include "core/process/recipe_force.h"
 #include "core/project/member.h"
 #include "core/project/wheel.h"
@@ -15,8 +16,11 @@ std::vector<const Field*> estimatesBehind(const Project& project, ConstraintKind
     static const Project any;
     std::vector<const Field*> fields;
     const auto add = [&fields](const char* path) { fields.push_back(findMember(any, path).field); };
-    for (const char* path : {"/material/flow_stress_mpa", dullnessPath(*project.wheel),
-                             "/machine/compliance_mm_per_n"}) {
+    const bool threshold = hasThreshold(project);
+    for (const char* path :
+         {threshold ? "/material/threshold_force_n_mm" : "/material/flow_stress_mpa",
+          threshold ? "/material/specific_force_mpa" : dullnessPath(*project.wheel),
+          "/machine/compliance_mm_per_n"}) {
         add(path);
     }
     for (const char* path : row.estimates) {

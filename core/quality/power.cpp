@@ -3,6 +3,7 @@
 
 #include "core/text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sparkout {
@@ -18,15 +19,8 @@ PowerModel::Drive PowerModel::workDrive() const {
 }
 
 double PowerModel::tangential(double b, double a, FormulaSheet* sheet) const {
-    const ForceLaw& law = m_cutting.law;
-    const double Pz = law.tangential(b, std::sqrt(a));
-    state(sheet, "{P_z} = {b}·({k_t}·{a} + {μ}·{k_r}·√({a}))", {"P_z", Pz, "N"},
-          {{"b", b, "mm"},
-           {"k_t", law.kt, "MPa"},
-           {"a", a, "mm"},
-           {"μ", law.mu, ""},
-           {"k_r", law.kr, "N/mm^1.5"}});
-    return Pz;
+    stateTangentialForce(sheet, m_cutting.law, b, a);
+    return m_cutting.law.tangential(b, std::sqrt(a));
 }
 
 double PowerModel::power(const Drive& drive, double b, double a, FormulaSheet* sheet) const {
@@ -43,11 +37,17 @@ double PowerModel::limitDepth(const Drive& drive, double b, double power,
     const double kt = m_cutting.law.kt, mu = m_cutting.law.mu, kr = m_cutting.law.kr;
     const double F = power / (b * drive.speed);
     const double m = mu * kr;
-    const double u = 2 * F / (m + std::sqrt(m * m + 4 * kt * F));
     state(sheet, drive.forceText, {"F", F, "N/mm"},
           {{drive.powerSymbol, power, "mW"},
            {"b", b, "mm"},
            {drive.speedSymbol, drive.speed, "mm/s"}});
+    if (m_cutting.law.threshold) {
+        const double a = std::max(0.0, F - m) / kt;
+        state(sheet, F > m ? "{a} = ({F} − {μ}·{F′_0})/{K_z}" : "{a}", {"a", a, "mm"},
+              {{"F", F, "N/mm"}, {"μ", mu, ""}, {"F′_0", kr, "N/mm"}, {"K_z", kt, "MPa"}});
+        return a;
+    }
+    const double u = 2 * F / (m + std::sqrt(m * m + 4 * kt * F));
     state(sheet, "{a} = (2·{F}/({μ}·{k_r} + √(({μ}·{k_r})² + 4·{k_t}·{F})))²", {"a", u * u, "mm"},
           {{"F", F, "N/mm"}, {"μ", mu, ""}, {"k_r", kr, "N/mm^1.5"}, {"k_t", kt, "MPa"}});
     return u * u;

@@ -22,6 +22,9 @@ void append(FormulaSheet& sheet, const FormulaSheet& more) {
 /// in plunge [MODEL-2].
 void stateCoefficients(FormulaSheet& sheet, const Project& project, const Pass& pass) {
     const ForceLaw law = forceLaw(project);
+    if (law.threshold) {
+        return; // the sources have none of it
+    }
     const double b = pass.effectiveWidth_mm;
     const bool isPlunge = pass.axialFeed_mm_min == 0;
     const FormulaTerm width{"b", b, "mm"};
@@ -58,8 +61,13 @@ FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajec
     state(&sheet,
           external ? "{h} = {t_П} − ({R_max0} − {R_k})" : "{h} = {t_П} − ({R_k} − {R_min0})",
           {"h", h, "mm"}, {infeed, touch, R});
-    if (!(a > 0)) {
+    const bool touches = hasThreshold(project) && visit.normalForce_n > 0;
+    if (!(a > 0) && !touches) {
         state(&sheet, "{a}", {"a", 0, "mm"}, {}); // the wheel does not touch it
+    } else if (!(a > 0) && (isCoupled(project) || wheelContact(project))) {
+        state(&sheet, "{P_y}", {"P_y", visit.normalForce_n, "N"}, {}); // it touches, and cuts not
+        state(&sheet, "{a}", {"a", 0, "mm"}, {});
+        state(&sheet, "{y} = {h}", {"y", h, "mm"}, {{"h", h, "mm"}});
     } else if (isCoupled(project) || wheelContact(project)) {
         state(&sheet, "{a}", {"a", a, "mm"}, {});
         append(sheet, normalForceSheet(project, b, a));

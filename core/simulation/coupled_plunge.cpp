@@ -131,6 +131,10 @@ SectionCoupling::SectionCoupling(const Project& project, const std::vector<Compl
     for (std::vector<Row>* rows : {&m_depth, &m_root, &m_rootBefore, &m_rootTwoBefore}) {
         rows->resize(m_fed.size() * m_sections);
     }
+    if (m_law.threshold) {
+        m_rubbing.resize(m_root.size());
+        m_oneRubbing.resize(m_sections);
+    }
     for (std::size_t j = 0; j < m_sections; ++j) {
         const std::vector<double>& depths = blank.depthAt(placeOfPoint(project, j));
         for (std::size_t k = 0; k < m_radii; ++k) {
@@ -140,7 +144,7 @@ SectionCoupling::SectionCoupling(const Project& project, const std::vector<Compl
     if (!m_gaugeInfluence.empty()) {
         m_gaugeDepth = blank.depthAt(placeOfPoint(project, m_sections));
     }
-    if (!m_contact && m_balance.influence().isShort()) {
+    if (!m_contact && !m_law.threshold && m_balance.influence().isShort()) {
         m_sideBySide.emplace(m_balance.influence(), std::vector(m_sections, m_sliceWidth), m_law);
     }
 }
@@ -220,13 +224,21 @@ bool SectionCoupling::balanceAlone(std::size_t block, std::size_t k, const std::
         m_oneLag[j] = m_lag[j].of[k];
         m_oneRoot[j] = m_rootBefore[first + j].of[k];
     }
+    for (std::size_t j = 0; j < m_oneRubbing.size(); ++j) {
+        m_oneRubbing[j] = m_rubbing[first + j].of[k];
+    }
+    double* const rubbing = m_law.threshold ? m_oneRubbing.data() : nullptr;
     if (std::ranges::all_of(m_oneLag, [](double h) { return h <= 0; })) {
         std::ranges::fill(m_oneRoot, 0.0); // nothing presses the wheel anywhere
-    } else if (!m_balance.solve(m_oneLag.data(), m_oneRoot.data(), stop).converged) {
+        std::ranges::fill(m_oneRubbing, 0.0);
+    } else if (!m_balance.solve(m_oneLag.data(), m_oneRoot.data(), stop, rubbing).converged) {
         return false;
     }
     for (std::size_t j = 0; j < m_sections; ++j) {
         m_root[first + j].of[k] = m_oneRoot[j];
+    }
+    for (std::size_t j = 0; j < m_oneRubbing.size(); ++j) {
+        m_rubbing[first + j].of[k] = m_oneRubbing[j];
     }
     return true;
 }
@@ -234,6 +246,7 @@ bool SectionCoupling::balanceAlone(std::size_t block, std::size_t k, const std::
 // The pass computes q = √(C² + 4A·h) and u = (q − C)/(2A), or 2h/(C + q) with a very dull wheel:
 // with C = 4A = 0 and the right C² both give the root that is asked for.
 void SectionCoupling::takeOver(CutWidth& width) {
+    width.asGiven = true;
     std::ranges::fill(width.coefficients.C, 0.0);
     std::ranges::fill(width.coefficients.A4, 0.0);
     std::ranges::fill(width.coefficients.inverse2A, 1.0);
@@ -244,6 +257,14 @@ void SectionCoupling::sumForces(std::size_t block) {
     Row roots, cuts;
     const auto kernel = widestUnit() == VectorUnit::avx2 ? sumUpAvx2 : sumUpBaseline;
     kernel(m_sections, &m_root[block * m_sections], roots, cuts);
+    if (m_law.threshold) { // v stands in the place of the root
+        roots = {};
+        for (std::size_t j = 0; j < m_sections; ++j) {
+            for (std::size_t k = 0; k < sideBySide; ++k) {
+                roots.of[k] += m_rubbing[block * m_sections + j].of[k];
+            }
+        }
+    }
     for (std::size_t k = 0; k < sideBySide; ++k) {
         m_normal[block].of[k] = m_law.normalOfAll(m_sliceWidth, cuts.of[k], roots.of[k]);
         m_tangential[block].of[k] = m_law.tangentialOfAll(m_sliceWidth, cuts.of[k], roots.of[k]);
@@ -251,8 +272,21 @@ void SectionCoupling::sumForces(std::size_t block) {
 }
 
 // Section by section, as the coefficients stand.
+void SectionCoupling::imposeRubbing(CutWidth& width) {
+    double* C = width.coefficients.C.data();
+    for (std::size_t j = 0; j < m_sections; ++j) {
+        for (std::size_t k = 0; k < m_radii; ++k) {
+            *C++ = m_rubbing[k / sideBySide * m_sections + j].of[k % sideBySide];
+        }
+    }
+}
+
+// Likewise.
 void SectionCoupling::impose(CutWidth& width) {
-    const bool divides = width.bkr > multipliedFormLimit * width.bks;
+    if (m_law.threshold) {
+        imposeRubbing(width);
+    }
+    const bool divides = !m_law.threshold && width.bkr > multipliedFormLimit * width.bks;
     double* C2 = width.coefficients.C2.data();
     for (std::size_t j = 0; j < m_sections; ++j) {
         for (std::size_t block = 0; block < m_fed.size(); ++block) {
@@ -282,6 +316,15 @@ std::size_t SectionCoupling::countIn(std::size_t block) const {
     return std::min(sideBySide, m_radii - block * sideBySide);
 }
 
+// P_y of a section.
+double SectionCoupling::forceOf(const Row* roots, std::size_t block, std::size_t section,
+                                std::size_t k) const {
+    const double u = roots[section].of[k];
+    return m_law.threshold ? m_law.normalOfAll(m_sliceWidth, u * u,
+                                               m_rubbing[block * m_sections + section].of[k])
+                           : m_law.normal(m_sliceWidth, u);
+}
+
 // A free gauge is moved by all forces.
 void SectionCoupling::imposeGauge(CutWidth& width) {
     for (std::size_t k = 0; k < m_radii; ++k) {
@@ -289,15 +332,19 @@ void SectionCoupling::imposeGauge(CutWidth& width) {
         const Row* roots = &m_root[k / sideBySide * m_sections];
         double a = lag;
         for (std::size_t l = 0; l < m_sections; ++l) {
-            a -= m_gaugeInfluence[l] * m_law.normal(m_sliceWidth, roots[l].of[k % sideBySide]);
+            a -= m_gaugeInfluence[l] * forceOf(roots, k / sideBySide, l, k % sideBySide);
         }
         const double across = m_sliceWidth * static_cast<double>(m_sections);
-        m_gaugeRoot = m_contact ? m_contact->root({1, 0, across * m_law.ks, across * m_law.kr}, a,
-                                                  m_gaugeRoot)
-                                : std::sqrt(std::max(0.0, a));
+        const ContactCompliance::Balance balance{1, 0, across * m_law.ks, across * m_law.kr};
+        if (m_contact) {
+            m_gaugeRoot = m_law.threshold ? m_contact->state(balance, a).root
+                                          : m_contact->root(balance, a, m_gaugeRoot);
+        } else {
+            m_gaugeRoot = std::sqrt(std::max(0.0, a));
+        }
+        const bool divides = !m_law.threshold && width.bkr > multipliedFormLimit * width.bks;
         width.coefficients.C2[m_sections * m_radii + k] =
-            width.bkr > multipliedFormLimit * width.bks ? dividedC2(m_gaugeRoot, lag)
-                                                        : m_gaugeRoot * m_gaugeRoot;
+            divides ? dividedC2(m_gaugeRoot, lag) : m_gaugeRoot * m_gaugeRoot;
         m_gaugeDepth[k] += m_gaugeRoot * m_gaugeRoot;
     }
 }

@@ -34,7 +34,8 @@ public:
 
     enum class Outcome { solved, notSolved, stopped };
 
-    /// Once, of the width that solve() is given: leaves C² alone to say what a pass cuts.
+    /// Once, of the width that solve() is given: leaves C² alone to say what a pass cuts, and with
+    /// a threshold C what v is.
     static void takeOver(CutWidth& width);
     /// Solves the coming revolution and puts it into `width`. `at` is where it stands in the cycle.
     Outcome solve(const PassFeed& feed, const Place& at, CutWidth& width,
@@ -54,6 +55,9 @@ private:
     [[nodiscard]] bool balanceAlone(std::size_t block, std::size_t k, const std::stop_token& stop);
     void sumForces(std::size_t block);
     void impose(CutWidth& width);
+    void imposeRubbing(CutWidth& width);
+    [[nodiscard]] double forceOf(const Row* roots, std::size_t block, std::size_t section,
+                                 std::size_t k) const;
     void imposeGauge(CutWidth& width);
     void keepPeaks(const Place& at);
     [[nodiscard]] std::size_t countIn(std::size_t block) const; ///< radii of a block
@@ -71,7 +75,8 @@ private:
     std::vector<Row> m_root;  ///< u of the last revolution, from expect() on of the coming [√mm]
     std::vector<Row> m_rootBefore, m_rootTwoBefore; ///< of the two before that
     std::vector<Row> m_lag;                         ///< of one block [mm]
-    std::vector<double> m_oneLag, m_oneRoot;        ///< of one radius
+    std::vector<Row> m_rubbing; ///< v of the last revolution; empty: no threshold
+    std::vector<double> m_oneLag, m_oneRoot, m_oneRubbing; ///< of one radius
     std::vector<bool> m_cutAll; ///< of each radius: all sections cut it in the last revolution
     std::vector<double> m_gaugeDepth;        ///< of each radius [mm]
     std::vector<Row> m_fed;                  ///< t_П, a row for each block [mm]

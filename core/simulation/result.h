@@ -53,7 +53,8 @@ struct Peak {
 struct StageSums {
     double length_mm = 0;       ///< Σℓ
     double removed_mm2 = 0;     ///< Σℓ·⟨a⟩: longitudinal section of what is removed
-    double rootLength_mm15 = 0; ///< Σℓ·⟨√a⟩, for the friction term of P_z [mm^1.5]
+    double rootLength_mm15 = 0; ///< Σℓ·⟨√a⟩, for the friction term of P_z [mm^1.5];
+                                ///< Σℓ·⟨v⟩ [mm] with a threshold
     Peak depth_mm;              ///< largest a, per revolution or stroke
     Peak normalForce_n;         ///< largest P_y
     Peak power_w;               ///< largest P_z·V_k

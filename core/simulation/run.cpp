@@ -69,6 +69,9 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     if (!isCoupled(project) && std::ranges::any_of(m_points, isLifted)) {
         m_result.status = RunStatus::notSolved;
     }
+    if (m_law.threshold) {
+        m_lanes.keepRubbing();
+    }
     fed_mm = firstFeed(project, m_blank.totalInfeed_mm);
     const auto K = static_cast<std::size_t>(m_radii);
     for (std::size_t lane = 0; lane < m_lanes.depth_mm.size(); ++lane) {
@@ -122,8 +125,9 @@ void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const
     if (places) {
         openStage(static_cast<std::size_t>(places->stage - 1));
     }
-    const double root = m_contact ? m_contact->cut(m_lanes, width.coefficients, feed, range)
-                                  : m_cutPass(m_lanes, width.coefficients, feed, range);
+    const double root = m_law.threshold ? cutLanes(width, feed, range)
+                        : m_contact     ? m_contact->cut(m_lanes, width.coefficients, feed, range)
+                                        : m_cutPass(m_lanes, width.coefficients, feed, range);
     m_result.visits += static_cast<long long>(range.count);
     m_largestRoot = std::max(m_largestRoot, root);
     if (!places) {
@@ -140,6 +144,13 @@ void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const
     }
 }
 
+/// A pass with a threshold.
+double Run::cutLanes(const CutWidth& width, const PassFeed& feed, const PassRange& range) {
+    return width.asGiven ? cutAsGiven(m_lanes, width.coefficients, feed, range)
+           : m_contact   ? m_contact->cutWithThreshold(m_lanes, width.coefficients, feed, range)
+                         : cutWithThreshold(m_lanes, width.coefficients, feed, range);
+}
+
 /// Gathers for this stage from the next pass on.
 void Run::openStage(std::size_t stage) {
     if (stage != m_openStage) {
@@ -148,7 +159,8 @@ void Run::openStage(std::size_t stage) {
     }
 }
 
-/// Σa is how far the radii have moved since the stage began; Σ√a was added up lane by lane.
+/// Σa is how far the radii have moved since the stage began; Σ√a (Σv with a threshold) was added up
+/// lane by lane.
 void Run::closeStage() {
     StageSums& sums = m_result.sumsByStage[m_openStage];
     const auto K = static_cast<std::size_t>(m_radii);
@@ -171,22 +183,30 @@ void Run::tally(double root, std::size_t first, std::size_t count, const CutWidt
     StageSums& sums = m_result.sumsByStage[m_openStage];
     const double length = m_lengthBefore[first + count] - m_lengthBefore[first];
     sums.length_mm += length;
-    keepPeaks(sums, root, first, width, places);
+    keepPeaks(sums, root, first, count, width, places);
 }
 
-// Both forces rise with a at one width, so the pass's largest √a carries all three peaks.
-void Run::keepPeaks(StageSums& sums, double root, std::size_t first, const CutWidth& width,
-                    const Place* places) {
+// Both forces rise with a at one width, so the pass's largest √a carries all three peaks; where
+// nothing is cut they rise with the rubbing share.
+void Run::keepPeaks(StageSums& sums, double root, std::size_t first, std::size_t count,
+                    const CutWidth& width, const Place* places) {
     const double depth = root * root;
-    const double normal = m_law.normal(width.width_mm, root);
-    const double power = m_law.tangential(width.width_mm, root) * m_wheelSpeed_m_s;
+    const auto K = static_cast<std::ptrdiff_t>(m_radii);
+    const bool rubsAlone = m_law.threshold && !(root > 0);
+    const std::vector<double>& lanes = rubsAlone ? m_lanes.rubbing : m_lanes.root;
+    const auto begin = lanes.begin() + static_cast<std::ptrdiff_t>(first) * K;
+    const double most =
+        rubsAlone ? *std::max_element(begin, begin + static_cast<std::ptrdiff_t>(count) * K) : root;
+    const double normal =
+        rubsAlone ? m_law.normalOfAll(width.width_mm, 0, most) : m_law.normal(width.width_mm, root);
+    const double power = (rubsAlone ? m_law.tangentialOfAll(width.width_mm, 0, most)
+                                    : m_law.tangential(width.width_mm, root))
+                         * m_wheelSpeed_m_s;
     if (depth <= sums.depth_mm.value && normal <= sums.normalForce_n.value
         && power <= sums.power_w.value) {
         return;
     }
-    const auto K = static_cast<std::ptrdiff_t>(m_radii);
-    const auto begin = m_lanes.root.begin() + static_cast<std::ptrdiff_t>(first) * K;
-    const Place& place = places[(std::find(begin, m_lanes.root.end(), root) - begin) / K];
+    const Place& place = places[(std::find(begin, lanes.end(), most) - begin) / K];
     const auto keep = [&place](Peak& peak, double value) {
         if (value > peak.value) {
             peak = {value, place};
@@ -212,6 +232,8 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
     const double* const blank_mm = m_blank.depthAt(placeOfPoint(m_project, point)).data();
     trajectory.visits.resize(trajectory.visits.size() + count);
     Visit* const visits = trajectory.visits.data() + trajectory.passes.back().firstVisit;
+    const double* const rubbing =
+        m_law.threshold ? m_lanes.rubbing.data() + point * count : nullptr;
     for (std::size_t k = 0; k < count; ++k) {
         const double share = shares[k], u = roots[k], depth_mm = depths_mm[k];
         visits[k] = {.time_s = m_result.time_s + duration_s * (stroke ? 1.0 : share),
@@ -219,7 +241,8 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
                      .actual_mm = u * u,
                      .accumulated_mm = depth_mm - blank_mm[k],
                      .radius_mm = finalRadius(depth_mm),
-                     .normalForce_n = m_law.normal(width_mm, u)};
+                     .normalForce_n = rubbing ? m_law.normalOfAll(width_mm, u * u, rubbing[k])
+                                              : m_law.normal(width_mm, u)};
     }
 }
 
@@ -342,7 +365,7 @@ std::pair<std::size_t, std::size_t> Run::deepestDiameter() const {
 }
 
 LaneBalance Run::balance(std::size_t point, double width_mm) const {
-    return {m_points[point].gamma_mm_n, width_mm * m_law.ks, width_mm * m_law.kr};
+    return {m_points[point].gamma_mm_n, width_mm * m_law.ks, width_mm * m_law.kr, m_law.threshold};
 }
 
 void keepLargestPeaks(SimulationResult& result) {

@@ -27,6 +27,7 @@ struct CutWidth {
     LaneCoefficients coefficients;
     double width_mm = 0; ///< b
     double bks = 0, bkr = 0;
+    bool asGiven = false; ///< with a threshold: the coefficients are the states themselves
 };
 
 /// State and bookkeeping that traverse and plunge cycles share: lanes, time, peaks, trajectory.
@@ -121,10 +122,12 @@ public:
 private:
     void openStage(std::size_t stage);
     void closeStage();
+    [[nodiscard]] double cutLanes(const CutWidth& width, const PassFeed& feed,
+                                  const PassRange& range);
     void tally(double root, std::size_t first, std::size_t count, const CutWidth& width,
                const Place* places);
-    void keepPeaks(StageSums& sums, double root, std::size_t first, const CutWidth& width,
-                   const Place* places);
+    void keepPeaks(StageSums& sums, double root, std::size_t first, std::size_t count,
+                   const CutWidth& width, const Place* places);
     void record(std::size_t point, const CutWidth& width, const PassFeed& feed, const Place& place,
                 const PassInfo& info);
     /// Not a number in a gap.

@@ -111,6 +111,9 @@ QString FitResult::words() const {
             lines << lack;
         }
     }
+    if (m_result.forceLaw) {
+        lines << FitWords::forceLaw(*m_result.forceLaw);
+    }
     for (const OutOfStep& one : m_result.outOfStep) {
         lines << FitWords::outOfStep(m_project, m_result, one);
     }

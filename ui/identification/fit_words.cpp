@@ -2,6 +2,7 @@
 #include "ui/identification/fit_words.h"
 
 #include "core/identification/fit_data.h"
+#include "core/process/force.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
@@ -48,7 +49,7 @@ QString FitWords::place(const Project& project, int place) {
 }
 
 QString FitWords::parameter(const Project& project, const FittedParameter& parameter) {
-    const QString name = worded(wordsOf(parameter.kind));
+    const QString name = worded(wordsOf(parameter.kind, hasThreshold(project)));
     return parameter.place
                ? tr("%1, %2", "parameter, zone").arg(name, place(project, *parameter.place))
                : name;
@@ -104,6 +105,21 @@ QString FitWords::outOfStep(const Project& project, const Identification& result
         .arg(worded(wordsOf(one.kind)), number(one.amount),
              Names::significant(normal95 * one.error, 2) + u' ' + unit(one.kind),
              parameter(project, moved.parameter), number(one.value), number(moved.value));
+}
+
+QString FitWords::forceLaw(const ForceLawChoice& choice) {
+    const QString found =
+        tr("Force law: %1 (%2 revolutions; residuals %3 µm by the sources' law, %4 µm with a "
+           "threshold).")
+            .arg(worded(wordsOf(choice.supported)))
+            .arg(choice.revolutions)
+            .arg(Names::significant(choice.sourcesRms_um, 2),
+                 Names::significant(choice.thresholdRms_um, 2));
+    return choice.revolutionsMore
+               ? found + u' '
+                     + tr("A spark-out longer by %1 revolutions would separate them.")
+                           .arg(*choice.revolutionsMore)
+               : found;
 }
 
 QString FitWords::lack(const Project& project, const FitResiduals& residuals) {

@@ -33,6 +33,8 @@ public:
     /// What a time that was left out does to the values.
     static QString outOfStep(const Project& project, const Identification& result,
                              const OutOfStep& one);
+    /// Which force law the spark-out supports, or what would decide.
+    static QString forceLaw(const ForceLawChoice& choice);
     /// How much more than noise is left of a trace, and where it lies; empty: it is not.
     static QString lack(const Project& project, const FitResiduals& residuals);
     static QString place(const Project& project, int place); ///< "RZ1", "Section 2"

@@ -3,6 +3,7 @@
 
 #include "core/identification/fit_proposal.h"
 #include "core/identification/scaled_project.h"
+#include "core/process/force.h"
 #include "core/project/part.h"
 #include "ui/fields/number_field.h"
 #include "ui/identification/fit_words.h"
@@ -36,6 +37,10 @@ ParameterChoice::ParameterChoice(const Project& project, QWidget* parent) : QGro
         const auto kind = static_cast<FittedKind>(i);
         if (kind == FittedKind::blank_runout && project.part->profile == ProfileForm::measured) {
             continue; // its form is given point by point
+        }
+        if (hasThreshold(project)
+            && (kind == FittedKind::flow_stress || kind == FittedKind::dullness)) {
+            continue; // the force does not depend on them
         }
         addRow(*grid, project, {kind, {}, {}});
         const bool byPlace = kind == FittedKind::compliance && hasPlaceCompliances(project)
@@ -99,7 +104,11 @@ void ParameterChoice::addRow(QGridLayout& grid, const Project& project,
 }
 
 void ParameterChoice::propose(const FitData& measured) {
-    const std::vector<FittedKind> kinds = proposedParameters(measured);
+    const bool isOfSources =
+        std::ranges::any_of(m_rows, [](const Row& row) { // else it has no such row
+            return row.parameter.kind == FittedKind::dullness;
+        });
+    const std::vector<FittedKind> kinds = proposedParameters(measured, !isOfSources);
     for (const Row& row : m_rows) {
         row.box->setChecked(!row.parameter.place
                             && std::ranges::find(kinds, row.parameter.kind) != kinds.end());

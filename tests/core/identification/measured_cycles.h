@@ -82,8 +82,15 @@ inline Record record(const Project& project, std::size_t gauged = 0) {
             for (std::size_t k = 0; k < radii; ++k) {
                 const Visit& visit = trajectory.visits[pass.firstVisit + k];
                 const double root = std::sqrt(std::max(0.0, visit.actual_mm));
-                power_w += law.tangential(pass.effectiveWidth_mm, root) * speed_m_s;
-                force_n += law.normal(pass.effectiveWidth_mm, root);
+                const double b = pass.effectiveWidth_mm, P = visit.normalForce_n;
+                if (law.threshold) { // P_z = b·K_z·a + μ·min(P_y, b·F'_0)
+                    power_w += (b * law.kt * visit.actual_mm + law.mu * std::min(P, b * law.kr))
+                               * speed_m_s;
+                    force_n += P;
+                } else {
+                    power_w += law.tangential(b, root) * speed_m_s;
+                    force_n += law.normal(b, root);
+                }
                 if (j == gauged) {
                     profile[k] = visit.radius_mm;
                 }

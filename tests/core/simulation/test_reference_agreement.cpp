@@ -170,6 +170,29 @@ private slots:
         }
     }
 
+    // With a threshold of the force, in cycles that cut, touch and leave radii alone.
+    void engineAgreesWhereTheForceHasAThreshold() {
+        const int last = qEnvironmentVariableIsSet("SPARKOUT_LONG") ? 2'000 : 300;
+        int completed = 0, touching = 0;
+        for (int seed = 1; seed <= last; seed += stride()) {
+            const auto number = static_cast<std::uint64_t>(seed);
+            const json project = withThreshold(randomProject(number), number);
+            Trajectory trajectory;
+            const SimulationResult engine = simulateUnchecked(fixtures::read(project), &trajectory);
+            const reference::Result second = reference::simulate(project);
+            const QString found =
+                reference::difference(engine, second, project["part"]["diameter_mm"].get<double>());
+            QVERIFY2(found.isEmpty(), qPrintable(QString("seed %1, %2").arg(seed).arg(found)));
+            completed += second.status == "completed";
+            touching += std::ranges::any_of(trajectory.visits, [](const Visit& visit) {
+                return visit.actual_mm == 0 && visit.normalForce_n > 0;
+            });
+        }
+        const int compared = last / stride();
+        QVERIFY2(completed >= compared / 2, qPrintable(QString::number(completed)));
+        QVERIFY2(touching >= compared / 2, qPrintable(QString::number(touching)));
+    }
+
     // What comes out must vary too: cycles that reach size and that do not, stages that are over
     // before they begin.
     void outcomesOfEveryKindWereCompared() {

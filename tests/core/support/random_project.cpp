@@ -560,3 +560,15 @@ json randomProject(std::uint64_t seed) {
     }
     return project;
 }
+
+json withThreshold(json project, std::uint64_t seed) {
+    Random random(seed ^ 0x51ed270bU);
+    json& material = project["material"];
+    material["force_law"] = "threshold";
+    material["threshold_force_n_mm"] = rounded(std::exp(random.uniform(-3, 1.5)), 3);
+    material["specific_force_mpa"] = rounded(std::exp(random.uniform(8, 12)), 0);
+    if (random.chance(0.5)) {
+        material["specific_tangential_force_mpa"] = rounded(std::exp(random.uniform(8, 12)), 0);
+    }
+    return project;
+}

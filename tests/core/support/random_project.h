@@ -12,3 +12,6 @@
 /// revolutions. Every compliance is given in the project, in "machine" and, for some gauges in a
 /// free position, in "gauge".
 nlohmann::json randomProject(std::uint64_t seed);
+
+/// The same project with a force that has a threshold, its numbers drawn by the seed too.
+nlohmann::json withThreshold(nlohmann::json project, std::uint64_t seed);

@@ -47,6 +47,17 @@ void readForceLaw(Cycle& c, const json& project) {
     const Real D_e = c.internal ? c.d * D / (c.d - D) : c.d * D / (c.d + D);
     const Real V_d = pi * c.d * c.n;           // [mm/min]
     const Real ratio = V_d / (c.V_k * 60'000); // V_k from m/s to mm/min
+    c.threshold = text(material, "force_law", "sources") == "threshold";
+    if (c.threshold) {
+        const Real K_0 = number(material, "specific_force_mpa", 50'000);
+        const Real likeShear =
+            K_0 * number(material, "shear_strain", 2.8) / number(material, "shear_factor", 1.9);
+        c.k_s = K_0 * ratio;
+        c.k_r = number(material, "threshold_force_n_mm", 0.5L);
+        c.z_s = number(material, "specific_tangential_force_mpa", likeShear) * ratio;
+        c.z_r = friction * c.k_r;
+        return;
+    }
     c.k_s = number(material, "shear_factor", 1.9) * sigma * ratio;
     c.k_r = eta * sigma * std::sqrt(D_e) / 3;
     c.z_s = number(material, "shear_strain", 2.8) * sigma * ratio;

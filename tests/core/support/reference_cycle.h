@@ -63,9 +63,10 @@ struct Cycle {
     Real n = 0;                             // [rev/min]
     Real S_rad = 0;                         // plunge-in feed [mm/min]
     Real V_k = 0;                           // [m/s]
-    Real k_s = 0, k_r = 0;                  // normal force [N/mm², N/mm^1.5]
-    Real z_s = 0, z_r = 0;                  // tangential force, the same way
-    long long N1 = 0, N2 = 0;               // dwells [rev]
+    bool threshold = false;                 // of the force
+    Real k_s = 0, k_r = 0;    // normal force [N/mm², N/mm^1.5]; with a threshold K and F'_0 [N/mm]
+    Real z_s = 0, z_r = 0;    // tangential force, the same way
+    long long N1 = 0, N2 = 0; // dwells [rev]
     int zone_sections = 1;
     Real entry_share = 1; // of S_t that is fed at the entry, the rest at the exit
     bool position_control = false;

@@ -41,6 +41,24 @@ void spend(Cycle& c, Real minutes) {
     c.sums[c.z].time += minutes;
 }
 
+// With a threshold, the force per width at which deflection and cut together make the lag: between
+// 0 and what a system that cuts nothing would be pressed by, or what a rigid one would cut at.
+Real pressureUnder(Real h, Real gamma, Real b, const Cycle& c) {
+    if (h <= 0) {
+        return 0;
+    }
+    Real low = 0;
+    Real high = c.k_r + c.k_s * h;
+    for (;;) {
+        const Real p = low + (high - low) / 2;
+        if (p <= low || p >= high) {
+            return high;
+        }
+        const Real a = std::max(Real(0), p - c.k_r) / c.k_s;
+        (gamma * b * p + a < h ? low : high) = p;
+    }
+}
+
 // One radius passes under the wheel, whose head has been fed to t.
 void visit(Cycle& c, Body& body, int k, Real b, Real t) {
     ++c.visits;
@@ -53,12 +71,15 @@ void visit(Cycle& c, Body& body, int k, Real b, Real t) {
     Real& R = body.radius[k];
     const Real fed = t - c.wear; // of a worn wheel's surface
     const Real h = c.internal ? fed - (R - c.R_min0) : fed - (c.R_max0 - R);
-    const Real a = depthOfCut(h, body.gamma, b, c.k_s, c.k_r);
+    const Real p = c.threshold ? pressureUnder(h, body.gamma, b, c) : 0;
+    const Real a = c.threshold ? std::max(Real(0), p - c.k_r) / c.k_s
+                               : depthOfCut(h, body.gamma, b, c.k_s, c.k_r);
     R = c.internal ? R + a : R - a;
     c.largest_removal = std::max(c.largest_removal, a);
     if (counts(c, body)) {
-        const Real P_y = b * (c.k_s * a + c.k_r * std::sqrt(a));
-        const Real P_z = b * (c.z_s * a + c.z_r * std::sqrt(a));
+        const Real P_y = c.threshold ? b * p : b * (c.k_s * a + c.k_r * std::sqrt(a));
+        const Real rubbing = c.threshold ? std::min(p / c.k_r, Real(1)) : std::sqrt(a);
+        const Real P_z = b * (c.z_s * a + c.z_r * rubbing);
         c.peak_P_y = std::max(c.peak_P_y, P_y);
         c.peak_P_z = std::max(c.peak_P_z, P_z);
         addToStage(c.sums[c.z], c, body, b, a, P_y, P_z);

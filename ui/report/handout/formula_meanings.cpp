@@ -37,6 +37,10 @@ constexpr Meaning meanings[] = {
     {"k_r", QT_TRANSLATE_NOOP("Symbol", "normal force of the wear flats, per width and root of "
                                         "the depth")},
     {"k_t", QT_TRANSLATE_NOOP("Symbol", "tangential force of shear, per width and depth")},
+    {"K", QT_TRANSLATE_NOOP("Symbol", "normal force beyond the threshold, per width and depth")},
+    {"K_z0", QT_TRANSLATE_NOOP("Symbol", "tangential force per area of chip")},
+    {"K_z", QT_TRANSLATE_NOOP("Symbol", "tangential force beyond friction, per width and depth")},
+    {"h_0", QT_TRANSLATE_NOOP("Symbol", "lag up to which the wheel only rubs")},
     {"K_1", QT_TRANSLATE_NOOP("Symbol", "the sources' name of b·k_s with axial feed")},
     {"K_2", QT_TRANSLATE_NOOP("Symbol", "the sources' name of b·k_r with axial feed")},
     {"K_3", QT_TRANSLATE_NOOP("Symbol", "the sources' name of b·k_s in plunge")},

@@ -4,6 +4,7 @@
 #include "core/limits/burn.h"
 #include "core/limits/cutting.h"
 #include "core/process/coupled_sections.h"
+#include "core/process/force.h"
 #include "core/process/profile.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
@@ -111,8 +112,11 @@ StepBlocks WorkedStep::formulas(const Outcome& outcome, const HandoutStep& step,
     const double b = pass.effectiveWidth_mm, a = visit.actual_mm;
     const FormulaSheet balance =
         visitSheet(outcome.result, outcome.trajectory, step.pass, step.radius);
-    const FormulaSheet forces[] = {normalForceSheet(project, b, a),
-                                   tangentialForceSheet(project, b, a), balance};
+    std::vector<FormulaSheet> forces;
+    if (a > 0 || !hasThreshold(project)) { // else the balance alone tells the force
+        forces = {normalForceSheet(project, b, a), tangentialForceSheet(project, b, a)};
+    }
+    forces.push_back(balance);
     const std::vector<FormulaSheet> sheets = limitSheets(project, b, stock);
     std::optional<LeftOut> leftOut;
     if (hidden) {
