@@ -60,6 +60,7 @@ enum class IssueCode {
     sparkOutLeaves,
     stageIdle,
     dwellRounded,
+    lobesUnknown,
     noSuchNumber,
     sameName,
     sharedKey,

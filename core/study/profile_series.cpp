@@ -154,7 +154,7 @@ ProfileSeries makeProfileSeries(const SimulationResult& result, const Trajectory
         if (!series.atEnd()) { // passes are recorded of the zones' middles
             series.zoneSections.clear();
         }
-        const double geometric = result.project.machine->geometric_runout_um / units::umPerMm;
+        const double geometric = addedRunout_um(*result.project.machine) / units::umPerMm;
         for (Profile& p : series.profiles) {
             measure(p, series.nominal_mm, geometric);
         }
