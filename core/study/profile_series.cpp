@@ -77,6 +77,8 @@ ProfileSeries endOfCycle(const SimulationResult& result) {
     series.strokeCount = result.cycleCount;
     series.stroke = result.cycleCount;
     series.time_s = result.time_s;
+    series.knowsRunout = isRunoutKnown(*result.project.machine);
+    series.knowsRoundness = isRoundnessKnown(*result.project.machine);
     series.isWhole = FinishedSurface(result.project).isWhole();
     const bool zones = series.operation->hasZones;
     const int gauge = gaugeProfile(result);
