@@ -2918,6 +2918,10 @@
             <source>Mass from the steps of the shaft</source>
             <translation>Масса по ступеням вала</translation>
         </message>
+        <message>
+            <source>Machine&apos;s form from the measured parts</source>
+            <translation>Форма от станка по измеренным деталям</translation>
+        </message>
     </context>
     <context>
         <name>EstimateNames</name>
@@ -14346,6 +14350,22 @@ target, µm</source>
         <message>
             <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual minimum overlap and steps of a stage where none are given</source>
             <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие перекрытие и число шагов ступени</translation>
+        </message>
+        <message>
+            <source>The machine&apos;s form by the measured parts</source>
+            <translation>Форма от станка по измеренным деталям</translation>
+        </message>
+        <message>
+            <source>Measured by zone or section, mean in µm: roundness and radial runout %1. The number of lobes is not among what was measured.</source>
+            <translation>Измерено по зонам или сечениям, среднее в мкм: отклонение от круглости и радиальное биение %1. Число граней не измерялось.</translation>
+        </message>
+        <message>
+            <source>Take it as the machine&apos;s form</source>
+            <translation>Принять за форму от станка</translation>
+        </message>
+        <message>
+            <source>What the process alone leaves is small beside it where the cycle sparks out; the number of lobes is to be given</source>
+            <translation>После выхаживания вклад самого процесса рядом с ней мал; число граней нужно задать</translation>
         </message>
     </context>
     <context>

@@ -8,8 +8,10 @@
 #include "core/form/roundness.h"
 #include "core/optimisation/limit.h"
 #include "core/process/printed_form.h"
+#include "core/project/measured.h"
 #include "core/project/validate.h"
 #include "core/quality/result_json.h"
+#include "core/study/measured_form.h"
 #include "core/study/operation.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
@@ -359,6 +361,32 @@ private slots:
         QVERIFY(!plunge.machine->form->roundness_um && !plunge.machine->form->runout_um);
         const Project back = withOperation(plunge, Operation::traverse, &p);
         QVERIFY(back.machine->form->roundness_um == p.machine->form->roundness_um);
+    }
+
+    void measuredPartsOfferTheirMeans() {
+        Project p = shaft();
+        p.measured = Measured{};
+        QVERIFY(!measuredForm(p));
+        for (int place = 0; place < 3; ++place) {
+            for (const double more_um : {-0.4, 0.4}) {
+                const auto i = static_cast<std::size_t>(place);
+                MeasuredPart part;
+                part.place = place;
+                part.roundness_um = roundness_um[i] + more_um;
+                p.measured->parts.push_back(part);
+            }
+        }
+        QVERIFY(measuredForm(p)->roundness_um == roundness_um && !measuredForm(p)->runout_um);
+        for (int place = 0; place < 3; ++place) { // of РЗ2 below its roundness
+            p.measured->summaries.push_back({.quantity = MeasuredQuantity::radial_runout,
+                                             .place = place,
+                                             .mean_um = place == 2 ? 2.5 : 5});
+        }
+        const Project taken = withMeasuredForm(p);
+        QVERIFY((taken.machine->form->runout_um == std::vector{5, 5, 2.68}));
+        QVERIFY(!taken.machine->form->lobes && refusedPaths(taken).empty());
+        std::erase_if(p.measured->parts, [](const MeasuredPart& part) { return part.place == 0; });
+        QVERIFY(!measuredForm(p)->roundness_um);
     }
 
     // A factor s with mean 1 and deviation σ on 2·A_j: roundness has the mean 2·A_j and the
