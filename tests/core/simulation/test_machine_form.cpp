@@ -22,6 +22,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <set>
 
 namespace sparkout::test_machine_form {
 
@@ -285,7 +286,8 @@ private slots:
         const SimulationResult without = simulate(p);
         p.machine->geometric_runout_um = 5;
         QVERIFY(simulate(p).sections[1].radialRunout_mm == without.sections[1].radialRunout_mm);
-        QVERIFY(addedRunout_um(*p.machine) == 0 && addedRunout_um(*shaft().machine) == 1);
+        const Project plain = shaft();
+        QVERIFY(addedRunout_um(*p.machine) == 0 && addedRunout_um(*plain.machine) == 1);
     }
 
     // Three lobes are run; the diameters with two stand beside.
