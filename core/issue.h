@@ -61,6 +61,7 @@ enum class IssueCode {
     sparkOutLeaves,
     stageIdle,
     dwellRounded,
+    lobesUnknown,
     noSuchNumber,
     sameName,
     sharedKey,

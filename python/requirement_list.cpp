@@ -17,7 +17,8 @@ py::list requirementList(const std::vector<ConstraintResult>& constraints) {
         list.append(py::dict("name"_a = requirementOf(each.kind).key, "where"_a = whereText(each),
                              "unit"_a = requirementOf(each.kind).unit, "holds"_a = each.holds,
                              "value"_a = each.isWhole ? each.value : none, "limit"_a = each.limit,
-                             "margin"_a = each.isWhole ? each.margin : none));
+                             "margin"_a = each.isWhole ? each.margin : none,
+                             "machine_known"_a = each.knowsMachine));
     }
     return list;
 }

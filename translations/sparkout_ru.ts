@@ -2657,6 +2657,10 @@
             <source>These predictions rest on inputs that are estimates, to be calibrated at the machine.</source>
             <translation>Эти результаты опираются на исходные данные, которые являются оценками и подлежат калибровке на станке.</translation>
         </message>
+        <message>
+            <source>%1: with an even number of lobes the diameters are %2…%3 µm from nominal.</source>
+            <translation>%1: при чётном числе граней диаметры %2…%3 мкм от номинала.</translation>
+        </message>
     </context>
     <context>
         <name>OperationSetup</name>
@@ -2965,6 +2969,10 @@
         <message>
             <source>Mass from the steps of the shaft</source>
             <translation>Масса по ступеням вала</translation>
+        </message>
+        <message>
+            <source>Machine&apos;s form from the measured parts</source>
+            <translation>Форма от станка по измеренным деталям</translation>
         </message>
     </context>
     <context>
@@ -4335,8 +4343,8 @@ With another name both versions stay as they are.</source>
             <translation>Геометрическое биение</translation>
         </message>
         <message>
-            <source>Runout of centres and spindle; it adds to every runout.</source>
-            <translation>Биение центров и шпинделя; прибавляется к каждому биению.</translation>
+            <source>Runout of centres and spindle; it adds to every runout. At 0 it is not known.</source>
+            <translation>Биение центров и шпинделя; прибавляется к каждому биению. 0 – не известно.</translation>
         </message>
         <message>
             <source>Wheel drive power</source>
@@ -6870,6 +6878,58 @@ With another name both versions stay as they are.</source>
             <source>Tangential force per area of chip, beyond the friction at the threshold: it makes the power.</source>
             <translation>Касательная сила на единицу площади среза сверх трения при пороговой силе: от неё зависит мощность.</translation>
         </message>
+        <message>
+            <source>Machine&apos;s form</source>
+            <translation>Форма от станка</translation>
+        </message>
+        <message>
+            <source>What centres, headstock and spindle print onto every part, by zone or section.</source>
+            <translation>Что центры, передняя бабка и шпиндель передают каждой детали, по зонам или сечениям.</translation>
+        </message>
+        <message>
+            <source>Roundness deviation of the machine</source>
+            <translation>Отклонение от круглости от станка</translation>
+        </message>
+        <message>
+            <source>That of a part ground to the end, of each zone or section, in their order.</source>
+            <translation>У детали, шлифованной до конца, в каждой зоне или сечении по порядку.</translation>
+        </message>
+        <message>
+            <source>Radial runout of the machine</source>
+            <translation>Радиальное биение от станка</translation>
+        </message>
+        <message>
+            <source>That of a part ground to the end, of each zone or section, in their order; no less than the roundness deviation. Its mean over all directions of the eccentricity.</source>
+            <translation>У детали, шлифованной до конца, в каждой зоне или сечении по порядку; не меньше отклонения от круглости. Среднее по всем направлениям эксцентриситета.</translation>
+        </message>
+        <message>
+            <source>Number of lobes</source>
+            <translation>Число граней от станка</translation>
+        </message>
+        <message>
+            <source>2: an oval. An even number spreads the diameter by twice the roundness deviation, an odd one does not; roundness and runout do not tell. Not known: judged as odd, and the diameters with two lobes beside.</source>
+            <translation>2 – овал. Чётное число разводит диаметры на два отклонения от круглости, нечётное – нет; круглость и биение их не различают. Не известно: оценка как при нечётном, рядом диаметры при двух гранях.</translation>
+        </message>
+        <message>
+            <source>Direction of the eccentricity</source>
+            <translation>Направление эксцентриситета</translation>
+        </message>
+        <message>
+            <source>where the runout is the one given</source>
+            <translation>где биение равно заданному</translation>
+        </message>
+        <message>
+            <source>Angle on the part from where a lobe is ground deepest to where the eccentricity grinds deepest. In a batch it may scatter over the whole turn.</source>
+            <translation>Угол на детали от места, где грань сошлифована глубже всего, до места, где глубже всего шлифует эксцентриситет. В партии может рассеиваться по всему обороту.</translation>
+        </message>
+        <message>
+            <source>Factor on the roundness deviation and runout that the machine prints, of all zones or sections.</source>
+            <translation>Множитель отклонения от круглости и биения от станка, во всех зонах или сечениях.</translation>
+        </message>
+        <message>
+            <source>Uniform from 0 to 360° where parts are clamped as it comes.</source>
+            <translation>Равномерно от 0 до 360°, если детали устанавливают как придётся.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -7115,6 +7175,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>%1, %2: takes off %3 µm, %4 µm so far, radius %5 µm from target</source>
             <translation>%1, %2: снимается %3 мкм, всего снято %4 мкм, радиус %5 мкм от целевого</translation>
+        </message>
+        <message>
+            <source>the number of lobes is not known: an even one spreads the diameters by {value} in a field of {limit}; judged as an odd one</source>
+            <translation>число граней не известно: чётное разводит диаметры на {value} при поле {limit}; оценка – как при нечётном</translation>
         </message>
     </context>
     <context>
@@ -7538,6 +7602,11 @@ With another name both versions stay as they are.</source>
         <message>
             <source>The part is ground away</source>
             <translation>Деталь сошлифована полностью</translation>
+        </message>
+        <message>
+            <source>%1, machine not known</source>
+            <comment>the form it prints</comment>
+            <translation>%1, станок не известен</translation>
         </message>
     </context>
     <context>
@@ -8879,6 +8948,14 @@ With another name both versions stay as they are.</source>
             <source>not filtered</source>
             <translation>без фильтра</translation>
         </message>
+        <message>
+            <source>runout %1 µm + machine</source>
+            <translation>биение %1 мкм + станок</translation>
+        </message>
+        <message>
+            <source>RONt %1, e %2 µm + machine</source>
+            <translation>RONt %1, e %2 мкм + станок</translation>
+        </message>
     </context>
     <context>
         <name>Range</name>
@@ -9308,6 +9385,14 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Quantity</source>
             <translation>Показатель</translation>
+        </message>
+        <message>
+            <source>Minimum diameter with even lobes, from nominal, µm</source>
+            <translation>Наименьший диаметр при чётном числе граней, от номинала, мкм</translation>
+        </message>
+        <message>
+            <source>Maximum diameter with even lobes, from nominal, µm</source>
+            <translation>Наибольший диаметр при чётном числе граней, от номинала, мкм</translation>
         </message>
     </context>
     <context>
@@ -10015,6 +10100,10 @@ With another name both versions stay as they are.</source>
         <source>Variants</source>
         <translation>Варианты</translation>
     </message>
+        <message>
+            <source>Machine&apos;s form</source>
+            <translation>Форма от станка</translation>
+        </message>
     </context>
     <context>
         <name>StudiesShown</name>
@@ -11168,6 +11257,18 @@ With another name both versions stay as they are.</source>
         <message>
             <source>%1 in %2: the blank has %3 µm, the end of the cycle %4 µm</source>
             <translation>%1 (%2): у заготовки %3 мкм, в конце цикла %4 мкм</translation>
+        </message>
+        <message>
+            <source> With an even number of lobes: %1 µm.</source>
+            <translation> При чётном числе граней: %1 мкм.</translation>
+        </message>
+        <message>
+            <source>; what the machine adds is not known</source>
+            <translation>; вклад станка не известен</translation>
+        </message>
+        <message>
+            <source>, with what the machine prints</source>
+            <translation>, с формой от станка</translation>
         </message>
     </context>
     <context>
@@ -14385,6 +14486,22 @@ target, µm</source>
         <message>
             <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual minimum overlap and steps of a stage where none are given</source>
             <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие перекрытие и число шагов ступени</translation>
+        </message>
+        <message>
+            <source>The machine&apos;s form by the measured parts</source>
+            <translation>Форма от станка по измеренным деталям</translation>
+        </message>
+        <message>
+            <source>Measured by zone or section, mean in µm: roundness and radial runout %1. The number of lobes is not among what was measured.</source>
+            <translation>Измерено по зонам или сечениям, среднее в мкм: отклонение от круглости и радиальное биение %1. Число граней не измерялось.</translation>
+        </message>
+        <message>
+            <source>Take it as the machine&apos;s form</source>
+            <translation>Принять за форму от станка</translation>
+        </message>
+        <message>
+            <source>What the process alone leaves is small beside it where the cycle sparks out; the number of lobes is to be given</source>
+            <translation>После выхаживания вклад самого процесса рядом с ней мал; число граней нужно задать</translation>
         </message>
     </context>
     <context>

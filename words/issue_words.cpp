@@ -201,6 +201,11 @@ IssueWords wordsOf(IssueCode code) {
         return {
             "dwell_rounded",
             SPARKOUT_NOOP("Issue", "a dwell of {value} is rounded to {limit}, whole revolutions")};
+    case IssueCode::lobesUnknown:
+        return {"lobes_unknown",
+                SPARKOUT_NOOP("Issue", "the number of lobes is not known: an even one spreads the "
+                                       "diameters by {value} in a field of {limit}; judged as an "
+                                       "odd one")};
     case IssueCode::noSuchNumber:
         return {"no_such_number",
                 SPARKOUT_NOOP("Issue", "{value} is no number that this project reads; needed: "

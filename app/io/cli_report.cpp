@@ -4,6 +4,7 @@
 #include "app/io/cli_shop.h"
 #include "core/printable.h"
 #include "core/process/coupled_sections.h"
+#include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/quality/cycle_constraints.h"
@@ -45,6 +46,10 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
                 + "; " + um(section.radialRunout_mm) + "; "
                 + um(accuracy.sections[i].minimumZone.deviation()) + ", "
                 + um(accuracy.sections[i].leastSquares.deviation()) + '\n';
+        if (i < result.ifEven.size()) {
+            text += padded("") + um(result.ifEven[i].least_mm) + ", " + um(result.ifEven[i].most_mm)
+                    + " with an even number of lobes\n";
+        }
     }
     for (std::size_t i = 0; i < accuracy.zones.size(); ++i) {
         const ZoneForm& zone = accuracy.zones[i];
@@ -56,6 +61,14 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
     }
     if (const double engaged = engagedShare(*result.project.part); engaged < 1) {
         text += "interrupted surface  " + fixed(engaged * 100, 1) + " % of the turn is ground\n";
+    }
+    const Machine& machine = *result.project.machine;
+    if (const bool round = isRoundnessKnown(machine); !round || !isRunoutKnown(machine)) {
+        text += std::string("machine not known    ")
+                + (round                    ? "runout is the model's"
+                   : isRunoutKnown(machine) ? "roundness and cylindricity are the model's"
+                                            : "runout, roundness and cylindricity are the model's")
+                + " alone\n";
     }
     return text + "cylindricity, µm     " + um(accuracy.minimumZone.deviation())
            + " by minimum zone, " + um(accuracy.leastSquares.deviation())
@@ -75,7 +88,8 @@ std::string constraintLine(const ConstraintResult& constraint) {
     }
     return name + fixed(constraint.value, decimals) + ", " + fixed(constraint.limit, decimals)
            + ", " + fixed(constraint.margin, decimals) + (unit.empty() ? "" : " ") + unit + "  "
-           + (constraint.holds ? "holds" : "FAILS") + " in " + whereText(constraint) + '\n';
+           + (constraint.holds ? "holds" : "FAILS") + " in " + whereText(constraint)
+           + (constraint.knowsMachine ? "" : ", machine not known") + '\n';
 }
 
 std::string requirementsText(const SimulationResult& result,

@@ -37,6 +37,13 @@ constexpr Output<Figures> characteristicRows[] = {
     {{.key = "name", .column = "characteristic"},
      [](const Figures& f) { return std::string(f.of->characteristic.name); }},
     {{.key = "unit"}, [](const Figures& f) { return std::string(f.of->characteristic.unit); }},
+    {{.key = "machine_known", .column = "", .detail = true},
+     [](const Figures& f) { return f.of->characteristic.knowsMachine; },
+     nullptr,
+     [](const Figures& f) {
+         const Requirement* const row = f.of->characteristic.requirement;
+         return row && isPrinted(row->kind);
+     }},
     {{.key = "low", .label = SPARKOUT_NOOP("Output", "Lower limit"), .detail = true},
      [](const Figures& f) { return f.of->characteristic.low; }},
     {{.key = "high", .label = SPARKOUT_NOOP("Output", "Upper limit"), .detail = true},

@@ -78,7 +78,8 @@ private:
         m_list.push_back(
             {row.key, isRelative(row) ? "%" : row.unit, m_zone, m_section,
              row.isLeast ? limit : none, row.isLeast ? none : limit, resolutionFor(width), &row,
-             row.kind == ConstraintKind::roughness && !isRoughnessCalibrated(m_project)});
+             row.kind == ConstraintKind::roughness && !isRoughnessCalibrated(m_project),
+             knowsMachine(row.kind, m_project)});
     }
 
     const Project& m_project;

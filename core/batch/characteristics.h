@@ -23,6 +23,7 @@ struct Characteristic {
     double resolution = 0;           ///< width of the finest bins: a power of two
     const Requirement* requirement = nullptr; ///< null: the mean diameter, or the time
     bool isEstimate = false;                  ///< Ra that no measured one stands behind
+    bool knowsMachine = true; ///< else the machine's own form is not known, and not in the values
 };
 
 [[nodiscard]] std::vector<Characteristic> characteristicsOf(const Project& project);

@@ -163,6 +163,15 @@ void putFactor(FactorKind kind, double value, Project& project) {
     case FactorKind::wheelDiameter: changeWheelDiameter(project, value); break;
     case FactorKind::flowStress: project.material->flow_stress_mpa = value; break;
     case FactorKind::compliance: scaleCompliance(project, value); break;
+    case FactorKind::machineForm:
+        for (auto* const own :
+             {&project.machine->form->roundness_um, &project.machine->form->runout_um}) {
+            for (std::size_t i = 0; *own && i < (*own)->size(); ++i) {
+                (**own)[i] *= value;
+            }
+        }
+        break;
+    case FactorKind::runoutAt: project.machine->form->runout_at_deg = value; break;
     case FactorKind::contactWidth:
         (project.operation->travels ? project.wheel->width_mm : project.part->length_mm) = value;
         break;

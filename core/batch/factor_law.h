@@ -33,7 +33,7 @@ struct FactorEnds {
 /// Puts a value of a factor into a project. The wheel speed falls with the wheel's diameter at
 /// the same rev/min; the compliance factor multiplies every γ, or divides every stiffness and E; a
 /// measured profile is stretched to the runout; the contact width is the wheel's width in traverse,
-/// the ground length in plunge.
+/// the ground length in plunge; the machine's form is printed so many times as high.
 void putFactor(FactorKind kind, double value, Project& project);
 /// The same of a factor that may be one of a zone or section alone: what its input says is
 /// replaced.

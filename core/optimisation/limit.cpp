@@ -5,6 +5,7 @@
 #include "core/process/contact_compliance.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/force.h"
+#include "core/process/printed_form.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
 #include "core/project/cycle.h"
@@ -248,7 +249,8 @@ std::vector<Loss> lossesOf(const Project& project, const Blank& blank, double le
     const double all_mm = blank.totalInfeed_mm;
     const auto gauged = static_cast<std::size_t>(gaugeSection(project));
     const BlankOfSection there(blank, gauged);
-    const double byField_mm = leftByField_mm(*project.part) + 2 * stageSlack_mm;
+    const double byField_mm =
+        leftByField_mm(*project.part) + 2 * stageSlack_mm + mostOfDiameters_mm(project);
     std::vector<Loss> losses{{all_mm - left_mm - there.deepest_mm, left_mm, gauged},
                              {all_mm - byField_mm - there.shallowPair_mm, byField_mm, gauged}};
     const std::vector<CompliantPoint> points = compliantPoints(project);
@@ -258,8 +260,8 @@ std::vector<Loss> lossesOf(const Project& project, const Blank& blank, double le
     losses.push_back({all_mm - byField_mm - soft.shallowPair_mm, byField_mm, softest});
     if (const auto& runout_um = project.part->tolerance.radial_runout_um) {
         const double apart_mm =
-            std::max(*runout_um - project.machine->geometric_runout_um, 0.0) / units::umPerMm
-            + diameterSlack_mm;
+            std::max(*runout_um - addedRunout_um(*project.machine), 0.0) / units::umPerMm
+            + mostPrinted_mm(project) + diameterSlack_mm;
         const double ofAny_mm = left_mm + apart_mm, ofTwo_mm = byField_mm + apart_mm / 2;
         losses.push_back(
             {all_mm - ofAny_mm - there.shallowPair_mm, ofAny_mm, gauged, SpreadOf::oneOfTwo});
@@ -428,7 +430,7 @@ SteplessLimit limitOf(const Project& project, const LimitedCycles& cycles, bool 
         return limit;
     }
     const double left = sparksOut ? leftByField_mm(*project.part) : 0;
-    const double end = left + 2 * stageSlack_mm; ///< stock left there
+    const double end = left + 2 * stageSlack_mm + mostOfDiameters_mm(project); ///< stock left there
     const double all = blank.totalInfeed_mm - end;
     // a datum of the position control may be nearer than the first touch; the wear of the wheel
     // moves the first and the last of the feed alike

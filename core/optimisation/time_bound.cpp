@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/time_bound.h"
 
+#include "core/process/printed_form.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
 #include "core/project/gauge.h"
@@ -23,8 +24,8 @@ namespace {
 /// Rounding of t_П, Σa and times, generously [mm, share].
 constexpr double boundRounding_mm = 1e-9, boundRounding = 1e-9;
 
-/// The infeed that the bound counts on.
-double sureInfeed_mm(const Project& project, double total_mm) {
+/// The infeed that the bound counts on, where the machine prints no form.
+double blankInfeed_mm(const Project& project, double total_mm) {
     const std::vector<ZoneBlank> zones = zoneBlanks(*project.part);
     const auto gauged = static_cast<std::size_t>(gaugeSection(project));
     if (project.gauge->control == Control::position || gauged >= zones.size()
@@ -32,6 +33,13 @@ double sureInfeed_mm(const Project& project, double total_mm) {
         return fedAtSize(project, total_mm);
     }
     return std::min(total_mm, project.part->stock_mm + zones[gauged].stock_mm);
+}
+
+/// The gauge may read the size that much before the machine's frame has it.
+double sureInfeed_mm(const Project& project, double total_mm) {
+    const double before_mm =
+        project.gauge->control == Control::gauge ? mostOfDiameters_mm(project) : 0;
+    return blankInfeed_mm(project, total_mm) - before_mm;
 }
 
 } // namespace

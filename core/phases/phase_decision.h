@@ -17,11 +17,6 @@ struct StockRange {
     friend bool operator==(const StockRange&, const StockRange&) = default;
 };
 
-/// Diameters of a zone or section less the nominal one [mm].
-struct DeviationRange {
-    double least_mm = 0, most_mm = 0;
-};
-
 /// A cycle at an end of a piece.
 struct PieceEnd {
     std::vector<DeviationRange> deviations;    ///< of each zone or section

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/batch.h"
 
+#include "core/project/machine.h"
+#include "core/project/project.h"
 #include "core/text.h"
 
 namespace sparkout {
+
+namespace {
+
+bool hasMachineForm(const Project& p, const void*) {
+    return p.machine->form.has_value();
+}
+
+} // namespace
 
 template <>
 std::span<const Choice> choicesOf<Scenarios>() {
@@ -85,6 +95,21 @@ const StructInfo& tableOf<Factors>() {
             .page = Page::batch,
             .hint = SPARKOUT_NOOP("Input", "Traverse: the wheel's width, from which the widths of "
                                            "cut follow. Plunge: the ground length.")),
+        SPARKOUT_FIELD(Factors, machine_form, .label = SPARKOUT_NOOP("Input", "Machine's form"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
+                       .relevant = hasMachineForm, .sparse = true, .page = Page::batch,
+                       .hint = SPARKOUT_NOOP("Input", "Factor on the roundness deviation and "
+                                                      "runout that the machine prints, of all "
+                                                      "zones or sections."),
+                       .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            Factors, runout_at_deg,
+            .label = SPARKOUT_NOOP("Input", "Direction of the eccentricity"), .symbol = "φ_1",
+            .unit = "°", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
+            .relevant = hasMachineForm, .sparse = true, .page = Page::batch,
+            .hint = SPARKOUT_NOOP("Input", "Uniform from 0 to 360° where parts are clamped as it "
+                                           "comes."),
+            .source = "MODEL-7"),
     };
     static const StructInfo info = makeTable<Factors>(SPARKOUT_NOOP("Struct", "Factors"), rows);
     return info;

@@ -29,6 +29,8 @@ struct Factors {
     std::optional<Factor> flow_stress_mpa;
     std::optional<Factor> compliance;
     std::optional<Factor> contact_width_mm;
+    std::optional<Factor> machine_form;
+    std::optional<Factor> runout_at_deg;
 };
 
 /// The batch a cycle must hold for.

@@ -4,6 +4,7 @@
 #include "core/cholesky.h"
 #include "core/project/batch.h"
 #include "core/project/given_factors.h"
+#include "core/project/machine.h"
 #include "core/project/validate.h"
 
 #include <algorithm>
@@ -38,6 +39,12 @@ private:
     void checkForm(const GivenFactor& factor) {
         const std::string path = std::string("/batch/factors/") + factorKey(factor.kind);
         const Factor& law = factor.law;
+        const bool isOfForm =
+            factor.kind == FactorKind::machineForm || factor.kind == FactorKind::runoutAt;
+        if (isOfForm && !m_project.machine->form) {
+            add(IssueCode::notUsedHere, path, {}, Keys{{"/machine/form"}});
+            return;
+        }
         const int forms =
             static_cast<int>(law.uniform.has_value()) + static_cast<int>(law.normal.has_value())
             + static_cast<int>(law.triangular.has_value())

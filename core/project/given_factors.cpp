@@ -2,6 +2,7 @@
 #include "core/project/given_factors.h"
 
 #include "core/project/batch.h"
+#include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
@@ -15,6 +16,8 @@ namespace sparkout {
 
 namespace {
 
+constexpr double mostFormFactor = 100;
+
 Range allowedValues(FactorKind kind, Operation operation) {
     switch (kind) {
     case FactorKind::stock: return tableOf<Part>().find("stock_mm")->hard;
@@ -25,6 +28,8 @@ Range allowedValues(FactorKind kind, Operation operation) {
     case FactorKind::contactWidth:
         return operation->travels ? tableOf<Wheel>().find("width_mm")->hard
                                   : tableOf<Part>().find("length_mm")->hard;
+    case FactorKind::machineForm: return {0, mostFormFactor};
+    case FactorKind::runoutAt: return tableOf<MachineForm>().find("runout_at_deg")->hard;
     case FactorKind::compliance: break;
     }
     return {1e-3, 1e3}; // a factor on γ: between a thousandth and a thousand times

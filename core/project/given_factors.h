@@ -21,7 +21,9 @@ enum class FactorKind {
     wheelDiameter,
     flowStress,
     compliance,
-    contactWidth
+    contactWidth,
+    machineForm,
+    runoutAt
 };
 
 /// A factor of a batch that is given, with what its input allows.

@@ -7,6 +7,8 @@
 #include "core/project/wheel.h"
 #include "core/text.h"
 
+#include <algorithm>
+
 namespace sparkout {
 
 namespace {
@@ -17,8 +19,40 @@ bool byGauge(const Project& p, const void*) {
 bool onCentres(const Project& p, const void*) {
     return p.part->surface == Surface::external && p.part->shaft.mounting == Mounting::centres;
 }
+bool withoutForm(const Project& p, const void*) {
+    return !p.machine->form;
+}
+bool hasBothForms(const Project&, const void* owner) {
+    const auto& form = *static_cast<const MachineForm*>(owner);
+    return form.roundness_um && form.runout_um;
+}
 
 } // namespace
+
+int lobesOf(const MachineForm& form) {
+    return form.lobes.value_or(oddLobes);
+}
+
+bool hasLobes(const Machine& machine) {
+    return machine.form && machine.form->roundness_um
+           && std::ranges::any_of(*machine.form->roundness_um, [](double um) { return um > 0; });
+}
+
+bool areLobesUnknown(const Machine& machine) {
+    return hasLobes(machine) && !machine.form->lobes;
+}
+
+double addedRunout_um(const Machine& machine) {
+    return machine.form ? 0 : machine.geometric_runout_um;
+}
+
+bool isRoundnessKnown(const Machine& machine) {
+    return machine.form && machine.form->roundness_um;
+}
+
+bool isRunoutKnown(const Machine& machine) {
+    return machine.form ? machine.form->runout_um.has_value() : machine.geometric_runout_um > 0;
+}
 
 void changeWheelDiameter(Project& project, double diameter_mm) {
     if (project.machine->wheel_speed_control == WheelSpeedControl::constant_revolutions) {
@@ -144,6 +178,51 @@ const StructInfo& tableOf<MachineLimits>() {
     return info;
 }
 
+template <>
+const StructInfo& tableOf<MachineForm>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(MachineForm, roundness_um,
+                       .label = SPARKOUT_NOOP("Input", "Roundness deviation of the machine"),
+                       .symbol = "2A_j", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "That of a part ground to the end, of each zone or "
+                                             "section, in their order."),
+                       .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            MachineForm, runout_um, .label = SPARKOUT_NOOP("Input", "Radial runout of the machine"),
+            .symbol = "Δ_m", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
+            .hint = SPARKOUT_NOOP("Input", "That of a part ground to the end, of each zone or "
+                                           "section, in their order; no less than the roundness "
+                                           "deviation. Its mean over all directions of the "
+                                           "eccentricity."),
+            .source = "MODEL-7"),
+        SPARKOUT_FIELD(MachineForm, lobes, .label = SPARKOUT_NOOP("Input", "Number of lobes"),
+                       .symbol = "j", .hard = {2, 30}, .soft = {2, 15},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "2: an oval. An even number spreads the diameter by "
+                                             "twice the roundness deviation, an odd one does not; "
+                                             "roundness and runout do not tell. Not known: judged "
+                                             "as odd, and the diameters with two lobes beside."),
+                       .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            MachineForm, runout_at_deg,
+            .label = SPARKOUT_NOOP("Input", "Direction of the eccentricity"), .symbol = "φ_1",
+            .unit = "°", .hard = {0, 360},
+            .nullMeaning = SPARKOUT_NOOP("Input", "where the runout is the one given"),
+            .relevant = hasBothForms, .page = Page::machine,
+            .hint = SPARKOUT_NOOP("Input", "Angle on the part from where a lobe is ground deepest "
+                                           "to where the eccentricity grinds deepest. In a batch "
+                                           "it may scatter over the whole turn."),
+            .source = "MODEL-7"),
+    };
+    static const StructInfo info =
+        makeTable<MachineForm>(SPARKOUT_NOOP("Struct", "Machine's form"), rows);
+    return info;
+}
+
 namespace {
 
 Field zoneCompliance() {
@@ -173,9 +252,20 @@ Field wheelSpeedControl() {
 Field geometricRunout() {
     return SPARKOUT_FIELD(
         Machine, geometric_runout_um, .label = SPARKOUT_NOOP("Input", "Geometric runout"),
-        .symbol = "Δ_m", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10}, .page = Page::machine,
-        .hint = SPARKOUT_NOOP("Input", "Runout of centres and spindle; it adds to every runout."),
+        .symbol = "Δ_m", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10}, .relevant = withoutForm,
+        .page = Page::machine,
+        .hint = SPARKOUT_NOOP("Input", "Runout of centres and spindle; it adds to every runout. At "
+                                       "0 it is not known."),
         .source = "MODEL-7");
+}
+
+Field machineForm() {
+    return SPARKOUT_FIELD(
+        Machine, form, .label = SPARKOUT_NOOP("Input", "Machine's form"),
+        .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .sparse = true, .page = Page::machine,
+        .hint = SPARKOUT_NOOP("Input", "What centres, headstock and spindle print onto every part, "
+                                       "by zone or section."),
+        .formula = "R_k − c(φ_k), c = A_1·cos(φ − φ_1) + A_j·cos jφ", .source = "MODEL-7");
 }
 
 } // namespace
@@ -263,6 +353,7 @@ const StructInfo& tableOf<Machine>() {
                        .source = "MODEL-6"),
         zoneCompliance(),
         geometricRunout(),
+        machineForm(),
         SPARKOUT_FIELD(
             Machine, wheel_drive_kw, .label = SPARKOUT_NOOP("Input", "Wheel drive power"),
             .symbol = "N_k", .unit = "kW", .hard = {0, 1000, true},

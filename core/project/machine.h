@@ -36,6 +36,16 @@ struct MachineLimits {
     std::optional<double> part_length_mm;   ///< largest; not given: not limited [mm]
 };
 
+/// What centres, headstock and spindle print onto every part, by zone or section: their axis moves
+/// towards the wheel by c(φ), and the part has R − c, a bore R + c [MODEL-7].
+struct MachineForm {
+    std::optional<std::vector<double>> roundness_um; ///< 2·A_j; not given: not known [µm]
+    std::optional<std::vector<double>> runout_um;    ///< of A_1 and A_j; not given: not known [µm]
+    std::optional<int> lobes;                        ///< j; not given: not known
+    /// From a lobe's deepest point to that of A_1; not given: where the runout is as given [°]
+    std::optional<double> runout_at_deg;
+};
+
 /// What the wheel's drive keeps as the diameter of the wheel falls [MODEL-8]: V_k, or the
 /// revolutions, so that V_k falls with the diameter.
 enum class WheelSpeedControl { constant_speed, constant_revolutions };
@@ -56,6 +66,7 @@ struct Machine {
     std::optional<Stiffness> stiffness_n_um;
     std::optional<std::vector<double>> zone_compliance; ///< factor on γ of each zone or section
     double geometric_runout_um = 0;       ///< of centres and spindle, adds to runout [µm]
+    std::optional<MachineForm> form;      ///< then geometric_runout_um is not used
     std::optional<double> wheel_drive_kw; ///< [kW]; not given: not limited
     std::optional<double> work_drive_kw;  ///< [kW]; not given: not limited
     /// From the gauge's command to the next stage's feed; not given: none [s]
@@ -69,6 +80,25 @@ struct Machine {
 /// one law of batch, sweep, set-up and dressing [MODEL-8].
 void changeWheelDiameter(Project& project, double diameter_mm);
 
+/// Lobes that stand for a number not known: of an odd one every diameter keeps its size, of an even
+/// one none does.
+inline constexpr int oddLobes = 3, evenLobes = 2;
+/// Radii that a lobe needs, so that its height is read to 1 − cos(π/12) = 3.4 %.
+inline constexpr int radiiOfLobe = 12;
+
+/// The number of lobes that is run: that given, else oddLobes.
+[[nodiscard]] int lobesOf(const MachineForm& form);
+/// Whether the machine prints lobes, and whether their number is not known.
+[[nodiscard]] bool hasLobes(const Machine& machine);
+[[nodiscard]] bool areLobesUnknown(const Machine& machine);
+
+/// What adds to every runout as a number [µm]: none beside a form, which has it in its radii.
+[[nodiscard]] double addedRunout_um(const Machine& machine);
+/// Whether roundness and cylindricity, and runouts, have the machine's own in them; else they are
+/// those of the process alone.
+[[nodiscard]] bool isRoundnessKnown(const Machine& machine);
+[[nodiscard]] bool isRunoutKnown(const Machine& machine);
+
 template <>
 std::span<const Choice> choicesOf<EntrySide>();
 template <>
@@ -81,6 +111,8 @@ template <>
 const StructInfo& tableOf<WheelContact>();
 template <>
 const StructInfo& tableOf<MachineLimits>();
+template <>
+const StructInfo& tableOf<MachineForm>();
 template <>
 const StructInfo& tableOf<Machine>();
 

@@ -88,6 +88,7 @@ public:
         checkPart();
         checkProfile();
         checkZoneValues();
+        checkMachineForm();
         checkGaps();
         checkBlank();
         project().operation->hasZones ? checkZones() : checkSections();
@@ -232,6 +233,50 @@ private:
             add(IssueCode::notUsedHere, "/machine/zone_compliance", {}, Keys{{"sections_coupled"}});
         }
     }
+
+    /// What the machine prints, which the radii must be close enough to read.
+    void checkMachineForm() {
+        if (!project().machine->form) {
+            return;
+        }
+        const MachineForm& form = *project().machine->form;
+        const auto places = static_cast<std::size_t>(placeCount(project()));
+        const auto& roundness = form.roundness_um;
+        const auto& runout = form.runout_um;
+        for (const auto& [path, own] :
+             {std::pair(roundnessPath, &roundness), std::pair(runoutPath, &runout)}) {
+            if (*own && (*own)->size() != places && sound({"/sections"})) {
+                add(IssueCode::wrongCount, path, countOf((*own)->size()), countOf(places));
+            }
+        }
+        const double most_um = tableOf<MachineForm>().find("runout_um")->hard.high;
+        const bool both = roundness && runout && sound({roundnessPath, runoutPath});
+        for (std::size_t i = 0; both && i < std::min(roundness->size(), runout->size()); ++i) {
+            if ((*runout)[i] < (*roundness)[i]) { // about its axis no circle fits better
+                add(IssueCode::outOfRange, runoutPath + ('/' + std::to_string(i)), um((*runout)[i]),
+                    Bounds{{(*roundness)[i], most_um}, "µm"});
+            }
+        }
+        if (!hasLobes(*project().machine) || !sound({roundnessPath, "/machine/form/lobes"})) {
+            return;
+        }
+        const int least = radiiOfLobe * lobesOf(form);
+        if (project().part->radii_per_section < least && sound({"/part/radii_per_section"})) {
+            const double radii = tableOf<Part>().find("radii_per_section")->hard.high;
+            add(IssueCode::outOfRange, "/part/radii_per_section",
+                Count{project().part->radii_per_section},
+                Bounds{{1.0 * least, radii}, {}, "/machine/form/lobes"});
+        }
+        if (areLobesUnknown(*project().machine) && fieldIsSound()) {
+            const Part& part = *project().part;
+            warn(IssueCode::lobesUnknown, "/machine/form/lobes",
+                 um(2 * *std::ranges::max_element(*roundness)),
+                 um(part.upper_deviation_um - part.lower_deviation_um));
+        }
+    }
+
+    static inline const std::string roundnessPath = "/machine/form/roundness_um";
+    static inline const std::string runoutPath = "/machine/form/runout_um";
 
     void checkProfile() {
         const Part& part = *project().part;

@@ -4,6 +4,7 @@
 #include "core/limits/rising_root.h"
 #include "core/process/contact_compliance.h"
 #include "core/process/coupled_sections.h"
+#include "core/process/printed_form.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
 #include "core/project/cycle.h"
@@ -38,22 +39,39 @@ double forceAt(const ForceLaw& law, double b, double a) {
     return law.normal(b, std::sqrt(a));
 }
 
-/// How far the radii of two lanes may stand apart at the end [mm].
-double greatestSpread(const Part& part, double geometricRunout_mm, SpreadOf of) {
-    double s = (part.upper_deviation_um - part.lower_deviation_um) / units::umPerMm;
+/// How far the radii of two lanes may stand apart at the end [mm]. What the machine prints may
+/// bring them together again, which a proof allows for; an estimate takes it to add.
+double greatestSpread(const Project& project, SpreadOf of, AccuracyProof proof) {
+    const Part& part = *project.part;
+    const double sign = proof == AccuracyProof::proved ? 1 : -1;
+    double s = (part.upper_deviation_um - part.lower_deviation_um) / units::umPerMm
+               + sign * 4 * mostOfDiameters_mm(project);
     if (of == SpreadOf::oneOfTwo) {
         s /= 2;
     }
     if (part.tolerance.total_runout_um) {
-        s = std::min(s, *part.tolerance.total_runout_um / units::umPerMm - geometricRunout_mm);
+        const double added_um = addedRunout_um(*project.machine);
+        s = std::min(s, *part.tolerance.total_runout_um / units::umPerMm - added_um / units::umPerMm
+                            + sign * mostPrinted_mm(project));
     }
     return s;
 }
 
+/// The machine's own runout, added or printed, where it is greatest [mm].
+double greatestOwnRunout(const Machine& machine) {
+    double most_um = addedRunout_um(machine);
+    for (const double own_um : machine.form
+                                   ? machine.form->runout_um.value_or(std::vector<double>())
+                                   : std::vector<double>()) {
+        most_um = std::max(most_um, own_um);
+    }
+    return most_um / units::umPerMm;
+}
+
 /// The drawing's [δ] of the published limit [mm].
-double publishedTolerance(const Part& part, double geometricRunout_mm) {
+double publishedTolerance(const Part& part, double ownRunout_mm) {
     return part.tolerance.radial_runout_um
-               ? *part.tolerance.radial_runout_um / units::umPerMm - geometricRunout_mm
+               ? *part.tolerance.radial_runout_um / units::umPerMm - ownRunout_mm
                : (part.upper_deviation_um - part.lower_deviation_um) / units::umPerMm;
 }
 
@@ -80,8 +98,7 @@ double roughnessLimit(const Project& project, double b) {
 /// estimate that of lanes that cut alike.
 double spreadLimit(const Project& project, const ForceLaw& law, double b, double gamma,
                    AccuracyProof proof, SpreadOf of = SpreadOf::oneOfTwo) {
-    const double s =
-        greatestSpread(*project.part, project.machine->geometric_runout_um / units::umPerMm, of);
+    const double s = greatestSpread(project, of, proof);
     double stiffest = infinite, softest = 0;
     for (const CompliantPoint& point : compliantPoints(project)) {
         stiffest = std::min(stiffest, point.gamma_mm_n);
@@ -213,9 +230,7 @@ LimitPoints releaseCurve(const ForceLaw& law, double b, double gamma, double las
 }
 
 double provedSpread_mm(const Project& project, SpreadOf of) {
-    return isProvable(project) ? greatestSpread(
-               *project.part, project.machine->geometric_runout_um / units::umPerMm, of)
-                               : infinite;
+    return isProvable(project) ? greatestSpread(project, of, AccuracyProof::proved) : infinite;
 }
 
 double provedLastCut_mm(const Project& project, double b, double gamma, SpreadOf of) {
@@ -252,8 +267,7 @@ LimitPoints publishedAccuracy(const SimulationResult& result, const Trajectory& 
                               const LimitSeries& series, const LimitGroup& group) {
     const Project& project = result.project;
     const Part& part = *project.part;
-    const double allowed =
-        publishedTolerance(part, project.machine->geometric_runout_um / units::umPerMm);
+    const double allowed = publishedTolerance(part, greatestOwnRunout(*project.machine));
     const double gamma = gammaOf(project, group);
     LimitPoints points;
     if (!(allowed > 0) || !(gamma > 0)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/constraints.h"
 
+#include "core/project/machine.h"
 #include "core/quality/drawing_constraints.h"
 #include "core/quality/finished_surface.h"
 
@@ -24,6 +25,21 @@ std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result
     return evaluateConstraints(result, requiredAccuracy(result));
 }
 
+bool isPrinted(ConstraintKind kind) {
+    return kind == ConstraintKind::roundness || kind == ConstraintKind::cylindricity
+           || kind == ConstraintKind::radialRunout || kind == ConstraintKind::totalRunout;
+}
+
+bool knowsMachine(ConstraintKind kind, const Project& project) {
+    switch (kind) {
+    case ConstraintKind::roundness:
+    case ConstraintKind::cylindricity: return isRoundnessKnown(*project.machine);
+    case ConstraintKind::radialRunout:
+    case ConstraintKind::totalRunout: return isRunoutKnown(*project.machine);
+    default: return true;
+    }
+}
+
 std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result,
                                                   const PartAccuracy& accuracy) {
     std::vector<ConstraintResult> found;
@@ -42,6 +58,7 @@ std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result
     const FinishedSurface surface(result.project);
     for (ConstraintResult& constraint : found) {
         constraint.isWhole = surface.tells(constraint.kind);
+        constraint.knowsMachine = knowsMachine(constraint.kind, result.project);
         constraint.holds = constraint.holds && constraint.isWhole;
     }
     return found;

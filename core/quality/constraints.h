@@ -40,7 +40,14 @@ struct ConstraintResult {
     std::optional<double>
         otherEnd{};      ///< of a range of the machine, where `limit` is the nearer one
     bool isWhole = true; ///< else strips stay uncut, and value and margin are of the rest alone
+    bool knowsMachine = true; ///< else the machine's own form is not known, and not in the value
 };
+
+/// Whether the machine prints its own onto what is required: roundness, cylindricity and runouts.
+[[nodiscard]] bool isPrinted(ConstraintKind kind);
+/// Whether the machine's own is known, and so in the value; true of all that it prints nothing
+/// onto.
+[[nodiscard]] bool knowsMachine(ConstraintKind kind, const Project& project);
 
 /// Which way a limit holds.
 enum class Side { atLeast, atMost };

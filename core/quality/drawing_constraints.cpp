@@ -30,7 +30,7 @@ const Tolerance& toleranceOf(const Judged& of) {
 }
 
 double geometricRunout(const SimulationResult& result) {
-    return result.project.machine->geometric_runout_um / umPerMm;
+    return addedRunout_um(*result.project.machine) / umPerMm;
 }
 
 /// A requirement in µm, held against a section or the part.

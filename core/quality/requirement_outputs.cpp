@@ -27,6 +27,12 @@ constexpr Output<ConstraintResult> requirementTable[] = {
      [](const ConstraintResult& c) { return ofWhole(c, c.relativeMargin); }},
     {{.key = "where"}, [](const ConstraintResult& c) { return whereText(c); }},
     {{.key = "ok"}, [](const ConstraintResult& c) { return c.holds; }},
+    {{.key = "machine_known",
+      .hint = "of roundness, cylindricity and runouts: whether the machine's own form is in the "
+              "value; else it is the model's alone"},
+     [](const ConstraintResult& c) { return c.knowsMachine; },
+     nullptr,
+     [](const ConstraintResult& c) { return isPrinted(c.kind); }},
 };
 
 } // namespace

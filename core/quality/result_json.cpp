@@ -13,6 +13,8 @@
 #include "core/quality/shop_outputs.h"
 #include "core/units.h"
 
+#include <initializer_list>
+
 namespace sparkout {
 
 namespace {
@@ -24,8 +26,18 @@ ordered_json statedJson(const FinishedSurface& surface, ordered_json value) {
     return surface.isWhole() ? std::move(value) : ordered_json(nullptr);
 }
 
-ordered_json zoneJson(const SimulationResult& result, const SectionResult& section,
+/// Whether the machine's own form is in these values; else they are the model's alone.
+ordered_json machineJson(const Project& project, std::initializer_list<ConstraintKind> kinds) {
+    ordered_json known;
+    for (const ConstraintKind kind : kinds) {
+        known[requirementOf(kind).key] = knowsMachine(kind, project);
+    }
+    return known;
+}
+
+ordered_json zoneJson(const SimulationResult& result, std::size_t index,
                       const SectionAccuracy& accuracy) {
+    const SectionResult& section = result.sections[index];
     const double nominal = result.project.part->diameter_mm / 2;
     ordered_json radii = ordered_json::array();
     for (const double radius : section.radii_mm) {
@@ -42,7 +54,7 @@ ordered_json zoneJson(const SimulationResult& result, const SectionResult& secti
     };
     roughness = stated(std::move(roughness));
     radii = stated(std::move(radii));
-    return {
+    ordered_json zone = {
         {"diameter_deviation_um",
          stated(ordered_json::array({section.diameterDeviationMin_mm * units::umPerMm,
                                      section.diameterDeviationMax_mm * units::umPerMm}))},
@@ -53,10 +65,19 @@ ordered_json zoneJson(const SimulationResult& result, const SectionResult& secti
         {"peak_normal_force_n", section.peakNormalForce_n},
         {"position_mm", section.position_mm},
         {"compliance_mm_per_n", section.compliance_mm_per_n},
-        {"radii_um", std::move(radii)}};
+        {"radii_um", std::move(radii)},
+        {"machine_known",
+         machineJson(result.project, {ConstraintKind::radialRunout, ConstraintKind::roundness})}};
+    if (index < result.ifEven.size()) { // the number of lobes is not known
+        const auto& [least_mm, most_mm] = result.ifEven[index];
+        zone["diameter_deviation_even_lobes_um"] =
+            stated(ordered_json::array({least_mm * units::umPerMm, most_mm * units::umPerMm}));
+    }
+    return zone;
 }
 
-ordered_json partJson(const PartAccuracy& accuracy, const FinishedSurface& surface) {
+ordered_json partJson(const PartAccuracy& accuracy, const Project& project) {
+    const FinishedSurface surface(project);
     const auto stated = [&surface](double value_mm) {
         return statedJson(surface, value_mm * units::umPerMm);
     };
@@ -65,7 +86,9 @@ ordered_json partJson(const PartAccuracy& accuracy, const FinishedSurface& surfa
             {"total_runout_um", stated(accuracy.totalRunout_mm)},
             {"taper_um", stated(accuracy.profile.taper_mm)},
             {"crown_um", stated(accuracy.profile.crown_mm)},
-            {"form", statedJson(surface, formKey(accuracy.profile.form))}};
+            {"form", statedJson(surface, formKey(accuracy.profile.form))},
+            {"machine_known",
+             machineJson(project, {ConstraintKind::cylindricity, ConstraintKind::totalRunout})}};
 }
 
 ordered_json burnJson(const BurnState& burn) {
@@ -107,7 +130,7 @@ ordered_json sectionsJson(const SimulationResult& result, const PartAccuracy& ac
     ordered_json all = zones ? ordered_json::object() : ordered_json::array();
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const SectionResult& section = result.sections[i];
-        ordered_json one = zoneJson(result, section, accuracy.sections[i]);
+        ordered_json one = zoneJson(result, i, accuracy.sections[i]);
         if (!accuracy.zones.empty()) {
             addZoneSections(one, result, i, accuracy);
         }
@@ -152,7 +175,7 @@ std::string resultJson(const SimulationResult& result,
         root["engaged_share"] = engaged; // of the turn; radii in the gaps are null
     }
     root[operation->hasZones ? "zones" : "sections"] = sectionsJson(result, accuracy);
-    root["part"] = partJson(accuracy, surface);
+    root["part"] = partJson(accuracy, result.project);
     root["peak"] = {{"normal_force_n", result.peakNormalForce_n},
                     {"normal_force_where", placeText(result.peakNormalForceAt)},
                     {"power_w", result.peakPower_w},

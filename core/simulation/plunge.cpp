@@ -45,7 +45,7 @@ public:
             m_coupling.emplace(project, points(project, stop), m_run.blank(), stop);
             SectionCoupling::takeOver(*m_width);
         }
-        if (!m_coupling && !m_hasFreeGauge && m_run.isEachAlone()) {
+        if (!m_coupling && !m_hasFreeGauge && m_run.isEachAlone() && !m_run.printsForm()) {
             auto balances = std::make_shared<std::vector<LaneBalance>>();
             for (std::size_t j = 0; j < m_sections; ++j) {
                 balances->push_back(m_run.balance(j, project.part->length_mm));

@@ -88,6 +88,11 @@ struct BurnVisit {
     return sum / static_cast<double>(count);
 }
 
+/// Diameters of a zone or section less the nominal one [mm].
+struct DeviationRange {
+    double least_mm = 0, most_mm = 0;
+};
+
 /// One zone or section at the end of the cycle.
 struct SectionResult {
     Zone zone = Zone::section;
@@ -96,7 +101,7 @@ struct SectionResult {
     std::vector<double> radii_mm;       ///< R_k, K values; not a number in a gap
     double diameterDeviationMin_mm = 0; ///< min of D_k less the nominal diameter
     double diameterDeviationMax_mm = 0; ///< max of D_k less the nominal diameter
-    double radialRunout_mm = 0;         ///< R_max − R_min plus the machine's geometric runout
+    double radialRunout_mm = 0;         ///< R_max − R_min and what the machine adds as a number
     double peakNormalForce_n = 0;       ///< largest P_y any of its radii saw
     std::optional<LastCut> lastCut;     ///< where a roughness is required
 };
@@ -115,6 +120,9 @@ struct SimulationResult {
     /// Where a zone holds several, its sections zone by zone from the entry on. The zone itself
     /// then has the radii of its middle and of all else the worst.
     std::vector<SectionResult> zoneSections;
+    /// Of each zone or section, where the number of the lobes that the machine prints is not known:
+    /// the diameters with two of them. All else is of three, which leave diameters as they are.
+    std::vector<DeviationRange> ifEven;
     double gaugeReading_mm = 0;   ///< diameter the gauge reads at the end
     double remainingStock_mm = 0; ///< per side, from that reading; negative below target
     double peakNormalForce_n = 0;

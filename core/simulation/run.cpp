@@ -2,6 +2,7 @@
 #include "core/simulation/run.h"
 
 #include "core/process/coupled_sections.h"
+#include "core/process/printed_form.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
@@ -39,6 +40,28 @@ std::vector<std::size_t> wholeDiameters(const Blank& blank) {
     return whole.size() < half ? whole : std::vector<std::size_t>();
 }
 
+/// c of every lane; null where the machine prints no form.
+std::shared_ptr<const std::vector<double>> printedLanes(const Project& project,
+                                                        std::size_t points) {
+    const auto radii = static_cast<std::size_t>(project.part->radii_per_section);
+    std::vector<std::vector<double>> ofPlace;
+    bool prints = false;
+    for (int place = 0; project.machine->form && place < placeCount(project); ++place) {
+        ofPlace.push_back(printedDepths(project, static_cast<std::size_t>(place)));
+        prints |= !ofPlace.back().empty();
+        ofPlace.back().resize(radii);
+    }
+    if (!prints) {
+        return nullptr;
+    }
+    auto all = std::make_shared<std::vector<double>>();
+    for (std::size_t point = 0; point < points; ++point) {
+        const std::vector<double>& own = ofPlace[placeOfPoint(project, point)];
+        all->insert(all->end(), own.begin(), own.end());
+    }
+    return all;
+}
+
 /// A load that is taken to bear evenly on both sides of a steady rest may press a section near it
 /// against the wheel: it has no balance of its own.
 bool isLifted(const CompliantPoint& point) {
@@ -52,6 +75,7 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     : m_project(project)
     , m_isShaft(project.part->surface == Surface::external)
     , m_blank(makeBlank(*project.part))
+    , m_printed_mm(printedLanes(project, points.size()))
     , m_diameters(wholeDiameters(m_blank))
     , m_radii(project.part->radii_per_section)
     , m_points(std::move(points))
@@ -240,15 +264,20 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
                      .programmed_mm = feed.at(share),
                      .actual_mm = u * u,
                      .accumulated_mm = depth_mm - blank_mm[k],
-                     .radius_mm = finalRadius(depth_mm),
+                     .radius_mm = finalRadius(point * count + k),
                      .normalForce_n = rubbing ? m_law.normalOfAll(width_mm, u * u, rubbing[k])
                                               : m_law.normal(width_mm, u)};
     }
 }
 
 double Run::remaining(std::size_t point) const {
+    const auto K = static_cast<std::size_t>(m_radii);
+    std::vector<double> ofPart;
+    for (std::size_t lane = point * K; m_printed_mm && lane < (point + 1) * K; ++lane) {
+        ofPart.push_back(partDepth(lane));
+    }
     const double* const depth_mm =
-        m_lanes.depth_mm.data() + point * static_cast<std::size_t>(m_radii);
+        m_printed_mm ? ofPart.data() : m_lanes.depth_mm.data() + point * K;
     const GaugeRule rule = m_project.gauge->rule;
     return m_diameters.empty()
                ? remainingStock(depth_mm, m_radii, rule, m_blank.totalInfeed_mm)
@@ -282,7 +311,7 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
     section.compliance_mm_per_n = m_points[point].gamma_mm_n;
     section.radii_mm.reserve(K);
     for (std::size_t k = 0; k < K; ++k) {
-        const double radius_mm = finalRadius(m_lanes.depth_mm[point * K + k]);
+        const double radius_mm = finalRadius(point * K + k);
         const bool isThere = radius_mm > leastRadius_mm || m_blank.isGap(k);
         section.radii_mm.push_back(isThere ? radius_mm : leastRadius_mm);
     }
@@ -292,7 +321,7 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
         low = std::min(low, radius);
         high = std::max(high, radius);
     }
-    section.radialRunout_mm = high - low + m_project.machine->geometric_runout_um / units::umPerMm;
+    section.radialRunout_mm = high - low + addedRunout_um(*m_project.machine) / units::umPerMm;
     std::tie(section.diameterDeviationMin_mm, section.diameterDeviationMax_mm) =
         diameterDeviations(point);
     return section;
@@ -327,10 +356,10 @@ void Run::foldZoneSections() {
 
 std::pair<double, double> Run::diameterDeviations(std::size_t point) const {
     const auto K = static_cast<std::size_t>(m_radii);
-    const double* depth_mm = m_lanes.depth_mm.data() + point * K;
     double least = std::numeric_limits<double>::infinity(), most = -least;
     forDiameters([&](std::size_t k) {
-        const double deviation = diameterDeviation(depth_mm[k], depth_mm[k + K / 2]);
+        const std::size_t lane = point * K + k;
+        const double deviation = diameterDeviation(partDepth(lane), partDepth(lane + K / 2));
         least = std::min(least, deviation);
         most = std::max(most, deviation);
     });
@@ -414,6 +443,17 @@ SimulationResult Run::finish(const std::vector<int>& stepsByStage, std::size_t g
     return std::move(m_result);
 }
 
+void addEvenLobes(SimulationResult& result, const std::stop_token& stop) {
+    if (result.status != RunStatus::completed || !areLobesUnknown(*result.project.machine)) {
+        return;
+    }
+    const SimulationResult even = simulateUnchecked(withEvenLobes(result.project), nullptr, stop);
+    for (std::size_t i = 0; even.status == RunStatus::completed && i < even.sections.size(); ++i) {
+        result.ifEven.push_back(
+            {even.sections[i].diameterDeviationMin_mm, even.sections[i].diameterDeviationMax_mm});
+    }
+}
+
 SimulationResult simulate(const Project& project, Trajectory* trajectory,
                           const std::stop_token& stop) {
     if (hasErrors(validate(project))) {
@@ -429,7 +469,9 @@ SimulationResult simulate(const Project& project, Trajectory* trajectory,
         }
         return result;
     }
-    return simulateUnchecked(project, trajectory, stop);
+    SimulationResult result = simulateUnchecked(project, trajectory, stop);
+    addEvenLobes(result, stop);
+    return result;
 }
 
 SimulationResult simulateUnchecked(const Project& project, Trajectory* trajectory,

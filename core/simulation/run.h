@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <utility>
@@ -92,9 +93,12 @@ public:
     [[nodiscard]] double time_s() const { return m_result.time_s; }
     [[nodiscard]] long long visits() const { return m_result.visits; }
     [[nodiscard]] bool surelyBurned() const { return m_watch.surelyBurned(); }
+    /// Whether the machine prints a form onto the part: its radii then stand otherwise than the
+    /// depths have them, which are those of the machine's frame [MODEL-7].
+    [[nodiscard]] bool printsForm() const { return m_printed_mm != nullptr; }
     /// Least and most of a point's diameters D_k now, less the nominal one [mm].
     [[nodiscard]] std::pair<double, double> diameterDeviations(std::size_t point) const;
-    /// D_k less the nominal diameter [mm] of two opposite radii at these depths.
+    /// D_k less the nominal diameter [mm] of two opposite radii at these depths, without a form.
     [[nodiscard]] double diameterDeviation(double depth_mm, double opposite_mm) const {
         return radiusAt(depth_mm) + radiusAt(opposite_mm) - m_project.part->diameter_mm;
     }
@@ -130,10 +134,16 @@ private:
                    const CutWidth& width, const Place* places);
     void record(std::size_t point, const CutWidth& width, const PassFeed& feed, const Place& place,
                 const PassInfo& info);
+    /// How deep the part's surface stands in a lane: c more than in the machine's frame.
+    [[nodiscard]] double partDepth(std::size_t lane) const {
+        const double depth_mm = m_lanes.depth_mm[lane];
+        return m_printed_mm && depth_mm < beyondReach_mm ? depth_mm + (*m_printed_mm)[lane]
+                                                         : depth_mm;
+    }
     /// Not a number in a gap.
-    [[nodiscard]] double finalRadius(double depth_mm) const {
-        return depth_mm < beyondReach_mm ? radiusAt(depth_mm)
-                                         : std::numeric_limits<double>::quiet_NaN();
+    [[nodiscard]] double finalRadius(std::size_t lane) const {
+        return m_lanes.depth_mm[lane] < beyondReach_mm ? radiusAt(partDepth(lane))
+                                                       : std::numeric_limits<double>::quiet_NaN();
     }
     /// Calls with each k < K/2 whose diameter is one.
     template <class Do>
@@ -156,6 +166,7 @@ private:
     const Project& m_project;
     bool m_isShaft; ///< not a bore
     Blank m_blank;
+    std::shared_ptr<const std::vector<double>> m_printed_mm; ///< c of each lane; null: no form
     std::vector<std::size_t> m_diameters; ///< k of those that no gap interrupts; empty: all
     int m_radii;
     std::vector<CompliantPoint> m_points;

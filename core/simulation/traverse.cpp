@@ -96,7 +96,7 @@ public:
 
     const RadiusFollower* follower() const override {
         const bool inMiddle = m_gaugePoint == static_cast<std::size_t>(Zone::nz);
-        const bool alone = m_run.isEachAlone() && m_inZone == 0;
+        const bool alone = m_run.isEachAlone() && m_inZone == 0 && !m_run.printsForm();
         return inMiddle && alone && !feedsContinuously(m_project) ? this : nullptr;
     }
 

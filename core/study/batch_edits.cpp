@@ -305,6 +305,8 @@ Factor usualFactor(FactorKind kind, const Project& project) {
         return normalFactor(times(stress, {1, 0.05}), times(stress, {0.85, 1.15}));
     }
     case FactorKind::compliance: return uniformFactor({0.9, 1.1});
+    case FactorKind::machineForm: return normalFactor({1, 0.3}, {0, 2});
+    case FactorKind::runoutAt: return uniformFactor({0, 360});
     case FactorKind::contactWidth:
         return uniformFactor(
             times(project.operation->travels ? project.wheel->width_mm : project.part->length_mm,

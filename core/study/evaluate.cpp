@@ -29,6 +29,7 @@ OutcomePtr evaluate(const Project& project, const std::stop_token& stop) {
     if (stop.stop_requested() || outcome->result.status == RunStatus::stopped) {
         return nullptr;
     }
+    addEvenLobes(outcome->result, stop);
     outcome->accuracy = accuracyOf(outcome->result);
     outcome->constraints = evaluateConstraints(outcome->result, outcome->accuracy);
     outcome->limits = makeLimitSeries(outcome->result, outcome->trajectory);

@@ -154,6 +154,10 @@ void forgetZones(Project& project) {
     project.part->zone_stock_mm.reset();
     project.part->zone_runout_mm.reset();
     project.machine->zone_compliance.reset();
+    if (project.machine->form) {
+        project.machine->form->roundness_um.reset();
+        project.machine->form->runout_um.reset();
+    }
     if (project.batch) {
         project.batch->zone_stock_mm.reset();
         project.batch->zone_runout_mm.reset();

@@ -88,6 +88,10 @@ void giveBackZones(Project& made, const Project& last) {
     made.part->zone_stock_mm = last.part->zone_stock_mm;
     made.part->zone_runout_mm = last.part->zone_runout_mm;
     made.machine->zone_compliance = last.machine->zone_compliance;
+    if (made.machine->form && last.machine->form) {
+        made.machine->form->roundness_um = last.machine->form->roundness_um;
+        made.machine->form->runout_um = last.machine->form->runout_um;
+    }
     if (made.batch && last.batch) {
         made.batch->zone_stock_mm = last.batch->zone_stock_mm;
         made.batch->zone_runout_mm = last.batch->zone_runout_mm;

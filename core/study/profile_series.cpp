@@ -77,6 +77,8 @@ ProfileSeries endOfCycle(const SimulationResult& result) {
     series.strokeCount = result.cycleCount;
     series.stroke = result.cycleCount;
     series.time_s = result.time_s;
+    series.knowsRunout = isRunoutKnown(*result.project.machine);
+    series.knowsRoundness = isRoundnessKnown(*result.project.machine);
     series.isWhole = FinishedSurface(result.project).isWhole();
     const bool zones = series.operation->hasZones;
     const int gauge = gaugeProfile(result);
@@ -154,7 +156,7 @@ ProfileSeries makeProfileSeries(const SimulationResult& result, const Trajectory
         if (!series.atEnd()) { // passes are recorded of the zones' middles
             series.zoneSections.clear();
         }
-        const double geometric = result.project.machine->geometric_runout_um / units::umPerMm;
+        const double geometric = addedRunout_um(*result.project.machine) / units::umPerMm;
         for (Profile& p : series.profiles) {
             measure(p, series.nominal_mm, geometric);
         }

@@ -64,7 +64,8 @@ struct ProfileSeries {
     bool strokeDone = true; ///< else the moment is within that stroke
     int stage = 0;          ///< of that stroke; 0: the blank, or not known
     double time_s = 0;      ///< from the start of the cycle
-    bool isWhole = true;    ///< else strips stay uncut: no size and form is told of the surface
+    bool knowsRunout = true, knowsRoundness = true; ///< whether the machine's own is in them
+    bool isWhole = true; ///< else strips stay uncut: no size and form is told of the surface
 
     /// The K radii of a profile before the first touch.
     [[nodiscard]] const std::vector<double>& blankOf(const Profile& profile) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/result_tables.h"
 
+#include "core/project/machine.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/form_outputs.h"
 #include "core/quality/roughness.h"
@@ -104,20 +105,27 @@ ValueTable formValues(const Outcome& outcome) {
 
 CsvTable zoneTable(const Outcome& outcome) {
     const SimulationResult& result = outcome.result;
+    const Machine& machine = *result.project.machine;
     CsvTable table;
     table.header << ResultTables::tr("Zone or section")
                  << ResultTables::tr("From the headstock end, mm")
                  << ResultTables::tr("Compliance, mm/N")
                  << ResultTables::tr("Minimum diameter from nominal, µm")
                  << ResultTables::tr("Maximum diameter from nominal, µm")
-                 << ResultTables::tr("Radial runout, µm")
-                 << ResultTables::tr("Roundness, minimum zone, µm")
-                 << ResultTables::tr("Roundness, least squares, µm")
+                 << Names::ofMachine(ResultTables::tr("Radial runout, µm"), isRunoutKnown(machine))
+                 << Names::ofMachine(ResultTables::tr("Roundness, minimum zone, µm"),
+                                     isRoundnessKnown(machine))
+                 << Names::ofMachine(ResultTables::tr("Roundness, least squares, µm"),
+                                     isRoundnessKnown(machine))
                  << ResultTables::tr("Maximum normal force, N");
     const bool rough = std::ranges::any_of(
         result.sections, [](const SectionResult& section) { return section.lastCut.has_value(); });
     if (rough) {
         table.header << ResultTables::tr("Roughness Ra, µm");
+    }
+    if (!result.ifEven.empty()) {
+        table.header << ResultTables::tr("Minimum diameter with even lobes, from nominal, µm")
+                     << ResultTables::tr("Maximum diameter with even lobes, from nominal, µm");
     }
     const std::vector<ZoneForm>& forms = outcome.accuracy.zones;
     if (!forms.empty()) {
@@ -144,6 +152,10 @@ CsvTable zoneTable(const Outcome& outcome) {
             cells.push_back(section.lastCut ? stated(
                                 RoughnessModel(result.project).roughness(section.lastCut->depth_mm))
                                             : CsvCell());
+        }
+        if (i < result.ifEven.size()) {
+            cells.push_back(stated(result.ifEven[i].least_mm));
+            cells.push_back(stated(result.ifEven[i].most_mm));
         }
         if (!forms.empty()) {
             const ZoneFormFigures figures = formOf(outcome, i);

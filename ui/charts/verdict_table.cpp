@@ -35,8 +35,11 @@ QString lightName(Light light) {
 }
 
 QString lightName(const ConstraintResult& constraint) {
-    return constraint.isWhole ? lightName(lightOf(constraint))
-                              : VerdictTable::tr("not known: strips uncut");
+    if (!constraint.isWhole) {
+        return VerdictTable::tr("not known: strips uncut");
+    }
+    const Light light = lightOf(constraint); // what fails even so does fail
+    return Names::ofMachine(lightName(light), constraint.knowsMachine || light == Light::fails);
 }
 
 namespace {
@@ -118,7 +121,8 @@ ValueCell nameCell(const ConstraintResult& c, const Project& project,
     const Light light = lightOf(c);
     // A guess that holds is not shown as one that is known to.
     const Light shown = guessed ? std::max(light, Light::close) : light;
-    return {.text = light == Light::holds ? name : name + u'\n' + lightName(c),
+    const bool isPlain = light == Light::holds && c.knowsMachine;
+    return {.text = isPlain ? name : name + u'\n' + lightName(c),
             .said = lightName(c),
             .icon = icons[static_cast<std::size_t>(shown)]};
 }

@@ -47,15 +47,25 @@ QString VerdictWhy::diameter(const Outcome& outcome, const ConstraintResult& c) 
     const QStringList parts{
         tr("gauge at the end %1 µm").arg(Names::signedMicrometres(shares.reading_um)), own,
         tr("spread in the section %1 µm").arg(Names::signedMicrometres(shares.form_um))};
-    return tr("%1 in %2, %3 µm from nominal: %4.")
-        .arg(Names::constraint(c.kind), zone, Names::signedMicrometres(c.value),
-             parts.join(QStringLiteral("; ")));
+    const QString text =
+        tr("%1 in %2, %3 µm from nominal: %4.")
+            .arg(Names::constraint(c.kind), zone, Names::signedMicrometres(c.value),
+                 parts.join(QStringLiteral("; ")));
+    const auto index = static_cast<std::size_t>(c.section);
+    if (index >= outcome.result.ifEven.size()) {
+        return text;
+    }
+    const DeviationRange& even = outcome.result.ifEven[index];
+    return text
+           + tr(" With an even number of lobes: %1 µm.")
+                 .arg(Names::signedMicrometres((smallest ? even.least_mm : even.most_mm)
+                                               * units::umPerMm));
 }
 
 QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
     const Project& project = outcome.result.project;
     const double own_um =
-        c.kind == ConstraintKind::radialRunout ? project.machine->geometric_runout_um : 0;
+        c.kind == ConstraintKind::radialRunout ? addedRunout_um(*project.machine) : 0;
     const double blank_um = initialRunout(*project.part) * units::umPerMm;
     const double left_um = c.value - own_um;
     QString text =
@@ -67,6 +77,11 @@ QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
     }
     if (own_um > c.limit) {
         return text + tr(", more than the limit: no cycle can hold it.");
+    }
+    if (!c.knowsMachine) {
+        text += tr("; what the machine adds is not known");
+    } else if (project.machine->form) {
+        text += tr(", with what the machine prints");
     }
     return c.holds ? text + u'.'
                    : text + tr(". More passes without feed take it down, or a smaller last feed.");

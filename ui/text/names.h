@@ -55,6 +55,8 @@ public:
     static QString issue(const Issue& issue); ///< the sentence after its place in words
     /// That the cut surface of a traverse cycle is not whole, as strips stay uncut; else empty.
     static QString uncutStrips(const Project& project);
+    /// A quantity of the form, "roundness, machine not known" where the machine's own is not in it.
+    static QString ofMachine(const QString& quantity, bool isKnown);
     /// The first errors of a refused input, at most `most` of them, one a line.
     static QString refusal(const Issues& issues, int most = 3);
     /// Whether nothing is wrong but that inputs are missing.

@@ -48,7 +48,8 @@ QStringList changesOfOperation(const Project& before, const Project& after) {
           "/machine/overrun_exit_mm", "/machine/compliance_mm_per_n", "/gauge/section",
           "/gauge/position_mm", "/gauge/compliance_mm_per_n", "/least_steps", "/part/zone_stock_mm",
           "/part/zone_runout_mm", "/machine/zone_compliance", "/batch/zone_stock_mm",
-          "/batch/zone_runout_mm", "/batch/zone_compliance"}) {
+          "/machine/form/roundness_um", "/machine/form/runout_um", "/batch/zone_runout_mm",
+          "/batch/zone_compliance"}) {
         const ConstMember was = findMember(before, path);
         const QString old = switchedText(was, before);
         const QString made = switchedText(findMember(after, path), after);

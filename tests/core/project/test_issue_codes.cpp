@@ -189,6 +189,15 @@ private:
             {{"/part/radii_per_section", 37}});
         row("few radii", IssueCode::fewRadii, "/part/radii_per_section", plunge,
             {{"/part/radii_per_section", 10}}, warning);
+        row("lobes unknown", IssueCode::lobesUnknown, "/machine/form/lobes", traverse,
+            {{"/machine/form", {{"roundness_um", {1, 2, 1}}}}}, warning);
+        row("too few radii for the lobes", IssueCode::outOfRange, "/part/radii_per_section",
+            traverse, {{"/machine/form", {{"roundness_um", {1, 2, 1}}, {"lobes", 4}}}});
+        row("runout below roundness", IssueCode::outOfRange, "/machine/form/runout_um/1", traverse,
+            {{"/machine/form",
+              {{"roundness_um", {1, 2, 1}}, {"runout_um", {1, 1.5, 1}}, {"lobes", 2}}}});
+        row("form of two zones", IssueCode::wrongCount, "/machine/form/runout_um", traverse,
+            {{"/machine/form", {{"runout_um", {1, 2}}}}});
         row("profile length", IssueCode::wrongCount, "/part/radii_um", plunge,
             {{"/part/profile", "measured"}, {"/part/radii_um", std::vector<int>(35, -1)}});
         row("profile missing", IssueCode::missingKey, "/part/radii_um", plunge,

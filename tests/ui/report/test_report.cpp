@@ -314,6 +314,32 @@ private slots:
         QVERIFY2(text.contains(QStringLiteral("strips stay uncut")), qPrintable(text));
     }
 
+    /// Roundness and runout that lack the machine's own say so, and no longer once it is given.
+    void theCardSaysWhereTheMachineIsNotKnown() {
+        Project project = fixtures::traverseProject();
+        project.machine->geometric_runout_um = 0;
+        const auto heads = [&project] {
+            const QStringList head = report::CycleCard::accuracy(*fixtures::run(project)).head;
+            return std::pair(head.at(4), head.at(5));
+        };
+        const auto plain =
+            std::pair(QStringLiteral("Radial runout, µm"), QStringLiteral("Roundness, µm"));
+        const QString unknown = QStringLiteral(", machine not known");
+        QVERIFY(heads() == std::pair(plain.first + unknown, plain.second + unknown));
+        project.machine->geometric_runout_um = 1;
+        QVERIFY(heads() == std::pair(plain.first, plain.second + unknown));
+        project.machine->form = MachineForm{{{1, 2, 1}}, {{2, 3, 2}}, {}, {}};
+        QVERIFY(heads() == plain);
+        const QString text = textOf(made(fixtures::run(project), Format::pdf)).simplified();
+        QVERIFY(!text.contains(QStringLiteral("machine not known")));
+        QVERIFY2(text.contains(QStringLiteral("with an even number of lobes the diameters")),
+                 qPrintable(text));
+        project.machine->form.reset();
+        QVERIFY(textOf(made(fixtures::run(project), Format::pdf))
+                    .simplified()
+                    .contains(QStringLiteral("machine not known")));
+    }
+
     void aPartThatFailsIsNotGood() {
         Project project = fixtures::traverseProject();
         project.machine->geometric_runout_um = 10; // of 6 allowed

@@ -7,6 +7,7 @@
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/study/batch_edits.h"
+#include "core/study/measured_form.h"
 #include "core/study/search_edits.h"
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/kit/font_size.h"
@@ -96,6 +97,35 @@ const Offer estimatedMass{
                       "Without chamfers, keyways and bores; the drawing's mass goes before it"),
     [](const Project& project) { return printedNumber(estimatedMass_kg(project).value_or(0)); }};
 
+/// "1.7, 3.71, 2.68 µm", or that it was not measured.
+QString measuredText(const std::optional<std::vector<double>>& values_um) {
+    QStringList texts;
+    for (const double value_um : values_um.value_or(std::vector<double>())) {
+        texts << printedNumber(value_um);
+    }
+    return texts.isEmpty() ? QStringLiteral("–") : texts.join(QStringLiteral("; "));
+}
+
+const Offer formOfMachine{
+    "measuredFormNote",
+    "takeMeasuredForm",
+    [](const Project& project) { return project.machine->form || !measuredForm(project); },
+    withMeasuredForm,
+    {"Edit", QT_TRANSLATE_NOOP("Edit", "Machine's form from the measured parts")},
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "The machine's form by the measured parts"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
+                      "Measured by zone or section, mean in µm: roundness and radial runout %1. "
+                      "The number of lobes is not among what was measured."),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Take it as the machine's form"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
+                      "What the process alone leaves is small beside it where the cycle sparks "
+                      "out; the number of lobes is to be given"),
+    [](const Project& project) {
+        const MachineForm form = measuredForm(project).value_or(MachineForm());
+        return QStringLiteral("%1 / %2").arg(measuredText(form.roundness_um),
+                                             measuredText(form.runout_um));
+    }};
+
 } // namespace
 
 RowHelper* makeRowHelper(const std::string& path, Document& document, QWidget* parent) {
@@ -107,6 +137,9 @@ RowHelper* makeRowHelper(const std::string& path, Document& document, QWidget* p
     }
     if (path == "/optimisation") {
         return new OfferHelper(usualSearch, document, parent);
+    }
+    if (path == "/machine/geometric_runout_um") {
+        return new OfferHelper(formOfMachine, document, parent);
     }
     if (path == "/card/mass_kg") {
         return new OfferHelper(estimatedMass, document, parent);

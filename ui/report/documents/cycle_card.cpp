@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/documents/cycle_card.h"
 
+#include "core/project/machine.h"
 #include "core/quality/finished_surface.h"
 #include "core/units.h"
 #include "ui/charts/verdict_table.h"
@@ -53,13 +54,14 @@ Table CycleCard::accuracy(const Outcome& outcome) {
     const auto deviation = [](double value_mm) {
         return Names::signedMicrometres(value_mm * units::umPerMm);
     };
+    const Machine& machine = *outcome.result.project.machine;
     Table table;
     table.head = {tr("Zone or section"),
                   tr("From the headstock end, mm"),
                   tr("Minimum deviation, µm"),
                   tr("Maximum deviation, µm"),
-                  tr("Radial runout, µm"),
-                  tr("Roundness, µm"),
+                  Names::ofMachine(tr("Radial runout, µm"), isRunoutKnown(machine)),
+                  Names::ofMachine(tr("Roundness, µm"), isRoundnessKnown(machine)),
                   RequirementCells::roughnessHead(outcome.result.project)};
     const bool roughness = std::ranges::any_of(outcome.constraints, [](const ConstraintResult& c) {
         return c.kind == ConstraintKind::roughness;
@@ -95,7 +97,9 @@ Table CycleCard::accuracy(const Outcome& outcome) {
 
 Table CycleCard::zoneForms(const Outcome& outcome) {
     Table table;
-    table.head = {tr("Zone"), tr("Cylindricity, µm"), tr("Total runout, µm"), tr("Taper, µm"),
+    const Machine& machine = *outcome.result.project.machine;
+    table.head = {tr("Zone"), Names::ofMachine(tr("Cylindricity, µm"), isRoundnessKnown(machine)),
+                  Names::ofMachine(tr("Total runout, µm"), isRunoutKnown(machine)), tr("Taper, µm"),
                   tr("Crown, µm")};
     table.texts = {true};
     const auto& zones = outcome.accuracy.zones;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/documents/outcome_remarks.h"
 
+#include "core/units.h"
 #include "ui/charts/shop_table.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/estimate_names.h"
@@ -41,6 +42,13 @@ QStringList OutcomeRemarks::estimates(const Outcome& outcome) {
 
 QStringList OutcomeRemarks::remarks(const Outcome& outcome) {
     QStringList lines = shopRemarks(outcome.shop);
+    for (std::size_t i = 0; i < outcome.result.ifEven.size(); ++i) {
+        const auto& [least_mm, most_mm] = outcome.result.ifEven[i];
+        lines << tr("%1: with an even number of lobes the diameters are %2…%3 µm from nominal.")
+                     .arg(Names::zoneFull(outcome.result.sections[i].zone, static_cast<int>(i)),
+                          Names::signedMicrometres(least_mm * units::umPerMm),
+                          Names::signedMicrometres(most_mm * units::umPerMm));
+    }
     for (const Issue& issue : outcome.issues) {
         lines << manyLines(Names::issue(issue));
     }

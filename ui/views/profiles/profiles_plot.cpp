@@ -421,7 +421,9 @@ QString ProfilesPlot::numbersOf(std::size_t cell, bool brief) const {
     }
     const RoundnessZone* const zone = shownZone(p, m_circles);
     return numbers + u'\n'
-           + (zone ? ProfilesText::roundness(*zone, brief) : tr("no circle is held"));
+           + (zone ? ProfilesText::roundness(*zone, brief,
+                                             m_series.knowsRoundness || isMeasured(cell))
+                   : tr("no circle is held"));
 }
 
 QString ProfilesPlot::describeMeasured() const {

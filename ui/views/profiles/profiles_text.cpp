@@ -50,20 +50,26 @@ QString ProfilesText::numbers(const ProfileSeries& series, const Profile& profil
     if (brief) {
         return tr("ΔD %1 %2", "deviations of the diameter in µm, short; then ✓ or ✗")
                    .arg(diameters, out ? QStringLiteral("✗") : QStringLiteral("✓"))
-               + u'\n' + tr("runout %1 µm").arg(runout);
+               + u'\n'
+               + (series.knowsRunout ? tr("runout %1 µm") : tr("runout %1 µm + machine"))
+                     .arg(runout);
     }
     return (out ? tr("✗ Diameter %1 µm: outside the field") : tr("✓ Diameter %1 µm: in the field"))
                .arg(diameters)
-           + u'\n' + tr("Radial runout %1 µm").arg(runout);
+           + u'\n' + Names::ofMachine(tr("Radial runout %1 µm").arg(runout), series.knowsRunout);
 }
 
-QString ProfilesText::roundness(const RoundnessZone& zone, bool brief) {
+QString ProfilesText::roundness(const RoundnessZone& zone, bool brief, bool knowsMachine) {
     const int decimals = brief ? 2 : 3;
     const QString deviation = Names::amountFixed(zone.deviation() * units::umPerMm, decimals);
     const QString eccentricity =
         Names::amountFixed(std::hypot(zone.x_mm, zone.y_mm) * units::umPerMm, decimals);
-    return (brief ? tr("RONt %1, e %2 µm") : tr("RONt %1 µm, eccentricity %2 µm"))
-        .arg(deviation, eccentricity);
+    if (brief) {
+        return (knowsMachine ? tr("RONt %1, e %2 µm") : tr("RONt %1, e %2 µm + machine"))
+            .arg(deviation, eccentricity);
+    }
+    return Names::ofMachine(tr("RONt %1 µm, eccentricity %2 µm").arg(deviation, eccentricity),
+                            knowsMachine);
 }
 
 QString ProfilesText::measured(const Profile& profile) {
@@ -112,6 +118,7 @@ QString ProfilesText::stretch(const ProfileSeries& series, const Profile& profil
                             range(mm(radius.min), mm(radius.max)), signedUm(mm(radius.mean)),
                             range(profile.diameterMin_mm, profile.diameterMax_mm),
                             um(profile.radialRunout_mm));
+    text = Names::ofMachine(text, series.knowsRunout);
     if (series.isWhole && !series.zoneForms.empty()) {
         const ZoneForm& zone = series.zoneForms.at(static_cast<std::size_t>(profile.section));
         text += tr("; cylindricity %1 µm, total runout %2 µm, taper %3 µm")

@@ -19,7 +19,7 @@ public:
     /// Deviations of the diameter, runout, and whether the drawing holds, one a line.
     static QString numbers(const ProfileSeries& series, const Profile& profile, bool brief);
     /// Roundness deviation and eccentricity about reference circles, one line.
-    static QString roundness(const RoundnessZone& zone, bool brief);
+    static QString roundness(const RoundnessZone& zone, bool brief, bool knowsMachine);
     /// The sample at angle φ_k, and the diameter across it.
     static QString sample(const ProfileSeries& series, const Profile& profile, const QString& name,
                           int k, bool withBlank);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict/form_section.h"
 
+#include "core/project/machine.h"
 #include "ui/charts/result_tables.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/kit/metrics.h"
+#include "ui/text/names.h"
 #include "ui/views/verdict/narrow_table.h"
 
 #include <QLabel>
@@ -33,6 +35,7 @@ FormSection::FormSection(QWidget* parent)
 
 void FormSection::setOutcome(const OutcomePtr& outcome) {
     m_outcome = outcome;
+    showTitle();
     showTable();
     setVisible(m_model->columnCount() > 0);
 }
@@ -43,10 +46,15 @@ void FormSection::setGreyed(bool grey, const QPalette& palette) {
 }
 
 void FormSection::retranslate() {
-    m_title->setText(tr("Form by zone, µm"));
+    showTitle();
     m_table->setAccessibleName(tr("Form by zone"));
     m_table->retranslate();
     showTable();
+}
+
+void FormSection::showTitle() {
+    const bool isKnown = !m_outcome || isRoundnessKnown(*m_outcome->result.project.machine);
+    m_title->setText(Names::ofMachine(tr("Form by zone, µm"), isKnown));
 }
 
 void FormSection::showTable() {

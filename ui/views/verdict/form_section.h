@@ -26,6 +26,7 @@ public:
     [[nodiscard]] NarrowTable* table() const { return m_table; }
 
 private:
+    void showTitle();
     void showTable();
 
     OutcomePtr m_outcome;
