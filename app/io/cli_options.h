@@ -17,7 +17,7 @@ struct Options {
     std::string surface;               ///< a name, a number from 1 or "all"; empty: all
     std::string trace, measured, rows;
     std::string data, fit, loss, output, profile, trial, stiffness, indicator; ///< of measured
-    bool roundness = false, sheet = false;                       ///< of measured
+    bool roundness = false, sheet = false;                                     ///< of measured
     bool json = false, csv = false, check = false, progress = false, force = false;
     std::optional<int> parts, seed, threads, sensitivity;
     std::optional<std::pair<int, int>> shard; ///< I of N

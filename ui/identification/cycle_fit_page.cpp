@@ -228,9 +228,9 @@ QString CycleFitPage::consequences() const {
         (issue.severity == Severity::error ? refused : unusual) << Names::issue(issue);
         isOfDullness = isOfDullness || issue.path == dullnessPath(*m_project.wheel);
     }
-    const bool hasBeta = std::ranges::find(m_requested.parameters, FittedKind::beta,
-                                           &FittedParameter::kind)
-                         != m_requested.parameters.end();
+    const bool hasBeta =
+        std::ranges::find(m_requested.parameters, FittedKind::beta, &FittedParameter::kind)
+        != m_requested.parameters.end();
     const QString advice =
         isOfDullness && hasBeta
             ? tr("Sizes tell only the product of compliance and dullness: with the compliance "

@@ -86,19 +86,19 @@ ValueTable adequacyTable(const Project& project, const std::vector<AdequacyRow>&
     for (const AdequacyRow& row : rows) {
         const QString name = MeasuredText::name(project, row.measured);
         const auto count = static_cast<double>(row.measured.count);
-        table.addRow({.text = name}, {{.text = name},
-                                      {.text = MeasuredText::briefVerdict(row.verdict),
-                                       .tip = MeasuredText::verdict(row.verdict)},
-                                      {.text = QString::number(row.measured.count), .value = count},
-                                      {.text = MeasuredText::mean(row), .value = row.measured.mean},
-                                      {.text = MeasuredText::bias(row),
-                                       .value = orNone(row.bias95, &Interval::low)},
-                                      {.text = MeasuredText::predicted(row),
-                                       .value = orNone(row.predicted, &PredictedRange::low)},
-                                      {.text = MeasuredText::scatter(row),
-                                       .value = orNone(row.scatter, &VarianceRatio::ratio)},
-                                      {.text = MeasuredText::share(row),
-                                       .value = orNone(row.share, &InsideShare::inside)}});
+        table.addRow(
+            {.text = name},
+            {{.text = name},
+             {.text = MeasuredText::briefVerdict(row.verdict),
+              .tip = MeasuredText::verdict(row.verdict)},
+             {.text = QString::number(row.measured.count), .value = count},
+             {.text = MeasuredText::mean(row), .value = row.measured.mean},
+             {.text = MeasuredText::bias(row), .value = orNone(row.bias95, &Interval::low)},
+             {.text = MeasuredText::predicted(row),
+              .value = orNone(row.predicted, &PredictedRange::low)},
+             {.text = MeasuredText::scatter(row),
+              .value = orNone(row.scatter, &VarianceRatio::ratio)},
+             {.text = MeasuredText::share(row), .value = orNone(row.share, &InsideShare::inside)}});
     }
     return table;
 }
