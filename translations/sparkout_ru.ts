@@ -4344,7 +4344,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Runout of centres and spindle; it adds to every runout. At 0 it is not known.</source>
-            <translation>Биение центров и шпинделя; прибавляется к каждому биению. 0 – не известно.</translation>
+            <translation>Биение центров и шпинделя; прибавляется к каждому биению. 0 — не известно.</translation>
         </message>
         <message>
             <source>Wheel drive power</source>
@@ -6907,8 +6907,8 @@ With another name both versions stay as they are.</source>
             <translation>Число граней от станка</translation>
         </message>
         <message>
-            <source>2: an oval. An even number spreads the diameter by twice the roundness deviation, an odd one does not; roundness and runout do not tell. Not known: judged as odd, and the diameters with two lobes beside.</source>
-            <translation>2 – овал. Чётное число разводит диаметры на два отклонения от круглости, нечётное – нет; круглость и биение их не различают. Не известно: оценка как при нечётном, рядом диаметры при двух гранях.</translation>
+            <source>2: an oval. An even number spreads the diameter by twice the roundness deviation, an odd one does not; roundness and runout do not determine it. Not known: judged as odd, and the diameters with two lobes beside.</source>
+            <translation>2 — овал. Чётное число разводит диаметры на два отклонения от круглости, нечётное — нет; отклонение от круглости и биение числа граней не определяют. Не известно: оценка как при нечётном, рядом диаметры при двух гранях.</translation>
         </message>
         <message>
             <source>Direction of the eccentricity</source>
@@ -7178,7 +7178,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>the number of lobes is not known: an even one spreads the diameters by {value} in a field of {limit}; judged as an odd one</source>
-            <translation>число граней не известно: чётное разводит диаметры на {value} при поле {limit}; оценка – как при нечётном</translation>
+            <translation>число граней не известно: чётное разводит диаметры на {value} при поле {limit}; оценка — как при нечётном</translation>
         </message>
     </context>
     <context>
@@ -18281,7 +18281,7 @@ good</source>
             <translation>жёсткость меняется с нагрузкой, и найденная — средняя: нагружайте так, как самый глубокий проход</translation>
         </message>
         <message>
-            <source>whether there is play cannot be told: load twice, differently, at each place</source>
+            <source>play is undetermined: load twice, differently, at each place</source>
             <translation>есть ли зазор, определить нельзя: нагрузите в каждом месте дважды, по-разному</translation>
         </message>
     </context>
@@ -18648,7 +18648,7 @@ good</source>
             <translation>Отмечает то, что не учтено, и подбирает заново</translation>
         </message>
         <message>
-            <source>Sizes tell only the product of compliance and dullness: with the compliance fitted in place of β, the dullness stays as it is.</source>
+            <source>Sizes determine only the product of compliance and dullness: with the compliance fitted in place of β, the dullness stays as it is.</source>
             <translation>Размеры определяют лишь произведение податливости и затупления: если вместо β подбирать податливость, степень затупления останется прежней.</translation>
         </message>
     </context>

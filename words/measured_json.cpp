@@ -58,6 +58,8 @@ constexpr Output<FitResiduals> residualsRows[] = {
      }},
     {{.key = "lack_of_fit", .hint = "mean square of stretches over that of the noise; 1 is usual"},
      [](const FitResiduals& r) { return r.noise ? std::optional(r.lack.ratio) : std::nullopt; }},
+    {{.key = "outliers", .hint = "lone values that a robust loss counts less"},
+     [](const FitResiduals& r) { return std::int64_t(r.outliers); }},
     {{.key = "in_doubt", .hint = "more is left than noise leaves"},
      [](const FitResiduals& r) { return r.lack.isLacking(); }},
     {{.key = "unlike", .hint = "what is left: drift, lag, stage, spike or other"},
@@ -234,7 +236,8 @@ std::string knownParameters() {
 
 std::string parameterHint() {
     return "compliance:N is of one zone or section, and beta=1.2~0.1 has the mean and the standard "
-           "deviation of what is known before, which are above 0";
+           "deviation of what is known before; the deviation, and the mean of a factor, are above "
+           "0";
 }
 
 std::span<const Output<Identification>> identificationOutputs() {

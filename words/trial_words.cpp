@@ -82,7 +82,7 @@ MeasuredWords wordsOf(LoadLine line) {
                                                "found is a mean: load as the deepest cut does")};
     case LoadLine::untested: break;
     }
-    return {"untested", SPARKOUT_NOOP("Trial", "whether there is play cannot be told: load twice, "
+    return {"untested", SPARKOUT_NOOP("Trial", "play is undetermined: load twice, "
                                                "differently, at each place")};
 }
 

@@ -88,17 +88,18 @@ std::optional<double> toleranceOf(const Part& part, MeasuredQuantity quantity) {
 
 } // namespace
 
-AdequacyLimits adequacyLimits(const Project& project, MeasuredQuantity quantity,
+AdequacyLimits adequacyLimits(const Project& project, const MeasuredStatistics& measured,
                               const std::optional<PredictedRange>& predicted) {
     constexpr double shareOfTolerance = 0.1, shareOfDeviation = 0.5;
     AdequacyLimits limits;
-    limits.uncertainty = project.batch ? project.batch->measuring_uncertainty_um : 0;
-    const auto given = project.batch ? project.batch->bias_limit_um : std::nullopt;
-    const auto tolerance = toleranceOf(*project.part, quantity);
-    limits.bias = given       ? *given
-                  : tolerance ? shareOfTolerance * *tolerance
-                  : predicted ? shareOfDeviation * predicted->deviation.value_or(0)
-                              : 0;
+    const double deviation = std::max(measured.deviation.value_or(0),
+                                      predicted ? predicted->deviation.value_or(0) : 0.0);
+    const auto tolerance = toleranceOf(*project.part, measured.quantity);
+    limits.bias = tolerance ? shareOfTolerance * *tolerance : shareOfDeviation * deviation;
+    if (project.batch && measured.quantity != MeasuredQuantity::roughness_ra) {
+        limits.uncertainty = project.batch->measuring_uncertainty_um;
+        limits.bias = project.batch->bias_limit_um.value_or(limits.bias);
+    }
     return limits;
 }
 
@@ -134,7 +135,7 @@ std::vector<AdequacyRow> judgeAdequacy(const Project& project, const BatchResult
     std::vector<AdequacyRow> rows;
     for (MeasuredStatistics& measured : statisticsOfMeasured(project)) {
         const auto range = predicted(batch, measured.quantity, measured.place);
-        const AdequacyLimits limits = adequacyLimits(project, measured.quantity, range);
+        const AdequacyLimits limits = adequacyLimits(project, measured, range);
         rows.push_back(judgeAdequacy(std::move(measured), range, limits));
     }
     return rows;

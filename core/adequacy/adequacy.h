@@ -52,9 +52,11 @@ struct AdequacyLimits {
     double bias = 0;        ///< up to which the means count as the same
     double uncertainty = 0; ///< standard uncertainty of one measured value
 };
-/// Of the project's batch, else of its drawing: a tenth of the tolerance, or where that is not
-/// given half the predicted standard deviation.
-[[nodiscard]] AdequacyLimits adequacyLimits(const Project& project, MeasuredQuantity quantity,
+/// Of the project's batch, which does not speak of Ra, else of its drawing: a tenth of the
+/// tolerance, or where that is not given half the standard deviation of the parts, predicted or
+/// measured.
+[[nodiscard]] AdequacyLimits adequacyLimits(const Project& project,
+                                            const MeasuredStatistics& measured,
                                             const std::optional<PredictedRange>& predicted);
 
 /// Judges one quantity.

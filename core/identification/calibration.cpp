@@ -88,6 +88,11 @@ private:
                     material.specific_force_mpa * material.shear_strain / material.shear_factor)
                 * found.factor;
             record("/material/specific_tangential_force_mpa", found.error);
+        } else if (auto& tangential = m_made.material->specific_tangential_force_mpa;
+                   has(FittedKind::alpha) && !tangential) { // the power stays as it was predicted
+            const Material& material = *m_before.material;
+            tangential =
+                material.specific_force_mpa * material.shear_strain / material.shear_factor;
         }
         change("/material/friction", {{FittedKind::friction_power, 1}, {FittedKind::beta, -1}},
                has(FittedKind::friction_power));

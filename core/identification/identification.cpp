@@ -7,6 +7,8 @@
 #include "core/identification/calibration.h"
 #include "core/identification/fit_problem.h"
 #include "core/identification/levenberg_marquardt.h"
+#include "core/process/contact_compliance.h"
+#include "core/process/coupled_sections.h"
 #include "core/project/gauge.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
@@ -17,9 +19,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numeric>
+#include <ranges>
 #include <set>
 #include <span>
 #include <utility>
@@ -79,7 +81,7 @@ public:
             m_result.outOfStep = std::move(left.certain);
             for (const LeftOut::Possible& one : left.possible) {
                 for (std::size_t i = 0; i < errors.size(); ++i) {
-                    const double more = std::max(0.0, one.errors[i] - errors[i]);
+                    const double more = student() * std::max(0.0, one.errors[i] - errors[i]);
                     m_alike[i].first = std::min(m_alike[i].first, one.q[i] - more);
                     m_alike[i].second = std::max(m_alike[i].second, one.q[i] + more);
                 }
@@ -442,11 +444,16 @@ private:
         return isBeyond;
     }
 
+    /// Student's quantile of the intervals.
+    [[nodiscard]] double student() const {
+        const auto count = static_cast<double>(m_request.parameters.size());
+        const double freedom = std::max(1.0, static_cast<double>(m_data.count()) - count);
+        return studentQuantile((1 + confidence95) / 2, freedom);
+    }
+
     void addValues(const Identifiability& found) {
         const std::size_t count = m_request.parameters.size();
-        const double freedom =
-            std::max(1.0, static_cast<double>(m_data.count()) - static_cast<double>(count));
-        const double t = studentQuantile((1 + confidence95) / 2, freedom);
+        const double t = student();
         std::vector<double> errors;
         std::vector<double> wider; // an interval than that of the covariance
         for (std::size_t i = 0; i < count; ++i) {
@@ -491,14 +498,10 @@ private:
         const std::vector<double> stageEnds_s = m_problem.stageEnds(m_best.q);
         const double taken = static_cast<double>(m_request.parameters.size())
                              / static_cast<double>(m_data.groups.size());
-        // By a robust loss an outlier counts as little here as in the fit.
-        std::vector<double> counted = differences;
-        if (const std::vector<double> weights = weightsOf(differences); !weights.empty()) {
-            std::ranges::transform(counted, weights, counted.begin(), std::multiplies());
-        }
+        const std::vector<double> weights = weightsOf(differences);
+        std::span<const double> weightsLeft(weights);
         std::vector<double> scaled;
         std::span<const double> left(differences);
-        std::span<const double> judged(counted);
         for (const FitGroup& group : m_data.groups) {
             const std::span<const double> own = left.first(group.values.size());
             left = left.subspan(own.size());
@@ -506,15 +509,44 @@ private:
             residuals.rms = std::sqrt(std::inner_product(own.begin(), own.end(), own.begin(), 0.0)
                                       / static_cast<double>(own.size()));
             if (!group.time_s.empty() && own.size() >= leastToJudge) {
-                judge(group, judged.first(own.size()), taken, stageEnds_s, residuals);
+                const std::vector<double> counted =
+                    weights.empty() ? residuals.values
+                                    : withoutOutliers(own, weightsLeft.first(own.size()));
+                residuals.outliers = static_cast<std::size_t>(
+                    std::ranges::count_if(std::views::iota(std::size_t{0}, own.size()),
+                                          [&](std::size_t i) { return counted[i] != own[i]; }));
+                judge(group, counted, taken, stageEnds_s, residuals);
             }
-            judged = judged.subspan(own.size());
+            weightsLeft = weights.empty() ? weightsLeft : weightsLeft.subspan(own.size());
             for (const double value : own) {
                 scaled.push_back(residuals.rms > 0 ? value / residuals.rms : 0);
             }
             m_result.residuals.push_back(std::move(residuals));
         }
         addNormality(std::move(scaled));
+    }
+
+    /// By a robust loss a lone outlier counts as little as in the fit. Several in a row, or many,
+    /// are what the model does not have.
+    static std::vector<double> withoutOutliers(std::span<const double> values,
+                                               std::span<const double> weights) {
+        constexpr double outlying = 0.5, mostOfAll = 0.05;
+        constexpr std::size_t mostInARow = 2;
+        std::vector<double> counted(values.begin(), values.end());
+        std::size_t lessened = 0;
+        for (std::size_t i = 0; i < values.size();) {
+            std::size_t end = i;
+            while (end < values.size() && weights[end] < outlying) {
+                ++end;
+            }
+            for (std::size_t k = i; end - i <= mostInARow && k < end; ++k, ++lessened) {
+                counted[k] *= weights[k];
+            }
+            i = std::max(end, i + 1);
+        }
+        const bool areFew =
+            static_cast<double>(lessened) <= mostOfAll * static_cast<double>(values.size());
+        return areFew ? counted : std::vector<double>(values.begin(), values.end());
     }
 
     static void judge(const FitGroup& group, std::span<const double> left, double parameters,
@@ -619,9 +651,18 @@ std::vector<OutOfStep> outOfStepAnew(const Project& project, const Identificatio
 
 /// The force law that the recorded spark-out supports, whatever law the fit is of.
 void addForceLaw(const Project& project, const std::stop_token& stop, Identification& found) {
+    // The revolutions of a spark-out are told apart where their beginning is known, the gauge
+    // follows at once, and each radius yields by itself.
     double begin_s = 0;
+    bool isClear = found.status == IdentificationStatus::fitted && !isCoupled(project)
+                   && !wheelContact(project);
     for (const FittedValue& value : found.values) {
-        begin_s += value.parameter.kind == FittedKind::time_shift ? value.value : 0;
+        const FittedKind kind = value.parameter.kind;
+        begin_s += kind == FittedKind::time_shift ? value.value : 0;
+        isClear = isClear && kind != FittedKind::gauge_lag && kind != FittedKind::gauge_drift;
+    }
+    if (!isClear) {
+        return;
     }
     if (const auto record = sparkOutOf(project, found.stepsByStage, begin_s)) {
         found.forceLaw = chooseForceLaw(project, *record, stop);

@@ -57,6 +57,7 @@ struct FitResiduals {
     std::optional<TraceNoise> noise{}; ///< of a trace, from what neighbours differ by
     LackOfFit lack{};                  ///< of it
     UnlikeCycle unlike{};              ///< where it lacks
+    std::size_t outliers = 0; ///< lone ones that a robust loss counts less in what is judged
 };
 
 /// A fit of traces begins all over factors from as little to as much; what it finds beyond them is

@@ -112,6 +112,7 @@ private:
     struct Solved {
         Eigen::MatrixXd columns;
         Eigen::VectorXd values, residuals;
+        bool isDetermined = false; ///< no column follows from the others
         [[nodiscard]] double freedom() const {
             return static_cast<double>(columns.rows() - columns.cols());
         }
@@ -119,7 +120,9 @@ private:
     };
     static Solved solved(Eigen::MatrixXd columns, const Eigen::VectorXd& right) {
         Solved made{std::move(columns), {}, {}};
-        made.values = made.columns.colPivHouseholderQr().solve(right);
+        const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(made.columns);
+        made.isDetermined = qr.rank() == made.columns.cols();
+        made.values = qr.solve(right);
         made.residuals = right - made.columns * made.values;
         return made;
     }
@@ -153,14 +156,8 @@ private:
 
     /// The straight line, or the one with play where there is any.
     Solved testLine(Solved plain, const Eigen::VectorXd& right) {
-        const auto [least, most] =
-            std::ranges::minmax(m_request.readings, {}, &StiffnessReading::load_n);
-        // The wheel head's play could not be told from that of both centres.
+        // Play of the wheel head would act as that of both centres does.
         const Eigen::Index units = m_project.part->shaft.mounting == Mounting::centres ? 2 : 1;
-        if (least.load_n == most.load_n || plain.freedom() <= static_cast<double>(units)) {
-            return plain;
-        }
-        m_trial.line = LoadLine::straight;
         Solved play = with(plain.columns, right, units,
                            [this](const StiffnessReading& reading, StiffnessUnit unit) {
                                const double share = shareOf(unit, reading.position_mm);
@@ -171,11 +168,14 @@ private:
                  [this](const StiffnessReading& reading, StiffnessUnit unit) {
                      return reading.load_n * reading.load_n * shareOf(unit, reading.position_mm);
                  });
-        if (!isBetter(play, plain) && !isBetter(bent, plain)) {
-            return plain;
+        if (!play.isDetermined || !bent.isDetermined || !(play.freedom() > 0)) {
+            return plain; // too few places with loads of two sizes
         }
-        m_trial.line = play.squares() <= bent.squares() ? LoadLine::play : LoadLine::bent;
-        if (m_trial.line == LoadLine::bent) {
+        const bool isSeen = isBetter(play, plain) || isBetter(bent, plain);
+        // A deflection that begins below 0 is no play.
+        const bool isPlay = play.squares() <= bent.squares() && play.values.tail(units).sum() > 0;
+        m_trial.line = !isSeen ? LoadLine::straight : isPlay ? LoadLine::play : LoadLine::bent;
+        if (m_trial.line != LoadLine::play) {
             return plain;
         }
         for (Eigen::Index k = 0; k < units; ++k) {

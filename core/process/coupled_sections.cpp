@@ -172,7 +172,7 @@ void CoupledSections::Solver::startTouching(const MapConst& h, const double* roo
     for (Index j = 0; j < m_count; ++j) {
         const double C = m_gamma[j] * m_law.kr;
         const double a = std::max(0.0, h[j] - C) / (1 + m_gamma[j] * m_law.ks);
-        const double share = h[j] < C ? std::max(0.0, h[j]) / C : 1;
+        const double share = h[j] <= 0 ? 0 : h[j] < C ? h[j] / C : 1;
         m_now.f[j] = m_width[j] * (m_law.ks * a + m_law.kr * share);
     }
 }

@@ -150,24 +150,43 @@ Project withEvenLobes(Project project) {
     return project;
 }
 
-PrintedForm printedForm(const Project& project, std::size_t place) {
+namespace {
+
+PrintedForm fitted(const MachineForm& given, std::size_t place) {
     PrintedForm form;
-    const std::optional<MachineForm>& given = project.machine->form;
-    if (!given) {
-        return form;
-    }
-    form.lobes = lobesOf(*given);
-    form.lobe_mm = valueOfPlace(given->roundness_um, place) / 2;
-    const double runout_mm = valueOfPlace(given->runout_um, place);
-    if (given->runout_at_deg) {
-        form.at = *given->runout_at_deg * pi / 180;
+    form.lobes = lobesOf(given);
+    form.lobe_mm = valueOfPlace(given.roundness_um, place) / 2;
+    const double runout_mm = valueOfPlace(given.runout_um, place);
+    if (given.runout_at_deg) {
+        form.at = *given.runout_at_deg * pi / 180;
     }
     if (form.lobe_mm == 0) {
         form.eccentricity_mm = runout_mm / 2;
     } else if (runout_mm > 2 * form.lobe_mm) {
-        fitEccentricity(form, runout_mm, given->runout_at_deg.has_value());
+        fitEccentricity(form, runout_mm, given.runout_at_deg.has_value());
     }
     return form;
+}
+
+} // namespace
+
+PrintedForm printedForm(const Project& project, std::size_t place) {
+    const std::optional<MachineForm>& given = project.machine->form;
+    if (!given) {
+        return {};
+    }
+    // Batches and searches run the same machine again and again.
+    thread_local MachineForm last;
+    thread_local std::vector<std::optional<PrintedForm>> found;
+    if (!(last == *given)) {
+        last = *given;
+        found.clear();
+    }
+    found.resize(std::max(found.size(), place + 1));
+    if (!found[place]) {
+        found[place] = fitted(*given, place);
+    }
+    return *found[place];
 }
 
 std::vector<double> printedDepths(const Project& project, std::size_t place) {

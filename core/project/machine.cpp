@@ -19,8 +19,8 @@ bool byGauge(const Project& p, const void*) {
 bool onCentres(const Project& p, const void*) {
     return p.part->surface == Surface::external && p.part->shaft.mounting == Mounting::centres;
 }
-bool withoutForm(const Project& p, const void*) {
-    return !p.machine->form;
+bool withoutRunoutOfForm(const Project& p, const void*) {
+    return !p.machine->form || !p.machine->form->runout_um;
 }
 bool hasBothForms(const Project&, const void* owner) {
     const auto& form = *static_cast<const MachineForm*>(owner);
@@ -43,7 +43,7 @@ bool areLobesUnknown(const Machine& machine) {
 }
 
 double addedRunout_um(const Machine& machine) {
-    return machine.form ? 0 : machine.geometric_runout_um;
+    return machine.form && machine.form->runout_um ? 0 : machine.geometric_runout_um;
 }
 
 bool isRoundnessKnown(const Machine& machine) {
@@ -51,7 +51,7 @@ bool isRoundnessKnown(const Machine& machine) {
 }
 
 bool isRunoutKnown(const Machine& machine) {
-    return machine.form ? machine.form->runout_um.has_value() : machine.geometric_runout_um > 0;
+    return (machine.form && machine.form->runout_um) || machine.geometric_runout_um > 0;
 }
 
 void changeWheelDiameter(Project& project, double diameter_mm) {
@@ -201,11 +201,11 @@ const StructInfo& tableOf<MachineForm>() {
         SPARKOUT_FIELD(MachineForm, lobes, .label = SPARKOUT_NOOP("Input", "Number of lobes"),
                        .symbol = "j", .hard = {2, 30}, .soft = {2, 15},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input",
-                                             "2: an oval. An even number spreads the diameter by "
-                                             "twice the roundness deviation, an odd one does not; "
-                                             "roundness and runout do not tell. Not known: judged "
-                                             "as odd, and the diameters with two lobes beside."),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "2: an oval. An even number spreads the diameter by "
+                                    "twice the roundness deviation, an odd one does not; "
+                                    "roundness and runout do not determine it. Not known: judged "
+                                    "as odd, and the diameters with two lobes beside."),
                        .source = "MODEL-7"),
         SPARKOUT_FIELD(
             MachineForm, runout_at_deg,
@@ -252,8 +252,8 @@ Field wheelSpeedControl() {
 Field geometricRunout() {
     return SPARKOUT_FIELD(
         Machine, geometric_runout_um, .label = SPARKOUT_NOOP("Input", "Geometric runout"),
-        .symbol = "Δ_m", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10}, .relevant = withoutForm,
-        .page = Page::machine,
+        .symbol = "Δ_m", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10},
+        .relevant = withoutRunoutOfForm, .page = Page::machine,
         .hint = SPARKOUT_NOOP("Input", "Runout of centres and spindle; it adds to every runout. At "
                                        "0 it is not known."),
         .source = "MODEL-7");

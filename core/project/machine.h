@@ -44,6 +44,7 @@ struct MachineForm {
     std::optional<int> lobes;                        ///< j; not given: not known
     /// From a lobe's deepest point to that of A_1; not given: where the runout is as given [°]
     std::optional<double> runout_at_deg;
+    friend bool operator==(const MachineForm&, const MachineForm&) = default;
 };
 
 /// What the wheel's drive keeps as the diameter of the wheel falls [MODEL-8]: V_k, or the
@@ -92,7 +93,8 @@ inline constexpr int radiiOfLobe = 12;
 [[nodiscard]] bool hasLobes(const Machine& machine);
 [[nodiscard]] bool areLobesUnknown(const Machine& machine);
 
-/// What adds to every runout as a number [µm]: none beside a form, which has it in its radii.
+/// What adds to every runout as a number [µm]: none beside a form with runouts, which has it in its
+/// radii.
 [[nodiscard]] double addedRunout_um(const Machine& machine);
 /// Whether roundness and cylindricity, and runouts, have the machine's own in them; else they are
 /// those of the process alone.

@@ -296,7 +296,8 @@ LimitPoints publishedAccuracy(const SimulationResult& result, const Trajectory& 
             const double b = pass.effectiveWidth_mm;
             const double leastForce_n = law.threshold ? least_n : forceAt(law, b, least);
             const double root = rootOfForce(law, b, leastForce_n + allowed / gamma);
-            points.push_back({sign * (deepest->radius_mm - target), root * root});
+            points.push_back(
+                {sign * (deepest->radius_mm - target) + deepest->printed_mm, root * root});
         }
     }
     std::ranges::stable_sort(points, {}, &LimitPoint::stock_mm);

@@ -76,7 +76,8 @@ private:
             if (!(a > 0) || !std::isfinite(a) || !std::isfinite(visit.radius_mm)) {
                 continue;
             }
-            const double stock = m_sign * (visit.radius_mm - m_blank.targetRadius_mm);
+            const double stock =
+                m_sign * (visit.radius_mm - m_blank.targetRadius_mm) + visit.printed_mm;
             double usage = fixed > 0 ? a / fixed : unlimited;
             if (m_burn) {
                 const double root = m_burn->usage(std::sqrt(a), stock);
@@ -267,7 +268,7 @@ std::optional<LimitedCut> limitedCutOf(const SimulationResult& result, const Tra
     const double over = visit->radius_mm - targetRadius(part);
     return LimitedCut{pass->place,
                       static_cast<int>(visit - first),
-                      part.surface == Surface::external ? over : -over,
+                      (part.surface == Surface::external ? over : -over) + visit->printed_mm,
                       visit->actual_mm,
                       pass->effectiveWidth_mm,
                       1 - requirement.relativeMargin};
@@ -421,7 +422,8 @@ std::optional<double> stockAt(const LimitSeries& series, const LayerSeries& laye
         const auto first = trajectory.visits.begin() + static_cast<std::ptrdiff_t>(pass.firstVisit);
         const auto deepest = std::ranges::max_element(first, first + radii, {}, &Visit::actual_mm);
         if (deepest->actual_mm > 0) {
-            return layers.removalSign * (deepest->radius_mm - layers.target_mm);
+            return layers.removalSign * (deepest->radius_mm - layers.target_mm)
+                   + deepest->printed_mm;
         }
     }
     return std::nullopt;

@@ -46,7 +46,9 @@ FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajec
     const bool external = project.part->surface == Surface::external;
     const double side = external ? 1 : -1;
     const double first = makeBlank(*project.part).firstTouchRadius_mm;
-    const double a = visit.actual_mm, after = visit.radius_mm, before = after + side * a;
+    // The wheel cuts in the machine's frame.
+    const double a = visit.actual_mm, after = visit.radius_mm + side * visit.printed_mm;
+    const double before = after + side * a;
     const double h = visit.programmed_mm - side * (first - before);
     const double b = of.effectiveWidth_mm;
 
@@ -81,8 +83,15 @@ FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajec
     const FormulaTerm cut{"a", a, "mm"}, left{"R_k′", after, "mm"};
     const FormulaTerm target{"R_t", targetRadius(*project.part), "mm"};
     state(&sheet, external ? "{R_k′} = {R_k} − {a}" : "{R_k′} = {R_k} + {a}", left, {R, cut});
-    state(&sheet, external ? "{Π_k} = {R_k′} − {R_t}" : "{Π_k} = {R_t} − {R_k′}",
-          {"Π_k", side * (after - target.value), "mm"}, {left, target});
+    if (visit.printed_mm == 0) {
+        state(&sheet, external ? "{Π_k} = {R_k′} − {R_t}" : "{Π_k} = {R_t} − {R_k′}",
+              {"Π_k", side * (after - target.value), "mm"}, {left, target});
+        return sheet;
+    }
+    const FormulaTerm printed{"c", visit.printed_mm, "mm"}, part{"R", visit.radius_mm, "mm"};
+    state(&sheet, external ? "{R} = {R_k′} − {c}" : "{R} = {R_k′} + {c}", part, {left, printed});
+    state(&sheet, external ? "{Π_k} = {R} − {R_t}" : "{Π_k} = {R_t} − {R}",
+          {"Π_k", side * (visit.radius_mm - target.value), "mm"}, {part, target});
     return sheet;
 }
 

@@ -266,7 +266,8 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
                      .accumulated_mm = depth_mm - blank_mm[k],
                      .radius_mm = finalRadius(point * count + k),
                      .normalForce_n = rubbing ? m_law.normalOfAll(width_mm, u * u, rubbing[k])
-                                              : m_law.normal(width_mm, u)};
+                                              : m_law.normal(width_mm, u),
+                     .printed_mm = m_printed_mm ? (*m_printed_mm)[point * count + k] : 0};
     }
 }
 

@@ -28,12 +28,13 @@ struct Visit {
     double accumulated_mm = 0; ///< Σa of this radius
     double radius_mm = 0;      ///< R_k after the pass; not a number in a gap
     double normalForce_n = 0;  ///< P_y(a)
+    double printed_mm = 0;     ///< c(φ_k): in the machine's frame so much more stock is left
 
     /// Whether the wheel passed a gap: nothing was there.
     [[nodiscard]] bool isGap() const { return std::isnan(radius_mm) && actual_mm == 0; }
 };
 
-/// Runs beyond this many visits are not recorded: 48 bytes each, and as a trace 130 more.
+/// Runs beyond this many visits are not recorded: 56 bytes each, and as a trace 130 more.
 inline constexpr long long maxRecordedVisits = 2'000'000;
 
 /// Everything that happened, pass by pass; recorded only when asked for.

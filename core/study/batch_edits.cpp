@@ -5,6 +5,7 @@
 #include "core/batch/factor_law.h"
 #include "core/batch/scenario_source.h"
 #include "core/format/project_file.h"
+#include "core/process/force.h"
 #include "core/process/recipe_force.h"
 #include "core/project/batch.h"
 #include "core/project/gauge.h"
@@ -328,7 +329,7 @@ Project withUsualBatch(Project project) {
     if (project.part->initial_runout_mm > 0) {
         tryFactor(FactorKind::runout, &Factors::initial_runout_mm);
     }
-    if (dullnessOf(*project.wheel) > 0) {
+    if (dullnessOf(*project.wheel) > 0 && !hasThreshold(project)) {
         tryFactor(FactorKind::dullness, &Factors::dullness);
     }
     return project;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/exercises.h"
 
+#include "core/process/force.h"
 #include "core/process/recipe_force.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
@@ -41,7 +42,9 @@ MadeChange duller(const Project& project) {
     Change change = changeOf(project, ExerciseChange::dullerWheel,
                              {Asked::stepFeed_um, Asked::stepForce_n, Asked::time_min});
     setDullness(*change.run.changed.wheel, dullnessOf(*project.wheel) * dullerBy);
-    return dullnessOf(*project.wheel) > 0 ? MadeChange(change) : std::nullopt;
+    // By the law with a threshold the dullness does not enter the force.
+    return dullnessOf(*project.wheel) > 0 && !hasThreshold(project) ? MadeChange(change)
+                                                                    : std::nullopt;
 }
 
 MadeChange softer(const Project& project) {

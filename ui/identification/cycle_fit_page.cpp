@@ -233,7 +233,7 @@ QString CycleFitPage::consequences() const {
         != m_requested.parameters.end();
     const QString advice =
         isOfDullness && hasBeta
-            ? tr("Sizes tell only the product of compliance and dullness: with the compliance "
+            ? tr("Sizes determine only the product of compliance and dullness: with the compliance "
                  "fitted in place of β, the dullness stays as it is.")
             : tr("Are gauge, feeds and blank of the project those of the recording? Fewer "
                  "parameters, or what is known of them before, help, too.");

@@ -226,14 +226,19 @@ private slots:
         project.part->lower_deviation_um = -16;
         project.part->tolerance.roundness_um.reset();
         const auto limitOf = [&project](MeasuredQuantity quantity) {
-            return adequacyLimits(project, quantity, standard).bias;
+            MeasuredStatistics parts;
+            parts.quantity = quantity;
+            parts.deviation = 0.6; // less than is predicted
+            return adequacyLimits(project, parts, standard).bias;
         };
         QCOMPARE(limitOf(MeasuredQuantity::diameter_deviation), 1.6);
         QCOMPARE(limitOf(MeasuredQuantity::roundness), 0.5);
         project.part->tolerance.roundness_um = 4;
         QCOMPARE(limitOf(MeasuredQuantity::roundness), 0.4);
         project.batch.emplace().bias_limit_um = 3;
+        project.part->tolerance.roughness_ra_um = 0.8;
         QCOMPARE(limitOf(MeasuredQuantity::diameter_deviation), 3.0);
+        QCOMPARE(limitOf(MeasuredQuantity::roughness_ra), 0.08); // of the drawing in any case
     }
 
     void oneOrNoPart() {
