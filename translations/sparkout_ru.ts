@@ -1006,6 +1006,14 @@
             <source>a wear flat of a given length</source>
             <translation>длина площадки износа задана</translation>
         </message>
+        <message>
+            <source>force law of the sources</source>
+            <translation>закон силы источников</translation>
+        </message>
+        <message>
+            <source>force law with a threshold</source>
+            <translation>закон силы с порогом</translation>
+        </message>
     </context>
     <context>
         <name>CouplingCurves</name>

@@ -246,7 +246,8 @@ public:
         m_variance = mean_mm2;
         ForceLawChoice choice;
         choice.readings = readings.count();
-        choice.revolutions = static_cast<int>(m_record.time_s.back() / m_record.revolution_s);
+        choice.revolutions =
+            static_cast<int>(std::lround(m_record.time_s.back() / m_record.revolution_s));
         choice.timeConstant_s = std::exp(m_threshold.first) * m_record.revolution_s;
         choice.sourcesRms_um = std::sqrt(m_sources.line.squares / count) * units::umPerMm;
         choice.thresholdRms_um = std::sqrt(m_threshold.line.squares / count) * units::umPerMm;

@@ -3,6 +3,7 @@
 
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
+#include "core/project/material.h"
 #include "core/project/part.h"
 #include "core/project/project.h"
 #include "core/project/wheel.h"
@@ -66,8 +67,8 @@ struct Question {
     void (*answer)(Project& project, Stage& stage, std::size_t choice);
 };
 
-const std::array<Question, 9>& questions() {
-    static const std::array<Question, 9> all{{
+const std::array<Question, 10>& questions() {
+    static const std::array<Question, 10> all{{
         {{SPARKOUT_NOOP("Condition", "traverse"), SPARKOUT_NOOP("Condition", "plunge")},
          [](Project& p, Stage&, std::size_t i) { p.operation = Operation::ofIndex(i); }},
         {{SPARKOUT_NOOP("Condition", "external"), SPARKOUT_NOOP("Condition", "internal")},
@@ -96,6 +97,11 @@ const std::array<Question, 9>& questions() {
              if (i == 1) {
                  p.wheel->force_recipe.emplace().wear_flat_mm = 0;
              }
+         }},
+        {{SPARKOUT_NOOP("Condition", "force law of the sources"),
+          SPARKOUT_NOOP("Condition", "force law with a threshold")},
+         [](Project& p, Stage&, std::size_t i) {
+             p.material->force_law = static_cast<ForceLawKind>(i);
          }},
         {{SPARKOUT_NOOP("Condition", "the stage feeds"),
           SPARKOUT_NOOP("Condition", "the stage is a spark-out")},

@@ -344,6 +344,8 @@ private:
             {{"/gauge/position_mm", 40.5}});
         row("gauge section in traverse", IssueCode::notUsedHere, "/gauge/section", traverse,
             {{"/gauge/section", 0}}, warning);
+        row("burn beside a threshold", IssueCode::notWithThreshold, "/material/burn_rise_k", plunge,
+            {{"/material/force_law", "threshold"}, {"/material/burn_rise_k", 700}});
         row("coupled sections of given compliance", IssueCode::influenceUnknown,
             "/sections_coupled", plunge, {{"/sections_coupled", true}});
         const std::string rows = "/machine/wheel_contact/n_um_at_n";

@@ -343,7 +343,7 @@ private slots:
     void coupledSectionsAreSolvedAsByBisection() {
         std::mt19937_64 bits(1);
         int cutting = 0, touching = 0, off = 0;
-        for (int trial = 0; trial < 400; ++trial) {
+        for (int trial = 0; trial < 200; ++trial) {
             const System s = randomSystem(bits);
             const std::size_t J = s.width.size();
             const Solution found = solve(s, s.h);
@@ -374,7 +374,7 @@ private slots:
                 off += found.v[j] == 0;
             }
         }
-        QVERIFY2(cutting > 200 && touching > 100 && off > 100,
+        QVERIFY2(cutting > 100 && touching > 50 && off > 50,
                  qPrintable(QStringLiteral("%1 %2 %3").arg(cutting).arg(touching).arg(off)));
     }
 
