@@ -262,7 +262,7 @@ Field geometricRunout() {
 Field machineForm() {
     return SPARKOUT_FIELD(
         Machine, form, .label = SPARKOUT_NOOP("Input", "Machine's form"),
-        .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .sparse = true, .page = Page::machine,
+        .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
         .hint = SPARKOUT_NOOP("Input", "What centres, headstock and spindle print onto every part, "
                                        "by zone or section."),
         .formula = "R_k − c(φ_k), c = A_1·cos(φ − φ_1) + A_j·cos jφ", .source = "MODEL-7");
