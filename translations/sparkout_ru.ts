@@ -998,6 +998,14 @@
             <source>a wear flat of a given length</source>
             <translation>длина площадки износа задана</translation>
         </message>
+        <message>
+            <source>no machine&apos;s form</source>
+            <translation>без формы от станка</translation>
+        </message>
+        <message>
+            <source>with the machine&apos;s form</source>
+            <translation>с формой от станка</translation>
+        </message>
     </context>
     <context>
         <name>CouplingCurves</name>

@@ -97,7 +97,7 @@ const StructInfo& tableOf<Factors>() {
                                            "cut follow. Plunge: the ground length.")),
         SPARKOUT_FIELD(Factors, machine_form, .label = SPARKOUT_NOOP("Input", "Machine's form"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-                       .relevant = hasMachineForm, .sparse = true, .page = Page::batch,
+                       .relevant = hasMachineForm, .page = Page::batch,
                        .hint = SPARKOUT_NOOP("Input", "Factor on the roundness deviation and "
                                                       "runout that the machine prints, of all "
                                                       "zones or sections."),
@@ -106,7 +106,7 @@ const StructInfo& tableOf<Factors>() {
             Factors, runout_at_deg,
             .label = SPARKOUT_NOOP("Input", "Direction of the eccentricity"), .symbol = "φ_1",
             .unit = "°", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-            .relevant = hasMachineForm, .sparse = true, .page = Page::batch,
+            .relevant = hasMachineForm, .page = Page::batch,
             .hint = SPARKOUT_NOOP("Input", "Uniform from 0 to 360° where parts are clamped as it "
                                            "comes."),
             .source = "MODEL-7"),

@@ -22,10 +22,6 @@ bool onCentres(const Project& p, const void*) {
 bool withoutForm(const Project& p, const void*) {
     return !p.machine->form;
 }
-bool hasBothForms(const Project&, const void* owner) {
-    const auto& form = *static_cast<const MachineForm*>(owner);
-    return form.roundness_um && form.runout_um;
-}
 
 } // namespace
 
@@ -212,7 +208,7 @@ const StructInfo& tableOf<MachineForm>() {
             .label = SPARKOUT_NOOP("Input", "Direction of the eccentricity"), .symbol = "φ_1",
             .unit = "°", .hard = {0, 360},
             .nullMeaning = SPARKOUT_NOOP("Input", "where the runout is the one given"),
-            .relevant = hasBothForms, .page = Page::machine,
+            .page = Page::machine,
             .hint = SPARKOUT_NOOP("Input", "Angle on the part from where a lobe is ground deepest "
                                            "to where the eccentricity grinds deepest. In a batch "
                                            "it may scatter over the whole turn."),
@@ -262,7 +258,7 @@ Field geometricRunout() {
 Field machineForm() {
     return SPARKOUT_FIELD(
         Machine, form, .label = SPARKOUT_NOOP("Input", "Machine's form"),
-        .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .sparse = true, .page = Page::machine,
+        .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
         .hint = SPARKOUT_NOOP("Input", "What centres, headstock and spindle print onto every part, "
                                        "by zone or section."),
         .formula = "R_k − c(φ_k), c = A_1·cos(φ − φ_1) + A_j·cos jφ", .source = "MODEL-7");

@@ -13,6 +13,7 @@
 #include "core/quality/result_json.h"
 #include "core/study/measured_form.h"
 #include "core/study/operation.h"
+#include "core/study/operation_return.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
@@ -367,7 +368,7 @@ private slots:
 
     void measuredPartsOfferTheirMeans() {
         Project p = shaft();
-        p.measured = Measured{};
+        p.measured.emplace();
         QVERIFY(!measuredForm(p));
         for (int place = 0; place < 3; ++place) {
             for (const double more_um : {-0.4, 0.4}) {
@@ -385,7 +386,7 @@ private slots:
                                              .mean_um = place == 2 ? 2.5 : 5});
         }
         const Project taken = withMeasuredForm(p);
-        QVERIFY((taken.machine->form->runout_um == std::vector{5, 5, 2.68}));
+        QVERIFY((taken.machine->form->runout_um == std::vector{5.0, 5.0, 2.68}));
         QVERIFY(!taken.machine->form->lobes && refusedPaths(taken).empty());
         std::erase_if(p.measured->parts, [](const MeasuredPart& part) { return part.place == 0; });
         QVERIFY(!measuredForm(p)->roundness_um);
@@ -439,7 +440,7 @@ private slots:
             const double field_um = p.part->upper_deviation_um - p.part->lower_deviation_um;
             std::vector<double> round(places), out(places);
             for (std::size_t i = 0; i < places; ++i) {
-                round[i] = 0.2 * field_um * share(random);
+                round[i] = 0.1 * field_um * share(random);
                 out[i] = round[i] + 0.1 * field_um * share(random);
             }
             if (p.part->profile != ProfileForm::measured) {
