@@ -6807,7 +6807,7 @@ With another name both versions stay as they are.</source>
             <translation>Число граней от станка</translation>
         </message>
         <message>
-            <source>2: an oval. An even number spreads the diameter by twice the roundness deviation, an odd one does not; roundness and runout do not tell. Not known: judged as odd, and the diameters with two lobes beside.</source>
+            <source>2: an oval. An even number spreads the diameter by twice the roundness deviation, an odd one does not; roundness and runout leave it open. Not known: judged as an odd one, with the diameters of two lobes beside.</source>
             <translation>2 – овал. Чётное число разводит диаметры на два отклонения от круглости, нечётное – нет; круглость и биение их не различают. Не известно: оценка как при нечётном, рядом диаметры при двух гранях.</translation>
         </message>
         <message>

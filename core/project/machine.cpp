@@ -194,15 +194,16 @@ const StructInfo& tableOf<MachineForm>() {
                                            "deviation. Its mean over all directions of the "
                                            "eccentricity."),
             .source = "MODEL-7"),
-        SPARKOUT_FIELD(MachineForm, lobes, .label = SPARKOUT_NOOP("Input", "Number of lobes"),
-                       .symbol = "j", .hard = {2, 30}, .soft = {2, 15},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input",
-                                             "2: an oval. An even number spreads the diameter by "
-                                             "twice the roundness deviation, an odd one does not; "
-                                             "roundness and runout do not tell. Not known: judged "
-                                             "as odd, and the diameters with two lobes beside."),
-                       .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            MachineForm, lobes, .label = SPARKOUT_NOOP("Input", "Number of lobes"), .symbol = "j",
+            .hard = {2, 30}, .soft = {2, 15}, .nullMeaning = SPARKOUT_NOOP("Input", "not known"),
+            .page = Page::machine,
+            .hint = SPARKOUT_NOOP("Input", "2: an oval. An even number spreads the diameter by "
+                                           "twice the roundness deviation, an odd one does not; "
+                                           "roundness and runout leave it open. Not known: judged "
+                                           "as an odd one, with the diameters of two lobes "
+                                           "beside."),
+            .source = "MODEL-7"),
         SPARKOUT_FIELD(
             MachineForm, runout_at_deg,
             .label = SPARKOUT_NOOP("Input", "Direction of the eccentricity"), .symbol = "φ_1",
