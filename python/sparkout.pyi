@@ -68,6 +68,7 @@ class Requirement(TypedDict):
     value: float
     limit: float
     margin: float
+    machine_known: bool
 
 class Evaluation:
     """A cycle that was run, and what came out of it."""

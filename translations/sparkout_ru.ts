@@ -1014,6 +1014,14 @@
             <source>force law with a threshold</source>
             <translation>закон силы с порогом</translation>
         </message>
+        <message>
+            <source>no machine&apos;s form</source>
+            <translation>без формы от станка</translation>
+        </message>
+        <message>
+            <source>with the machine&apos;s form</source>
+            <translation>с формой от станка</translation>
+        </message>
     </context>
     <context>
         <name>CouplingCurves</name>
@@ -6915,7 +6923,7 @@ With another name both versions stay as they are.</source>
             <translation>Число граней от станка</translation>
         </message>
         <message>
-            <source>2: an oval. An even number spreads the diameter by twice the roundness deviation, an odd one does not; roundness and runout do not determine it. Not known: judged as odd, and the diameters with two lobes beside.</source>
+            <source>2: an oval. An even number spreads the diameter by twice the roundness deviation, an odd one does not; roundness and runout leave it open. Not known: judged as an odd one, with the diameters of two lobes beside.</source>
             <translation>2 — овал. Чётное число разводит диаметры на два отклонения от круглости, нечётное — нет; отклонение от круглости и биение числа граней не определяют. Не известно: оценка как при нечётном, рядом диаметры при двух гранях.</translation>
         </message>
         <message>

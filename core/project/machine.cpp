@@ -22,10 +22,6 @@ bool onCentres(const Project& p, const void*) {
 bool withoutRunoutOfForm(const Project& p, const void*) {
     return !p.machine->form || !p.machine->form->runout_um;
 }
-bool hasBothForms(const Project&, const void* owner) {
-    const auto& form = *static_cast<const MachineForm*>(owner);
-    return form.roundness_um && form.runout_um;
-}
 
 } // namespace
 
@@ -198,21 +194,22 @@ const StructInfo& tableOf<MachineForm>() {
                                            "deviation. Its mean over all directions of the "
                                            "eccentricity."),
             .source = "MODEL-7"),
-        SPARKOUT_FIELD(MachineForm, lobes, .label = SPARKOUT_NOOP("Input", "Number of lobes"),
-                       .symbol = "j", .hard = {2, 30}, .soft = {2, 15},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "2: an oval. An even number spreads the diameter by "
-                                    "twice the roundness deviation, an odd one does not; "
-                                    "roundness and runout do not determine it. Not known: judged "
-                                    "as odd, and the diameters with two lobes beside."),
-                       .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            MachineForm, lobes, .label = SPARKOUT_NOOP("Input", "Number of lobes"), .symbol = "j",
+            .hard = {2, 30}, .soft = {2, 15}, .nullMeaning = SPARKOUT_NOOP("Input", "not known"),
+            .page = Page::machine,
+            .hint = SPARKOUT_NOOP("Input", "2: an oval. An even number spreads the diameter by "
+                                           "twice the roundness deviation, an odd one does not; "
+                                           "roundness and runout leave it open. Not known: judged "
+                                           "as an odd one, with the diameters of two lobes "
+                                           "beside."),
+            .source = "MODEL-7"),
         SPARKOUT_FIELD(
             MachineForm, runout_at_deg,
             .label = SPARKOUT_NOOP("Input", "Direction of the eccentricity"), .symbol = "φ_1",
             .unit = "°", .hard = {0, 360},
             .nullMeaning = SPARKOUT_NOOP("Input", "where the runout is the one given"),
-            .relevant = hasBothForms, .page = Page::machine,
+            .page = Page::machine,
             .hint = SPARKOUT_NOOP("Input", "Angle on the part from where a lobe is ground deepest "
                                            "to where the eccentricity grinds deepest. In a batch "
                                            "it may scatter over the whole turn."),

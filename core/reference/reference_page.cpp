@@ -3,6 +3,7 @@
 
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
+#include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
 #include "core/project/project.h"
@@ -67,8 +68,8 @@ struct Question {
     void (*answer)(Project& project, Stage& stage, std::size_t choice);
 };
 
-const std::array<Question, 10>& questions() {
-    static const std::array<Question, 10> all{{
+const std::array<Question, 11>& questions() {
+    static const std::array<Question, 11> all{{
         {{SPARKOUT_NOOP("Condition", "traverse"), SPARKOUT_NOOP("Condition", "plunge")},
          [](Project& p, Stage&, std::size_t i) { p.operation = Operation::ofIndex(i); }},
         {{SPARKOUT_NOOP("Condition", "external"), SPARKOUT_NOOP("Condition", "internal")},
@@ -102,6 +103,13 @@ const std::array<Question, 10>& questions() {
           SPARKOUT_NOOP("Condition", "force law with a threshold")},
          [](Project& p, Stage&, std::size_t i) {
              p.material->force_law = static_cast<ForceLawKind>(i);
+          }},
+        {{SPARKOUT_NOOP("Condition", "no machine's form"),
+          SPARKOUT_NOOP("Condition", "with the machine's form")},
+         [](Project& p, Stage&, std::size_t i) {
+             if (i == 1) {
+                 p.machine->form.emplace();
+             }
          }},
         {{SPARKOUT_NOOP("Condition", "the stage feeds"),
           SPARKOUT_NOOP("Condition", "the stage is a spark-out")},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The cycle card in its three formats, read back with poppler's tools.
+#include "core/project/machine.h"
 #include "tests/ui/support/languages.h"
 #include "tests/ui/support/report_reading.h"
 #include "tests/ui/support/view_fixtures.h"
