@@ -103,7 +103,7 @@ const std::array<Question, 11>& questions() {
           SPARKOUT_NOOP("Condition", "force law with a threshold")},
          [](Project& p, Stage&, std::size_t i) {
              p.material->force_law = static_cast<ForceLawKind>(i);
-          }},
+         }},
         {{SPARKOUT_NOOP("Condition", "no machine's form"),
           SPARKOUT_NOOP("Condition", "with the machine's form")},
          [](Project& p, Stage&, std::size_t i) {

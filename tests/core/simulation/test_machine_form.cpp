@@ -381,9 +381,10 @@ private slots:
         }
         QVERIFY(measuredForm(p)->roundness_um == roundness_um && !measuredForm(p)->runout_um);
         for (int place = 0; place < 3; ++place) { // of РЗ2 below its roundness
-            p.measured->summaries.push_back({.quantity = MeasuredQuantity::radial_runout,
-                                             .place = place,
-                                             .mean_um = place == 2 ? 2.5 : 5});
+            MeasuredSummary& summary = p.measured->summaries.emplace_back();
+            summary.quantity = MeasuredQuantity::radial_runout;
+            summary.place = place;
+            summary.mean_um = place == 2 ? 2.5 : 5;
         }
         const Project taken = withMeasuredForm(p);
         QVERIFY((taken.machine->form->runout_um == std::vector{5.0, 5.0, 2.68}));
@@ -400,8 +401,8 @@ private slots:
         p.part->tolerance.roundness_um = 20;
         p.batch = Batch{};
         p.batch->parts = 200;
-        p.batch->factors.machine_form = Factor{.normal = {{1, sigma}}};
-        p.batch->factors.runout_at_deg = Factor{.uniform = {{0, 360}}};
+        p.batch->factors.machine_form.emplace().normal = {{1, sigma}};
+        p.batch->factors.runout_at_deg.emplace().uniform = {{0, 360}};
         QVERIFY(checkBatch(p).empty());
         const BatchResult batch = runBatch(p);
         const std::vector<Characteristic> all = characteristicsOf(p);
