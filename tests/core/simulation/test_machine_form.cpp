@@ -401,8 +401,8 @@ private slots:
         p.part->tolerance.roundness_um = 20;
         p.batch = Batch{};
         p.batch->parts = 200;
-        p.batch->factors.machine_form.emplace().normal = {{1, sigma}};
-        p.batch->factors.runout_at_deg.emplace().uniform = {{0, 360}};
+        p.batch->factors.machine_form.emplace().normal = std::vector<double>{1, sigma};
+        p.batch->factors.runout_at_deg.emplace().uniform = std::vector<double>{0, 360};
         QVERIFY(checkBatch(p).empty());
         const BatchResult batch = runBatch(p);
         const std::vector<Characteristic> all = characteristicsOf(p);
