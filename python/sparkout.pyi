@@ -313,8 +313,18 @@ def measured(
     *,
     table: Optional[str] = None,
     fit: Optional[str] = None,
+    loss: str = "none",
     threads: int = 0,
 ) -> dict[str, Any]: ...
+def calibrated(
+    project: Project,
+    *,
+    fit: str,
+    table: Optional[str] = None,
+    loss: str = "none",
+    data: str = "table",
+    threads: int = 0,
+) -> Project: ...
 def check_lesson(text: str) -> dict[str, Any]: ...
 def check_work(text: str) -> dict[str, Any]: ...
 def search(
