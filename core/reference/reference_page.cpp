@@ -108,7 +108,7 @@ const std::array<Question, 11>& questions() {
           SPARKOUT_NOOP("Condition", "with the machine's form")},
          [](Project& p, Stage&, std::size_t i) {
              if (i == 1) {
-                 p.machine->form.emplace();
+                 p.machine->form.emplace().runout_um.emplace();
              }
          }},
         {{SPARKOUT_NOOP("Condition", "the stage feeds"),
