@@ -16609,6 +16609,10 @@ target, µm</source>
             <source>Ra, estimate</source>
             <translation>Ra, оценка</translation>
         </message>
+        <message>
+            <source>machine not known</source>
+            <translation>станок не известен</translation>
+        </message>
     </context>
     <context>
         <name>Remedy</name>

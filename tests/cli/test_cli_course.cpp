@@ -314,7 +314,7 @@ private slots:
         const Outcome outcome = run({"course", "check", edited});
         QCOMPARE(outcome.status, 4);
         QVERIFY2(outcome.err.find("kept run \"Factory\": 1 number is not the engine's: "
-                                  "/cycle_time_min 1.5, by the engine 5.1")
+                                  "/cycle_time_min 1.5, by the engine 4.5")
                      != std::string::npos,
                  outcome.err.c_str());
         const json answer = json::parse(run({"course", "check", edited, "--json"}).out);

@@ -39,7 +39,8 @@ QString lightName(const ConstraintResult& constraint) {
         return VerdictTable::tr("not known: strips uncut");
     }
     const Light light = lightOf(constraint); // what fails even so does fail
-    return Names::ofMachine(lightName(light), constraint.knowsMachine || light == Light::fails);
+    return constraint.knowsMachine || light == Light::fails ? lightName(light)
+                                                            : VerdictTable::tr("machine not known");
 }
 
 namespace {

@@ -54,7 +54,9 @@ std::vector<json> surfaceOf(const json& result) {
         }
     }
     for (const auto& [key, value] : result.at("part").items()) {
-        all.push_back(value);
+        if (key != "machine_known") { // of the inputs
+            all.push_back(value);
+        }
     }
     return all;
 }

@@ -166,6 +166,10 @@ private slots:
         take(told.part->zone_stock_mm, after.part->zone_stock_mm);
         take(told.part->zone_runout_mm, after.part->zone_runout_mm);
         take(told.machine->zone_compliance, after.machine->zone_compliance);
+        if (told.machine->form) {
+            take(told.machine->form->roundness_um, after.machine->form->roundness_um);
+            take(told.machine->form->runout_um, after.machine->form->runout_um);
+        }
         if (told.batch) {
             take(told.batch->zone_stock_mm, after.batch->zone_stock_mm);
             take(told.batch->zone_runout_mm, after.batch->zone_runout_mm);
