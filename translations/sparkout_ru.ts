@@ -9841,6 +9841,10 @@ With another name both versions stay as they are.</source>
             <source>Akaike, 1974, choice of a model</source>
             <translation>Акаике, 1974, выбор модели</translation>
         </message>
+        <message>
+            <source>model page, section 13: measured against predicted</source>
+            <translation>страница модели, раздел 13: измеренное и прогноз</translation>
+        </message>
     </context>
     <context>
         <name>Struct</name>

@@ -175,6 +175,7 @@ private slots:
         Project project = newProject(Operation::ofIndex(std::size_t(operation)));
         project.machine->stiffness_n_um.emplace();
         project.machine->wheel_contact.emplace();
+        project.machine->form.emplace();
         project.wheel->force_recipe.emplace();
         document.startUntitled(project);
         InputsPanel panel(document);

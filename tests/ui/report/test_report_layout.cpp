@@ -243,12 +243,13 @@ private slots:
     void theCapabilityOfFourSectionsTakesALineEach() {
         QFETCH(QString, language);
         m_language.apply(language);
-        QVERIFY(rowsOfALineEach("plunge-shaft-two-stage", QStringLiteral("Ppk")) > 4 * 6);
+        // Roundness and runout say in a second line that the machine is not known.
+        QVERIFY(rowsOfALineEach("plunge-shaft-two-stage", QStringLiteral("Ppk")) > 4 * 4);
     }
 
     void theRequirementsTakeALineEach() {
         m_language.apply(QStringLiteral("ru"));
-        QVERIFY(rowsOfALineEach("slender-shaft", QStringLiteral("Место в цикле")) >= 3 * 5 + 2);
+        QVERIFY(rowsOfALineEach("slender-shaft", QStringLiteral("Место в цикле")) >= 3 * 4 + 2);
         QVERIFY(rowsOfALineEach("slender-shaft", QStringLiteral("Ступень или цикл")) >= 8);
     }
 
