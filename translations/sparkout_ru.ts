@@ -7361,6 +7361,10 @@ With another name both versions stay as they are.</source>
             <source>Roughness is not limiting while it is not calibrated: with the roughness calibration of 1 the computed Ra is too small, and no depth of cut can be derived from it.</source>
             <translation>Шероховатость не ограничивает подачу, пока расчёт не откалиброван: при поправке шероховатости, равной 1, расчётный параметр Ra занижен, и допустимую глубину резания по нему определить нельзя.</translation>
         </message>
+        <message>
+            <source>Machine not known, the process alone: %1</source>
+            <translation>Станок не известен, только процесс: %1</translation>
+        </message>
     </context>
     <context>
         <name>Location</name>
@@ -9840,10 +9844,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Akaike, 1974, choice of a model</source>
             <translation>Акаике, 1974, выбор модели</translation>
-        </message>
-        <message>
-            <source>model page, section 13: measured against predicted</source>
-            <translation>страница модели, раздел 13: измеренное и прогноз</translation>
         </message>
     </context>
     <context>

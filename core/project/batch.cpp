@@ -190,7 +190,7 @@ const StructInfo& tableOf<Batch>() {
                                   "Standard uncertainty of one measured value of a finished part. "
                                   "It counts as scatter of the prediction, and it widens the "
                                   "interval of the bias, for it may be the same for all parts."),
-            .source = "MODEL-13"),
+            .source = "MODEL-8"),
         SPARKOUT_FIELD(Batch, bias_limit_um, .label = SPARKOUT_NOOP("Input", "Limit of bias"),
                        .unit = "µm", .hard = {1e-3, 1e5},
                        .nullMeaning = SPARKOUT_NOOP("Input", "a tenth of the tolerance"),
@@ -199,7 +199,7 @@ const StructInfo& tableOf<Batch>() {
                            "Input", "Up to this difference the measured mean and the predicted one "
                                     "count as the same. Where the drawing has no tolerance either, "
                                     "it is half the predicted standard deviation."),
-                       .source = "MODEL-13"),
+                       .source = "MODEL-8"),
     };
     static const StructInfo info = makeTable<Batch>(SPARKOUT_NOOP("Struct", "Batch"), rows);
     return info;

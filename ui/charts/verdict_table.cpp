@@ -112,6 +112,15 @@ ValueHead headOf(const ConstraintResult& c, const Project& project) {
                           QStringLiteral("\n"))};
 }
 
+/// Without the machine's form a value is what the process alone leaves: never a bare 0.00.
+QString shownValue(const ConstraintResult& c) {
+    if (c.knowsMachine || lightOf(c) == Light::fails) {
+        return Names::value(c);
+    }
+    constexpr double rounded = 0.005; // to nothing
+    return c.value < rounded ? QStringLiteral("—") : QStringLiteral("≥ ") + Names::value(c);
+}
+
 /// The name, in words where it needs attention; else the mark is enough.
 ValueCell nameCell(const ConstraintResult& c, const Project& project,
                    const std::array<QIcon, 3>& icons) {
@@ -120,11 +129,13 @@ ValueCell nameCell(const ConstraintResult& c, const Project& project,
         c, guessed ? VerdictTable::tr("Ra, estimate") : Names::constraintBrief(c.kind),
         VerdictTable::tr("stage %1").arg(c.stage));
     const Light light = lightOf(c);
-    // A guess that holds is not shown as one that is known to.
-    const Light shown = guessed ? std::max(light, Light::close) : light;
-    const bool isPlain = light == Light::holds && c.knowsMachine;
+    // A guess that holds is not shown as one that is known to; the panel says above what is
+    // missing.
+    const Light shown = guessed || !c.knowsMachine ? std::max(light, Light::close) : light;
+    const bool isPlain = light == Light::holds;
     return {.text = isPlain ? name : name + u'\n' + lightName(c),
             .said = lightName(c),
+            .tip = c.knowsMachine ? QString() : lightName(c),
             .icon = icons[static_cast<std::size_t>(shown)]};
 }
 
@@ -168,7 +179,7 @@ ValueTable verdictTable(const Outcome* outcome, const std::array<QIcon, 3>& icon
         table.sheet.rows.push_back(copiedCells(c));
         table.addRow(headOf(c, outcome->result.project),
                      {nameCell(c, outcome->result.project, icons),
-                      {.text = Names::value(c)},
+                      {.text = shownValue(c)},
                       {.text = Names::limit(c)},
                       {.text = Names::besideLimit(c)}});
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/limit_names.h"
 
+#include "core/project/machine.h"
 #include "core/project/member.h"
 #include "core/project/part.h"
 #include "core/quality/roughness.h"
@@ -108,7 +109,21 @@ QString LimitNames::notCheckedLinks(const Project& project) {
         links << QStringLiteral("<a href=\"%1\">%2</a>")
                      .arg(QString::fromStdString(each.path), limit(each.kind).toHtmlEscaped());
     }
-    return notChecked(links);
+    QStringList lines{notChecked(links)};
+    const auto& asked = project.part->tolerance;
+    QStringList ofMachine;
+    if (!isRoundnessKnown(*project.machine) && asked.roundness_um) {
+        ofMachine << limit(ConstraintKind::roundness);
+    }
+    if (!isRunoutKnown(*project.machine) && asked.radial_runout_um) {
+        ofMachine << limit(ConstraintKind::radialRunout);
+    }
+    if (!ofMachine.isEmpty()) {
+        lines << tr("Machine not known, the process alone: %1")
+                     .arg(QStringLiteral("<a href=\"/machine/form\">%1</a>")
+                              .arg(ofMachine.join(QStringLiteral(", ")).toHtmlEscaped()));
+    }
+    return joined(lines, QStringLiteral("<br>"));
 }
 
 } // namespace sparkout

@@ -35,8 +35,6 @@ constexpr std::array names{
                                                        "properties")},
     SourceName{"MODEL-12", QT_TRANSLATE_NOOP("Source", "model page, section 12: several surfaces "
                                                        "in one set-up")},
-    SourceName{"MODEL-13",
-               QT_TRANSLATE_NOOP("Source", "model page, section 13: measured against predicted")},
     SourceName{"ALSIGAR2021", QT_TRANSLATE_NOOP("Source", "M. K. Alsigar, thesis abstract, Penza, "
                                                           "2021")},
     SourceName{"PEREVERZEV1999", QT_TRANSLATE_NOOP("Source", "P. P. Pereverzev, doctoral thesis "

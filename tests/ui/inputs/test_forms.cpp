@@ -49,7 +49,8 @@ void changeByHand(QWidget* widget, int places) {
         QTest::keyClick(number, Qt::Key_Return);
     } else if (auto* line = qobject_cast<QLineEdit*>(widget)) {
         const bool rows = line->objectName().endsWith(QStringLiteral("/n_um_at_n"));
-        const bool zones = line->objectName().contains(QStringLiteral("/zone_"));
+        const bool zones = line->objectName().contains(QStringLiteral("/zone_"))
+                           || line->objectName().contains(QStringLiteral("/form/"));
         QTest::keyClicks(line, rows    ? QStringLiteral("0 50; 200 80")
                                : zones ? QStringLiteral("0.001; ").repeated(places)
                                        : QStringLiteral("x"));

@@ -2,6 +2,7 @@
 #include "ui/views/batch/batch_figures.h"
 
 #include "ui/tables/output_cells.h"
+#include "ui/text/names.h"
 #include "ui/text/output_text.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_text.h"
@@ -102,7 +103,8 @@ ValueTable batchFigures(const BatchSummary& summary, const std::string& name, bo
     for (const std::size_t place : placesOf(summary, name)) {
         places.push_back({&summary.characteristics[place], summary.isSample, summary.drifts});
         const Characteristic& of = places.back().of->characteristic;
-        table.columns.push_back({BatchText::where(of), BatchText::full(of), {}});
+        table.columns.push_back(
+            {BatchText::where(of), Names::ofMachine(BatchText::full(of), of.knowsMachine), {}});
     }
     if (places.empty()) {
         return table;

@@ -47,11 +47,10 @@ QString BatchText::where(const Characteristic& characteristic) {
 }
 
 QString BatchText::full(const Characteristic& characteristic) {
-    const QString text = characteristic.section < 0
-                             ? name(characteristic)
-                             : QStringLiteral("%1, %2").arg(name(characteristic),
-                                                            Names::within(where(characteristic)));
-    return Names::ofMachine(text, characteristic.knowsMachine);
+    return characteristic.section < 0
+               ? name(characteristic)
+               : QStringLiteral("%1, %2").arg(name(characteristic),
+                                              Names::within(where(characteristic)));
 }
 
 QString BatchText::axis(const Characteristic& characteristic) {
