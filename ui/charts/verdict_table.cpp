@@ -134,8 +134,8 @@ ValueCell nameCell(const ConstraintResult& c, const Project& project,
     const Light shown = guessed || !c.knowsMachine ? std::max(light, Light::close) : light;
     const bool isPlain = light == Light::holds;
     return {.text = isPlain ? name : name + u'\n' + lightName(c),
-            .said = lightName(c),
             .tip = c.knowsMachine ? QString() : lightName(c),
+            .said = lightName(c),
             .icon = icons[static_cast<std::size_t>(shown)]};
 }
 
