@@ -79,6 +79,13 @@ private slots:
         QVERIFY(!off.text().contains(QStringLiteral("burn")));
         whole.machine->work_drive_kw = 1;
         bench.show(run(whole));
+        QVERIFY2(off.text().startsWith(QStringLiteral("Machine not known")),
+                 qPrintable(off.text()));
+        MachineForm& form = whole.machine->form.emplace();
+        form.roundness_um = std::vector<double>{1, 1, 1};
+        form.runout_um = std::vector<double>{2, 2, 2};
+        form.lobes = 3;
+        bench.show(run(whole));
         QVERIFY(!off.isVisible());
     }
 
