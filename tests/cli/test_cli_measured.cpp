@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // `measured` as a user meets it: the real program on files with measured parts and traces.
+#include "core/project/measured.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/core/identification/measured_cycles.h"
 #include "tests/registry.h"
+
+#include <QFile>
 
 #include <algorithm>
 #include <cmath>
@@ -107,6 +111,55 @@ private slots:
         QCOMPARE(fit.at("residuals").size(), std::size_t{2});
         const Outcome text = run({"measured", file, "--data", data, "--fit", "alpha,beta"});
         QVERIFY2(text.out.find("alpha: ") != std::string::npos, text.text().c_str());
+    }
+
+    /// What is known before holds a value where it is sure, outliers hardly count by a robust loss,
+    /// and what was found is saved with what it was found on.
+    void aFitTakesWhatIsKnownAndIsSaved() {
+        const QString file = save("plunge.sparkout", yielding().dump());
+        std::string table = traces(yielding(), 1.2, 0.9);
+        const QString data = save("trace.csv", table);
+        const QString found = m_folder.filePath(QStringLiteral("found.sparkout"));
+        const QStringList fit{"measured", file, "--data", data, "--fit"};
+        const Outcome known =
+            run(fit + QStringList{"compliance=1~0.0001,dullness,size_offset,idle_power", "--json"});
+        const json held = json::parse(known.out).at("identification");
+        QVERIFY(std::abs(held.at("values")[0].at("value").get<double>() - 1) < 0.01);
+        const QString parameters = QStringLiteral("compliance,dullness,size_offset,idle_power");
+        const Outcome saved = run(fit + QStringList{parameters, "-o", found});
+        QVERIFY2(saved.status == 0, saved.text().c_str());
+        QFile written(found);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        const ReadResult read = readProject(written.readAll().toStdString());
+        QVERIFY(read.project && read.project->measured);
+        QCOMPARE(read.project->measured->calibrations.size(), std::size_t{2});
+        QCOMPARE(read.project->measured->calibrations.front().data, std::string("trace.csv"));
+        QVERIFY(std::abs(read.project->wheel->dullness / 0.009 - 1) < 0.05);
+        // A lone value that is a tenth of a millimetre off.
+        std::size_t line = table.size() / 2;
+        line = table.find('\n', line) + 1;
+        const std::size_t comma = table.find(',', line), second = table.find(',', comma + 1);
+        const double size = std::stod(table.substr(comma + 1, second - comma - 1));
+        table.replace(comma + 1, second - comma - 1, std::to_string(size + 0.1));
+        const QStringList spike{"measured", file,       "--data", save("spike.csv", table),
+                                "--fit",    parameters, "--json"};
+        const json robust =
+            json::parse(run(spike + QStringList{"--loss", "tukey"}).out).at("identification");
+        QCOMPARE(robust.at("status").get<std::string>(), std::string("fitted"));
+        QCOMPARE(robust.at("residuals")[0].at("outliers").get<int>(), 1);
+        QVERIFY(std::abs(robust.at("values")[0].at("value").get<double>() - 1.2) < 0.05);
+        for (const QStringList& wrong :
+             {fit + QStringList{parameters, "-o", file},
+              fit + QStringList{parameters, "--loss", "l1"},
+              QStringList{"measured", file, "--loss", "huber"}, fit + QStringList{"alpha=1"},
+              fit + QStringList{"alpha=1~0"}, fit + QStringList{"alpha=-1~0.1"}}) {
+            QCOMPARE(run(wrong).status, 2);
+        }
+        // Without values to use nothing is saved.
+        const QString none = m_folder.filePath(QStringLiteral("none.sparkout"));
+        const Outcome untold = run(fit + QStringList{"alpha,beta,compliance", "-o", none});
+        QVERIFY(!QFile::exists(none));
+        QVERIFY2(untold.err.find("not saved") != std::string::npos, untold.text().c_str());
     }
 
     void whatTheDataCannotTellIsNamed() {

@@ -270,6 +270,11 @@ class Studies(unittest.TestCase):
         self.assertIn("status", fitted["identification"])
         with self.assertRaisesRegex(ValueError, "fit: beauty; allowed: alpha, beta"):
             sparkout.measured(project, fit="beauty")
+        with self.assertRaisesRegex(ValueError, "none, huber, tukey"):
+            sparkout.measured(project, fit=parameters, loss="l1")
+        calibrated = sparkout.calibrated(project, fit="beta,gauge_setting", data="table 2")
+        again = sparkout.measured(calibrated, fit="beta")
+        self.assertAlmostEqual(again["identification"]["values"][0]["value"], 1, delta=0.05)
         with self.assertRaisesRegex(ValueError, "table: line"):
             sparkout.measured(project, table="Diameter, mm\nthirty\n")
 
