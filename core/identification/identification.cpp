@@ -21,7 +21,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <ranges>
 #include <set>
 #include <span>
 #include <utility>
@@ -512,9 +511,9 @@ private:
                 const std::vector<double> counted =
                     weights.empty() ? residuals.values
                                     : withoutOutliers(own, weightsLeft.first(own.size()));
-                residuals.outliers = static_cast<std::size_t>(
-                    std::ranges::count_if(std::views::iota(std::size_t{0}, own.size()),
-                                          [&](std::size_t i) { return counted[i] != own[i]; }));
+                for (std::size_t i = 0; i < own.size(); ++i) {
+                    residuals.outliers += counted[i] != own[i] ? 1 : 0;
+                }
                 judge(group, counted, taken, stageEnds_s, residuals);
             }
             weightsLeft = weights.empty() ? weightsLeft : weightsLeft.subspan(own.size());
