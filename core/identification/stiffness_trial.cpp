@@ -172,7 +172,7 @@ private:
             return plain; // too few places with loads of two sizes
         }
         const bool isSeen = isBetter(play, plain) || isBetter(bent, plain);
-        // A deflection that begins below 0 is no play.
+        // A deflection that begins below 0 does not come from play.
         const bool isPlay = play.squares() <= bent.squares() && play.values.tail(units).sum() > 0;
         m_trial.line = !isSeen ? LoadLine::straight : isPlay ? LoadLine::play : LoadLine::bent;
         if (m_trial.line != LoadLine::play) {

@@ -6,6 +6,7 @@
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/core/support/shaft_system.h"
 #include "tests/registry.h"
 
 #include <cstdint>
@@ -131,19 +132,7 @@ Project randomProject(std::uint64_t seed) {
 /// where the softest systems give by hundreds of millimetres.
 double worstFault(const Project& p) {
     const Traced run(p);
-    ShaftModel model;
-    for (const ShaftSegment& segment : p.part->shaft.segments) {
-        model.segments.push_back({segment.length_mm, segment.diameter_mm});
-    }
-    for (const SteadyRest& rest : p.part->shaft.steady_rests) {
-        model.rests.push_back({rest.position_mm, rest.stiffness_n_um * 1e3});
-    }
-    model.youngsModulus_n_mm2 = p.part->shaft.youngs_modulus_gpa * 1e3;
-    model.mounting = p.part->shaft.mounting;
-    model.headstock_n_mm = p.machine->stiffness_n_um->headstock * 1e3;
-    model.tailstock_n_mm = p.machine->stiffness_n_um->tailstock * 1e3;
-    model.wheelHead_n_mm = p.machine->stiffness_n_um->wheel_head * 1e3;
-    const Compliance system(model);
+    const Compliance system = fixtures::shaftSystem(p);
     const auto sections = static_cast<std::size_t>(p.sections);
     const auto middle = [&](std::size_t j) {
         return p.part->shaft.ground_from_mm
