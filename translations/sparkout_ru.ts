@@ -7165,6 +7165,10 @@ With another name both versions stay as they are.</source>
             <source>{value} belongs to the sources&apos; force law and is not computed for one with a threshold; allowed: {limit}</source>
             <translation>{value}: относится к закону силы источников, для закона с порогом не вычисляется; допустимо: {limit}</translation>
         </message>
+        <message>
+            <source>the number of lobes is not known: an even one spreads the diameters by {value} in a field of {limit}; judged as an odd one</source>
+            <translation>число граней не известно: чётное разводит диаметры на {value} при поле {limit}; оценка — как при нечётном</translation>
+        </message>
 </context>
     <context>
         <name>LayersLook</name>
@@ -7191,10 +7195,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>%1, %2: takes off %3 µm, %4 µm so far, radius %5 µm from target</source>
             <translation>%1, %2: снимается %3 мкм, всего снято %4 мкм, радиус %5 мкм от целевого</translation>
-        </message>
-        <message>
-            <source>the number of lobes is not known: an even one spreads the diameters by {value} in a field of {limit}; judged as an odd one</source>
-            <translation>число граней не известно: чётное разводит диаметры на {value} при поле {limit}; оценка — как при нечётном</translation>
         </message>
     </context>
     <context>
