@@ -7330,6 +7330,10 @@ With another name both versions stay as they are.</source>
             <source>the name of a file without a folder, ending in .sparkout-lesson</source>
             <translation>имя файла без папки, оканчивающееся на .sparkout-lesson</translation>
         </message>
+        <message>
+            <source>one that reads the largest diameter</source>
+            <translation>правило наибольшего диаметра</translation>
+        </message>
     </context>
     <context>
         <name>LimitNames</name>
