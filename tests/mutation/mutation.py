@@ -160,9 +160,8 @@ def mutated_text(text, mutants, header):
 class Build:
     """The build that is there, and beside it the same programs with the mutants in them."""
 
-    def __init__(self, folder):
-        self.folder = folder
-        self.scratch = ROOT / "build" / "mutation"
+    def __init__(self, folder, scratch=ROOT / "build" / "mutation"):
+        self.folder, self.scratch = folder, scratch
         if not (folder / "build.ninja").is_file():
             fail(f"{folder} is no build made with Ninja: ./workbench mutants makes one")
 
@@ -360,12 +359,22 @@ class Runner:
               f"{mutant.note}{'  [' + mutant.by + ']' if mutant.by else ''}", flush=True)
 
 
+def part(text):
+    """(K, N) of "K/N": which of N parts."""
+    first, of = (int(word) for word in text.split("/"))
+    if not 0 <= first < of:
+        raise ValueError(text)
+    return first, of
+
+
 def main():
     options = argparse.ArgumentParser(description="Asks whether the tests notice single slips.")
     options.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release")
     options.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     options.add_argument("--check", action="store_true", help="compare the list with the sources only")
     options.add_argument("--fresh", action="store_true", help="compile everything anew")
+    options.add_argument("--part", metavar="K/N", type=part, default=(0, 1),
+                         help="every Nth mutant alone, from the one numbered K on")
     options.add_argument("patterns", nargs="*", metavar="PATTERN")
     given = options.parse_args()
     mutants = read_list()
@@ -376,9 +385,10 @@ def main():
         return 2
     if given.check:
         return 0
-    chosen = [m for m in mutants if not given.patterns
+    first, step = given.part
+    chosen = [m for m in mutants if m.number % step == first and (not given.patterns
               or any(p == str(m.number) or not p.isdigit() and p in f"{m.file} {m.note}"
-                     for p in given.patterns)]
+                     for p in given.patterns))]
     if not chosen:
         fail(f"no mutant matches {' '.join(given.patterns)}")
     build = Build(given.build.resolve())
