@@ -560,6 +560,7 @@ MeasuredProject measure(const ValidProject& given, const std::optional<std::stri
             options.stop = stop;
             answer.rows = judgeAdequacy(project, runBatch(predicting, options));
         }
+        answer.holdOut = holdOut(project, stop);
         if (fit) {
             answer.fit =
                 identify(project, {answer.parameters, {}, !answer.rows.empty(), *loss}, stop);

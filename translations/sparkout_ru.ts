@@ -1354,6 +1354,18 @@
             <source>the spark-out does not separate the two force laws</source>
             <translation>выхаживание не разделяет два закона силы</translation>
         </message>
+        <message>
+            <source>removed after the last feed, on the diameter</source>
+            <translation>снято после последней подачи, по диаметру</translation>
+        </message>
+        <message>
+            <source>mean wheel power over the feeds</source>
+            <translation>средняя мощность круга при рабочих подачах</translation>
+        </message>
+        <message>
+            <source>time from the middle of the first feed to the end of the last one, between the same two sizes</source>
+            <translation>время от середины первой подачи до конца последней, между теми же двумя размерами</translation>
+        </message>
     </context>
     <context>
         <name>OperationCard</name>
@@ -8270,6 +8282,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Calibrated inputs</source>
             <translation>Откалиброванные исходные данные</translation>
+        </message>
+        <message>
+            <source>A cycle that the calibration has not used</source>
+            <translation>Цикл, не использованный при калибровке</translation>
         </message>
         <message>
             <source>Measured parts against the prediction</source>
@@ -19116,6 +19132,14 @@ The size alone gives α and β, that is the compliance with the force together; 
             <source>A bias of runout or roundness is the form of the machine, of its centres and its headstock, and not its compliance.</source>
             <translation>Смещение биения или отклонения от круглости — это форма станка, его центров и передней бабки, а не его податливость.</translation>
         </message>
+        <message>
+            <source>Not used for the calibration, %1: %2: %3 %4, predicted %5 (%6). The prediction agrees.</source>
+            <translation>Не использовано при калибровке, %1: %2: %3 %4, прогноз %5 (%6). Прогноз согласуется.</translation>
+        </message>
+        <message>
+            <source>Not used for the calibration, %1: %2: %3 %4, predicted %5 (%6). The prediction does not agree: the difference is %7 %4.</source>
+            <translation>Не использовано при калибровке, %1: %2: %3 %4, прогноз %5 (%6). Прогноз не согласуется: разность %7 %4.</translation>
+        </message>
     </context>
     <context>
         <name>MeasuredView</name>
@@ -19133,6 +19157,10 @@ The size alone gives α and β, that is the compliance with the force together; 
                 <numerusform>Среднее с 95 %-ным интервалом Стьюдента; прогноз: диапазон, в котором лежат 95 % из %n деталей партии; F: дисперсия измеренных деталей к прогнозной и границы, в которых отношение бывает случайно; внутри: измеренные детали в прогнозном диапазоне.</numerusform>
                 <numerusform>Среднее с 95 %-ным интервалом Стьюдента; прогноз: диапазон, в котором лежат 95 % из %n деталей партии; F: дисперсия измеренных деталей к прогнозной и границы, в которых отношение бывает случайно; внутри: измеренные детали в прогнозном диапазоне.</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>The range in parentheses is that of the calibrated inputs at the ends of their 95 % intervals.</source>
+            <translation>В скобках – диапазон при калиброванных данных на границах их 95 %-ных интервалов.</translation>
         </message>
     </context>
     <context>

@@ -109,6 +109,25 @@ constexpr Output<ForceLawChoice> forceLawRows[] = {
      }},
 };
 
+constexpr Output<HoldOutRow> holdOutRows[] = {
+    {{.key = "trace", .hint = "its number in the project; no calibrated input rests on it"},
+     [](const HoldOutRow& r) { return std::int64_t{r.trace}; }},
+    {{.key = "quantity",
+      .hint = "time: between two sizes, from the middle of the first feed to the end of the last; "
+              "spark_out: removed of the diameter after the last feed; power: mean over the feeds"},
+     [](const HoldOutRow& r) { return std::string(wordsOf(r.quantity).key); }},
+    {{.key = "unit"}, [](const HoldOutRow& r) { return std::string(unitOf(r.quantity)); }},
+    {{.key = "measured"}, [](const HoldOutRow& r) { return r.measured; }},
+    {{.key = "predicted"}, [](const HoldOutRow& r) { return r.predicted; }},
+    {{.key = "predicted_95",
+      .hint = "with the calibrated inputs at the ends of their intervals, in all combinations"},
+     [](const HoldOutRow& r) { return std::optional(r.predicted95); }},
+    {{.key = "difference_95", .hint = "measured less predicted, with the noise of the trace"},
+     [](const HoldOutRow& r) { return std::optional(r.difference95); }},
+    {{.key = "agrees", .hint = "the difference may be none"},
+     [](const HoldOutRow& r) { return r.agrees(); }},
+};
+
 ordered_json rowJson(const Project& project, const AdequacyRow& row) {
     ordered_json json = outputsJson(adequacyOutputs(), {project, row});
     json["predicted"] = outputsJson(predictedOutputs(), row.predicted);
@@ -256,6 +275,10 @@ std::span<const Output<ForceLawChoice>> forceLawOutputs() {
     return forceLawRows;
 }
 
+std::span<const Output<HoldOutRow>> holdOutOutputs() {
+    return holdOutRows;
+}
+
 std::span<const Output<OutOfStepOf>> outOfStepOutputs() {
     return outOfStepRows;
 }
@@ -264,6 +287,9 @@ std::string measuredJson(const Project& project, const MeasuredAnswer& answer) {
     ordered_json json = {{"adequacy", ordered_json::array()}, {"identification", nullptr}};
     for (const AdequacyRow& row : answer.rows) {
         json["adequacy"].push_back(rowJson(project, row));
+    }
+    if (!answer.holdOut.empty()) {
+        json["hold_out"] = outputsJsonOfEach(holdOutOutputs(), answer.holdOut);
     }
     if (answer.fit) {
         json["identification"] = fitJson(*answer.fit, answer.parameters);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/adequacy/adequacy.h"
+#include "core/identification/hold_out.h"
 #include "core/identification/identification.h"
 #include "core/result.h"
 
@@ -24,6 +25,7 @@ fittedParametersOf(const std::string& text);
 /// What was measured held against the prediction and, where asked for, fitted to.
 struct MeasuredAnswer {
     std::vector<AdequacyRow> rows;
+    std::vector<HoldOutRow> holdOut;
     std::optional<Identification> fit;
     std::vector<FittedParameter> parameters; ///< of the fit
 };
@@ -39,6 +41,7 @@ struct OutOfStepOf {
 [[nodiscard]] std::span<const Output<FitResiduals>> fitResidualsOutputs();
 [[nodiscard]] std::span<const Output<OutOfStepOf>> outOfStepOutputs();
 [[nodiscard]] std::span<const Output<ForceLawChoice>> forceLawOutputs();
+[[nodiscard]] std::span<const Output<HoldOutRow>> holdOutOutputs();
 
 /// The object of `measured --json`.
 [[nodiscard]] std::string measuredJson(const Project& project, const MeasuredAnswer& answer);

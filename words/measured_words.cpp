@@ -91,6 +91,19 @@ MeasuredWords wordsOf(SupportedLaw law) {
             SPARKOUT_NOOP("Measured", "the spark-out does not separate the two force laws")};
 }
 
+MeasuredWords wordsOf(HoldOutQuantity quantity) {
+    switch (quantity) {
+    case HoldOutQuantity::spark_out:
+        return {"spark_out", SPARKOUT_NOOP("Measured", "removed after the last feed, on the "
+                                                       "diameter")};
+    case HoldOutQuantity::power:
+        return {"power", SPARKOUT_NOOP("Measured", "mean wheel power over the feeds")};
+    case HoldOutQuantity::time: break;
+    }
+    return {"time", SPARKOUT_NOOP("Measured", "time from the middle of the first feed to the end "
+                                              "of the last one, between the same two sizes")};
+}
+
 MeasuredWords wordsOf(FittedKind kind, bool hasThreshold) {
     if (hasThreshold && kind == FittedKind::alpha) {
         return {"alpha", SPARKOUT_NOOP("Measured", "factor of the specific normal force K₀")};
@@ -184,6 +197,15 @@ const char* unitOf(FittedKind kind) {
     case FittedKind::gauge_drift: return "mm/min";
     default: return "";
     }
+}
+
+const char* unitOf(HoldOutQuantity quantity) {
+    switch (quantity) {
+    case HoldOutQuantity::spark_out: return SPARKOUT_NOOP("Unit", "µm");
+    case HoldOutQuantity::power: return SPARKOUT_NOOP("Unit", "kW");
+    case HoldOutQuantity::time: break;
+    }
+    return SPARKOUT_NOOP("Unit", "s");
 }
 
 const char* unitOf(FitSource source) {

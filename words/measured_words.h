@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/adequacy/adequacy.h"
+#include "core/identification/hold_out.h"
 #include "core/identification/identification.h"
 
 namespace sparkout {
@@ -17,6 +18,7 @@ struct MeasuredWords {
 /// What to measure.
 [[nodiscard]] MeasuredWords wordsOf(Advice advice);
 [[nodiscard]] MeasuredWords wordsOf(SupportedLaw law);
+[[nodiscard]] MeasuredWords wordsOf(HoldOutQuantity quantity);
 /// Of a project whose force has a threshold or of another.
 [[nodiscard]] MeasuredWords wordsOf(FittedKind kind, bool hasThreshold = false);
 [[nodiscard]] MeasuredWords wordsOf(FitSource source);
@@ -28,6 +30,7 @@ struct MeasuredWords {
 
 /// The unit of a parameter's value; empty for a factor.
 [[nodiscard]] const char* unitOf(FittedKind kind);
+[[nodiscard]] const char* unitOf(HoldOutQuantity quantity);
 /// The unit of the residuals of a source.
 [[nodiscard]] const char* unitOf(FitSource source);
 

@@ -113,6 +113,7 @@ ordered_json tableSchemas() {
         {"fitted_value", tableSchema("measured: one of values", fittedValueOutputs())},
         {"residuals", tableSchema("measured: one of residuals", fitResidualsOutputs())},
         {"force_law", tableSchema("measured: force_law", forceLawOutputs())},
+        {"hold_out", tableSchema("measured: one of hold_out", holdOutOutputs())},
         {"out_of_step", tableSchema("measured: one of out_of_step", outOfStepOutputs())},
         {"part", tableSchema("simulate: part of a file of several surfaces", setupOutputs())},
         {"dressing", tableSchema("dressing", dressingOutputs())},

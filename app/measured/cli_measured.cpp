@@ -14,6 +14,7 @@
 #include "core/files/file_system.h"
 #include "core/format/today.h"
 #include "core/identification/calibration.h"
+#include "core/identification/hold_out.h"
 #include "core/identification/identification.h"
 #include "core/measured/measured_table.h"
 #include "core/printable.h"
@@ -154,6 +155,17 @@ std::string fitText(const Project& project, const Identification& found,
     return text;
 }
 
+std::string holdOutText(const Project& project, const HoldOutRow& row) {
+    constexpr int digits = 3;
+    const auto number = [](double value) { return fixed(value, digits); };
+    return "not used for the calibration, "
+           + printable(project.measured->traces[static_cast<std::size_t>(row.trace)].source) + ": "
+           + wordsOf(row.quantity).text + ": " + number(row.measured) + ' ' + unitOf(row.quantity)
+           + ", predicted " + number(row.predicted) + " (" + number(row.predicted95.low) + "…"
+           + number(row.predicted95.high) + "), difference " + number(row.difference95.low) + "…"
+           + number(row.difference95.high) + (row.agrees() ? ": agrees\n" : ": does not agree\n");
+}
+
 /// Runs the batch that predicts, and judges; the exit status.
 int judge(const Project& project, const std::string& name, const Options& options,
           MeasuredAnswer& answer) {
@@ -189,7 +201,8 @@ int statusOf(const MeasuredAnswer& answer, const Options& options) {
         default: return refused;
         }
     }
-    return options.check && !speaksForModel(answer.rows) ? requirementFails : done;
+    const bool agrees = std::ranges::all_of(answer.holdOut, &HoldOutRow::agrees);
+    return options.check && !(agrees && speaksForModel(answer.rows)) ? requirementFails : done;
 }
 
 /// Saves the inputs that were found, in the set-up that they are of.
@@ -217,10 +230,11 @@ int measureOne(Project project, const Surfaces& surfaces, std::size_t surface,
         print(stderr, printable(name) + ": /measured: nothing is measured\n");
         return refused;
     }
-    MeasuredAnswer answer{.rows = {}, .fit = {}, .parameters = parameters};
+    MeasuredAnswer answer{.rows = {}, .holdOut = {}, .fit = {}, .parameters = parameters};
     if (const int failed = judge(project, name, options, answer)) {
         return failed;
     }
+    answer.holdOut = holdOut(project);
     if (!parameters.empty() && caughtSignal() == 0) {
         const BatchWatch watch(BatchWatch::uncounted, false, "cycles");
         answer.fit = identify(project,
@@ -237,6 +251,9 @@ int measureOne(Project project, const Surfaces& surfaces, std::size_t surface,
     } else {
         for (const AdequacyRow& row : answer.rows) {
             print(stdout, rowText(project, row));
+        }
+        for (const HoldOutRow& row : answer.holdOut) {
+            print(stdout, holdOutText(project, row));
         }
         print(stdout, answer.fit ? fitText(project, *answer.fit, parameters) : std::string());
     }

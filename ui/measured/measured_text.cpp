@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/measured/measured_text.h"
 
+#include "core/project/measured.h"
 #include "core/project/project.h"
 #include "core/simulation/result.h"
 #include "ui/text/limit_names.h"
@@ -271,6 +272,32 @@ QStringList MeasuredText::judgement(const Project& project, const std::vector<Ad
                     : tr("%1: %2. %3", "verdict, of what, what follows").arg(what, of, follows));
     }
     return sentences << where(rows);
+}
+
+QStringList MeasuredText::holdOut(const Project& project, const std::vector<HoldOutRow>& rows) {
+    constexpr int digits = 3;
+    QStringList sentences;
+    for (const HoldOutRow& row : rows) {
+        const MeasuredTrace& trace = project.measured->traces[static_cast<std::size_t>(row.trace)];
+        const auto range = [](const Interval& interval) {
+            return Names::significant(interval.low, digits) + u'…'
+                   + Names::significant(interval.high, digits);
+        };
+        const QString text = row.agrees() ? tr("Not used for the calibration, %1: %2: %3 %4, "
+                                               "predicted %5 (%6). The prediction agrees.")
+                                          : tr("Not used for the calibration, %1: %2: %3 %4, "
+                                               "predicted %5 (%6). The prediction does not agree: "
+                                               "the difference is %7 %4.");
+        sentences << text.arg(QString::fromStdString(trace.source),
+                              QCoreApplication::translate("Measured", wordsOf(row.quantity).text),
+                              Names::significant(row.measured, digits),
+                              QCoreApplication::translate("Unit", unitOf(row.quantity)),
+                              Names::significant(row.predicted, digits), range(row.predicted95));
+        if (!row.agrees()) {
+            sentences.back() = sentences.back().arg(range(row.difference95));
+        }
+    }
+    return sentences;
 }
 
 /// What else makes a bias than compliance and force.

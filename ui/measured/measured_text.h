@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/adequacy/adequacy.h"
+#include "core/identification/hold_out.h"
 #include "core/measured/measured_table.h"
 
 #include <QCoreApplication>
@@ -38,6 +39,9 @@ public:
     static QString briefVerdict(AdequacyVerdict verdict); ///< a word or two
     /// What all of them come to, a sentence each: what is so, of which quantities, what follows.
     static QStringList judgement(const Project& project, const std::vector<AdequacyRow>& rows);
+
+    /// Each comparison with a trace that no calibration used, a sentence.
+    static QStringList holdOut(const Project& project, const std::vector<HoldOutRow>& rows);
 
 private:
     static QStringList where(const std::vector<AdequacyRow>& rows); ///< to look besides

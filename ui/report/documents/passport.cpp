@@ -169,6 +169,10 @@ private:
         if (!blocks.empty()) {
             section(tr("Measured parts against the prediction"), blocks);
         }
+        const std::vector<Block> heldOut = PassportMeasured::heldOut(m_project);
+        if (!heldOut.empty()) {
+            section(tr("A cycle that the calibration has not used"), heldOut);
+        }
     }
 
     void addProfiles() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/documents/passport_measured.h"
 
+#include "core/identification/hold_out.h"
 #include "core/project/project.h"
 #include "ui/measured/adequacy_table.h"
 #include "ui/measured/measured_boxes.h"
@@ -51,6 +52,19 @@ std::vector<Block> PassportMeasured::blocks(const Subject& subject) {
                                                 MeasuredBoxes::chart(project, rows, quantity))) {
             blocks.emplace_back(std::move(*figure));
         }
+    }
+    return blocks;
+}
+
+std::vector<Block> PassportMeasured::heldOut(const Project& project) {
+    std::vector<Block> blocks;
+    for (const QString& sentence : MeasuredText::holdOut(project, holdOut(project))) {
+        blocks.emplace_back(Paragraph{sentence});
+    }
+    if (!blocks.empty()) {
+        blocks.emplace_back(
+            Paragraph{tr("The range in parentheses is that of the calibrated inputs at the ends of "
+                         "their 95 % intervals.")});
     }
     return blocks;
 }

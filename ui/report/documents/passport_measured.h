@@ -18,6 +18,8 @@ public:
     static bool applies(const Project& project);
     /// Nothing where no part was measured, or nothing predicts.
     static std::vector<Block> blocks(const Subject& subject);
+    /// What the calibration says of traces that it has not used; nothing where there are none.
+    static std::vector<Block> heldOut(const Project& project);
 
 private:
     static Table table(const Project& project, const std::vector<AdequacyRow>& rows);

@@ -201,6 +201,7 @@ bool MeasuredView::hasStatistics() const {
 void MeasuredView::takeOutcome(const OutcomePtr&) {
     const Project& project = good()->result.project;
     m_hasStatistics = !statisticsOfMeasured(project).empty();
+    holdOut();
     const Project predicting = predictingProject(project);
     studies().prediction.follow(&predicting);
     if (!hasStatistics()) {
@@ -215,7 +216,20 @@ void MeasuredView::takeOutcome(const OutcomePtr&) {
 
 void MeasuredView::dropOutcome() {
     m_hasStatistics = false;
+    m_holdOut.stop();
+    m_heldOut.clear();
     judge();
+}
+
+/// A run or two of the cycle for each calibrated input: off the window's thread.
+void MeasuredView::holdOut() {
+    m_heldOut.clear();
+    m_holdOut.start([this, of = good()](const std::stop_token& stop, const NewestJob::Post& post) {
+        post([this, found = sparkout::holdOut(of->result.project, stop)] {
+            m_heldOut = found;
+            judge();
+        });
+    });
 }
 
 void MeasuredView::dropStudies() {
@@ -244,7 +258,10 @@ void MeasuredView::judge() {
     const Project& project = good() ? good()->result.project : Project();
     m_rows = has ? judgeAdequacy(project, batch()->result) : std::vector<AdequacyRow>();
     m_model->update(adequacyTable(project, m_rows));
-    m_judgement->setText(has ? MeasuredText::judgement(project, m_rows).join(u'\n') : QString());
+    m_judgement->setText(
+        has ? (MeasuredText::judgement(project, m_rows) + MeasuredText::holdOut(project, m_heldOut))
+                  .join(u'\n')
+            : QString());
     fillQuantities();
     showComparison();
 }
@@ -327,10 +344,13 @@ QString MeasuredView::recordedText() const {
     for (const MeasuredTrace& trace : measured->traces) {
         names << Names::inSentence(MeasuredText::trace(trace.quantity));
     }
-    return tr("Recorded over time: %1. The view Feeds draws it over the simulated curves, "
-              "“Calibrate…” fits the process to it, the list “Traces” keeps it. No part is "
-              "measured yet that could be compared with the predicted batch.")
-        .arg(names.join(QStringLiteral("; ")));
+    const QString recorded =
+        tr("Recorded over time: %1. The view Feeds draws it over the simulated curves, "
+           "“Calibrate…” fits the process to it, the list “Traces” keeps it. No part is "
+           "measured yet that could be compared with the predicted batch.")
+            .arg(names.join(QStringLiteral("; ")));
+    return (QStringList(recorded) + MeasuredText::holdOut(good()->result.project, m_heldOut))
+        .join(u'\n');
 }
 
 QString MeasuredView::remark() const {

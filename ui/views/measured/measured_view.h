@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/adequacy/adequacy.h"
+#include "core/identification/hold_out.h"
 #include "ui/plot/study_view.h"
+#include "ui/session/newest_job.h"
 
 #include <array>
 #include <vector>
@@ -79,6 +81,7 @@ private:
     void fillQuantities();
     [[nodiscard]] QString stateText() const;
     [[nodiscard]] QString recordedText() const; ///< empty: no trace
+    void holdOut();
 
     BarPlot* m_boxes;
     ValueModel* m_model;
@@ -96,6 +99,8 @@ private:
     std::array<DataSheet*, 3> m_data{};
     MeasuredQuantity m_wanted = MeasuredQuantity::diameter_deviation;
     bool m_hasStatistics = false;
+    std::vector<HoldOutRow> m_heldOut;
+    NewestJob m_holdOut; ///< last: stopped before what it reports to is gone
 };
 
 } // namespace sparkout
