@@ -8988,14 +8988,6 @@ With another name both versions stay as they are.</source>
             <source>not filtered</source>
             <translation>без фильтра</translation>
         </message>
-        <message>
-            <source>runout %1 µm + machine</source>
-            <translation>биение %1 мкм + станок</translation>
-        </message>
-        <message>
-            <source>RONt %1, e %2 µm + machine</source>
-            <translation>RONt %1, e %2 мкм + станок</translation>
-        </message>
     </context>
     <context>
         <name>Range</name>

@@ -28,6 +28,16 @@ QString range(double low_mm, double high_mm, int decimals = 3) {
     return low == high ? low : low + QChar(0x2026) + high;
 }
 
+/// In brief, of what the machine adds to: where it is not known at least the process's own, and a
+/// dash for one that rounds to nothing.
+QString ofProcess(double value_mm, bool knowsMachine) {
+    constexpr int decimals = 2;
+    constexpr double rounded_um = 0.005;
+    return knowsMachine                             ? um(value_mm, decimals)
+           : value_mm * units::umPerMm < rounded_um ? QStringLiteral("—")
+                                                    : QStringLiteral("≥ ") + um(value_mm, decimals);
+}
+
 } // namespace
 
 QString ProfilesText::blankText(const ProfileSeries& series, const Profile& profile, int k) {
@@ -51,8 +61,7 @@ QString ProfilesText::numbers(const ProfileSeries& series, const Profile& profil
         return tr("ΔD %1 %2", "deviations of the diameter in µm, short; then ✓ or ✗")
                    .arg(diameters, out ? QStringLiteral("✗") : QStringLiteral("✓"))
                + u'\n'
-               + (series.knowsRunout ? tr("runout %1 µm") : tr("runout %1 µm + machine"))
-                     .arg(runout);
+               + tr("runout %1 µm").arg(ofProcess(profile.radialRunout_mm, series.knowsRunout));
     }
     return (out ? tr("✗ Diameter %1 µm: outside the field") : tr("✓ Diameter %1 µm: in the field"))
                .arg(diameters)
@@ -65,8 +74,7 @@ QString ProfilesText::roundness(const RoundnessZone& zone, bool brief, bool know
     const QString eccentricity =
         Names::amountFixed(std::hypot(zone.x_mm, zone.y_mm) * units::umPerMm, decimals);
     if (brief) {
-        return (knowsMachine ? tr("RONt %1, e %2 µm") : tr("RONt %1, e %2 µm + machine"))
-            .arg(deviation, eccentricity);
+        return tr("RONt %1, e %2 µm").arg(ofProcess(zone.deviation(), knowsMachine), eccentricity);
     }
     return Names::ofMachine(tr("RONt %1 µm, eccentricity %2 µm").arg(deviation, eccentricity),
                             knowsMachine);
