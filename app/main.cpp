@@ -435,6 +435,7 @@ int main(int argc, char** argv) {
         return exitUsage;
     }
     Settings settings = hidden ? Settings::transient() : settingsFor(options);
+    settings.setAllInputs(!hidden && settings.allInputs()); // a picture has the usual ones
     Language language;
     language.apply(options.language.isEmpty() ? settings.language() : options.language);
     applyTheme(themeFrom(options.theme.isEmpty() ? settings.theme() : options.theme));

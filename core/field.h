@@ -132,6 +132,7 @@ struct Row {
     Condition exempt = nullptr;   ///< only hard counts when it holds; null: never
     bool sparse = false;          ///< left out of files where it has its default
     Page page = Page::none;       ///< the form page that shows it
+    bool usual = false;           ///< set for every cycle; the page shows the others on demand
     const char* hint = "";
     const char* formula = ""; ///< where the member enters the model, in the model page's letters
     const char* column = "";  ///< label at the head of a table's column, where it must be short

@@ -19,6 +19,16 @@
         </message>
     </context>
     <context>
+        <name>sparkout::FormPage</name>
+        <message numerus="yes">
+            <source>%1 · %n other(s) shown</source>
+            <translation>
+                <numerusform>%1 · %n other shown</numerusform>
+                <numerusform>%1 · %n others shown</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>FileQuestion</name>
         <message numerus="yes">
             <source>%n more</source>

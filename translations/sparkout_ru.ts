@@ -17856,6 +17856,26 @@ good</source>
             <source>%1 (shared)</source>
             <translation>%1 — общее</translation>
         </message>
+        <message>
+            <source>All inputs (%1 more)</source>
+            <translation>Все данные (ещё %1)</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 · %n other(s) shown</source>
+            <translation>
+                <numerusform>%1 · показан %n другой</numerusform>
+                <numerusform>%1 · показаны %n других</numerusform>
+                <numerusform>%1 · показаны %n других</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Usual inputs alone</source>
+            <translation>Только обычные данные</translation>
+        </message>
+        <message>
+            <source>Beside the usual inputs those are shown that are calibrated, refused or warned of, or that are neither the default nor the catalogue's</source>
+            <translation>Кроме обычных данных показаны калиброванные, отклонённые, с предупреждением и те, что отличаются от значений по умолчанию и от каталога</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::SharedMark</name>

@@ -28,37 +28,41 @@ std::span<const Choice> choicesOf<Scenarios>() {
 template <>
 const StructInfo& tableOf<Factor>() {
     static const std::array rows{
-        SPARKOUT_FIELD(
-            Factor, uniform, .label = SPARKOUT_NOOP("Input", "Uniform"), .hard = {-1e6, 1e6},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2, .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "Minimum and maximum value; equal, a constant.")),
+        SPARKOUT_FIELD(Factor, uniform, .label = SPARKOUT_NOOP("Input", "Uniform"),
+                       .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
+                       .count = 2, .page = Page::batch, .usual = true,
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Minimum and maximum value; equal, a constant.")),
         SPARKOUT_FIELD(Factor, normal, .label = SPARKOUT_NOOP("Input", "Normal"),
                        .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
-                       .count = 2, .page = Page::batch,
+                       .count = 2, .page = Page::batch, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Mean and standard deviation.")),
-        SPARKOUT_FIELD(
-            Factor, within, .label = SPARKOUT_NOOP("Input", "Within"), .hard = {-1e6, 1e6},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not truncated"), .count = 2, .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "Bounds that truncate the normal distribution.")),
+        SPARKOUT_FIELD(Factor, within, .label = SPARKOUT_NOOP("Input", "Within"),
+                       .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not truncated"),
+                       .count = 2, .page = Page::batch, .usual = true,
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Bounds that truncate the normal distribution.")),
         SPARKOUT_FIELD(Factor, triangular, .label = SPARKOUT_NOOP("Input", "Triangular"),
                        .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
-                       .count = 3, .page = Page::batch,
+                       .count = 3, .page = Page::batch, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Minimum, most frequent and maximum value.")),
-        SPARKOUT_FIELD(
-            Factor, measured, .label = SPARKOUT_NOOP("Input", "Measured"), .hard = {-1e6, 1e6},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "Values of measured blanks, each as frequent as any "
-                                           "other; `sparkout-cli batch --measured` reads them "
-                                           "from a CSV.")),
-        SPARKOUT_FIELD(
-            Factor, grows, .label = SPARKOUT_NOOP("Input", "Grows"), .hard = {-1e6, 1e6},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2, .page = Page::batch,
-            .hint =
-                SPARKOUT_NOOP("Input", "From the first to the last part between two dressings.")),
+        SPARKOUT_FIELD(Factor, measured, .label = SPARKOUT_NOOP("Input", "Measured"),
+                       .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
+                       .page = Page::batch, .usual = true,
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "Values of measured blanks, each as frequent as any "
+                                             "other; `sparkout-cli batch --measured` reads them "
+                                             "from a CSV.")),
+        SPARKOUT_FIELD(Factor, grows, .label = SPARKOUT_NOOP("Input", "Grows"), .hard = {-1e6, 1e6},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2,
+                       .page = Page::batch, .usual = true,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "From the first to the last part between two dressings.")),
         SPARKOUT_FIELD(
             Factor, parts_between_dressings,
             .label = SPARKOUT_NOOP("Input", "Parts between dressings"), .hard = {1, 1e6},
             .nullMeaning = SPARKOUT_NOOP("Input", "the whole batch"), .page = Page::batch,
+            .usual = true,
             .hint = SPARKOUT_NOOP("Input", "How many parts are ground between two dressings.")),
     };
     static const StructInfo info = makeTable<Factor>(SPARKOUT_NOOP("Struct", "Factor"), rows);
@@ -70,14 +74,14 @@ const StructInfo& tableOf<Factors>() {
     static const std::array rows{
         SPARKOUT_FIELD(Factors, stock_mm, .label = SPARKOUT_NOOP("Input", "Stock per side"),
                        .unit = "mm", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-                       .page = Page::batch),
+                       .page = Page::batch, .usual = true),
         SPARKOUT_FIELD(Factors, initial_runout_mm,
                        .label = SPARKOUT_NOOP("Input", "Initial runout"), .unit = "mm",
                        .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-                       .page = Page::batch),
+                       .page = Page::batch, .usual = true),
         SPARKOUT_FIELD(Factors, dullness, .label = SPARKOUT_NOOP("Input", "Dullness"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-                       .page = Page::batch),
+                       .page = Page::batch, .usual = true),
         SPARKOUT_FIELD(Factors, wheel_diameter_mm,
                        .label = SPARKOUT_NOOP("Input", "Wheel diameter"), .unit = "mm",
                        .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
@@ -87,7 +91,7 @@ const StructInfo& tableOf<Factors>() {
                        .page = Page::batch),
         SPARKOUT_FIELD(Factors, compliance, .label = SPARKOUT_NOOP("Input", "Compliance"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-                       .page = Page::batch,
+                       .page = Page::batch, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Factor on every compliance.")),
         SPARKOUT_FIELD(
             Factors, contact_width_mm, .label = SPARKOUT_NOOP("Input", "Contact width"),
@@ -119,7 +123,7 @@ template <>
 const StructInfo& tableOf<Batch>() {
     static const std::array rows{
         SPARKOUT_FIELD(Batch, parts, .label = SPARKOUT_NOOP("Input", "Parts"), .hard = {1, 1e6},
-                       .page = Page::batch,
+                       .page = Page::batch, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Number of parts simulated."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(Batch, seed, .label = SPARKOUT_NOOP("Input", "Seed"),
@@ -168,16 +172,16 @@ const StructInfo& tableOf<Batch>() {
             .hint =
                 SPARKOUT_NOOP("Input", "Correlation matrix of the factors given, in their order."),
             .source = "MODEL-8"),
-        SPARKOUT_FIELD(Batch, least_ppk, .label = SPARKOUT_NOOP("Input", "Minimum Ppk"),
-                       .symbol = "P_pk", .hard = {0, 99}, .soft = {0, 2}, .page = Page::batch,
-                       .hint = SPARKOUT_NOOP("Input",
-                                             "The verdict calls a cycle fit when the lower 95 % "
-                                             "bounds of all Ppk reach it, else conditionally fit."),
-                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Batch, least_ppk, .label = SPARKOUT_NOOP("Input", "Minimum Ppk"), .symbol = "P_pk",
+            .hard = {0, 99}, .soft = {0, 2}, .page = Page::batch, .usual = true,
+            .hint = SPARKOUT_NOOP("Input", "The verdict calls a cycle fit when the lower 95 % "
+                                           "bounds of all Ppk reach it, else conditionally fit."),
+            .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Batch, most_outside_share, .label = SPARKOUT_NOOP("Input", "Maximum share outside"),
             .hard = {0, 1}, .nullMeaning = SPARKOUT_NOOP("Input", "every part must be good"),
-            .page = Page::batch,
+            .page = Page::batch, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Share of the parts that may fail before the cycle is "
                                            "unfit; when more of them are expected to be out of "
                                            "tolerance, it is conditionally fit."),

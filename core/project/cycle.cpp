@@ -60,7 +60,7 @@ const StructInfo& tableOf<Stage>() {
             .nullMeaning = SPARKOUT_NOOP("Input", "not used"),
             .required = feedsWith<&Stage::radial_feed_mm>,
             .relevant = feedsWith<&Stage::radial_feed_mm>, .slider = true, .read = {1e-6, 1},
-            .exempt = feedsAllTheTime, .page = Page::cycle,
+            .exempt = feedsAllTheTime, .page = Page::cycle, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Programmed infeed at the reversals of each double "
                                            "stroke."),
             .formula = "t_П ← t_П + S_t", .column = SPARKOUT_NOOP("Input", "Radial feed"),
@@ -70,7 +70,7 @@ const StructInfo& tableOf<Stage>() {
                        .nullMeaning = SPARKOUT_NOOP("Input", "not used"),
                        .required = conditions::setsFeed<&Stage::axial_feed_mm_min>,
                        .relevant = conditions::setsFeed<&Stage::axial_feed_mm_min>, .slider = true,
-                       .page = Page::cycle,
+                       .page = Page::cycle, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Table speed; S_ax/n per revolution is the effective width of "
                                     "cut, at most the wheel width."),
@@ -80,7 +80,7 @@ const StructInfo& tableOf<Stage>() {
                        .nullMeaning = SPARKOUT_NOOP("Input", "not used"),
                        .required = feedsWith<&Stage::radial_feed_mm_min>,
                        .relevant = feedsWith<&Stage::radial_feed_mm_min>, .slider = true,
-                       .read = {1e-6, 100}, .exempt = retracts, .page = Page::cycle,
+                       .read = {1e-6, 100}, .exempt = retracts, .page = Page::cycle, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Programmed plunge feed; S_p/n per revolution of the part. "
                                     "Beyond the sources: a stage between others may retract "
@@ -99,7 +99,7 @@ const StructInfo& tableOf<Stage>() {
                        .column = SPARKOUT_NOOP("Input", "Cont. infeed"), .source = "MODEL-5"),
         SPARKOUT_FIELD(Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stage stock per side"),
                        .symbol = "Π_z", .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6},
-                       .required = feeds, .slider = true, .page = Page::cycle,
+                       .required = feeds, .slider = true, .page = Page::cycle, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Radial stock of the stage. It ends when what remains to size "
                                     "is the later stages' stock."),
@@ -108,6 +108,7 @@ const StructInfo& tableOf<Stage>() {
         SPARKOUT_FIELD(
             Stage, spark_out, .label = SPARKOUT_NOOP("Input", "Spark-out"), .hard = {1, 100000},
             .nullMeaning = SPARKOUT_NOOP("Input", "an ordinary stage"), .page = Page::cycle,
+            .usual = true,
             .hint = SPARKOUT_NOOP("Input",
                                   "The last stage may feed nothing: a number of double strokes or "
                                   "revolutions, or until size."),
@@ -121,7 +122,7 @@ template <>
 const StructInfo& tableOf<Cycle>() {
     static const std::array rows{
         SPARKOUT_FIELD(Cycle, stages, .label = SPARKOUT_NOOP("Input", "Stages"), .hard = {1, 100},
-                       .required = conditions::always, .page = Page::cycle,
+                       .required = conditions::always, .page = Page::cycle, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Stages of the cycle in the order they run."),
                        .source = "MODEL-7"),
     };

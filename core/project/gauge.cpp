@@ -45,22 +45,22 @@ std::span<const Choice> choicesOf<GaugeRule>() {
 template <>
 const StructInfo& tableOf<Gauge>() {
     static const std::array rows{
-        SPARKOUT_FIELD(
-            Gauge, control, .label = SPARKOUT_NOOP("Input", "Stages switch"), .page = Page::gauge,
-            .hint =
-                SPARKOUT_NOOP("Input", "By the in-process gauge's reading, or by the position the "
-                                       "wheel head has been fed to."),
-            .source = "MODEL-7"),
+        SPARKOUT_FIELD(Gauge, control, .label = SPARKOUT_NOOP("Input", "Stages switch"),
+                       .page = Page::gauge, .usual = true,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "By the in-process gauge's reading, or by the position the "
+                                    "wheel head has been fed to."),
+                       .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Gauge, rule, .label = SPARKOUT_NOOP("Input", "The gauge reads the"),
-            .page = Page::gauge,
+            .page = Page::gauge, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Which of the diameters of a revolution the gauge "
                                            "reports. In a bore minimum and maximum change places."),
             .formula = "D_k = R_k + R_(k + K/2)", .source = "MODEL-7"),
         SPARKOUT_FIELD(Gauge, section, .label = SPARKOUT_NOOP("Input", "Gauge at section"),
                        .symbol = "j", .hard = {0, 199},
                        .nullMeaning = SPARKOUT_NOOP("Input", "the middle one"),
-                       .relevant = gaugeAtSection, .page = Page::gauge,
+                       .relevant = gaugeAtSection, .page = Page::gauge, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Section the gauge watches, counted from the headstock: from 1 "
                                     "in the window and in reports, from 0 in files and on the "
@@ -86,29 +86,30 @@ const StructInfo& tableOf<Gauge>() {
             Gauge, datum_mm, .label = SPARKOUT_NOOP("Input", "Feeding starts before size"),
             .unit = "mm", .hard = {0, 1000, true}, .soft = {0.001, 5},
             .nullMeaning = SPARKOUT_NOOP("Input", "at first touch"),
-            .relevant = conditions::byPosition, .page = Page::gauge,
+            .relevant = conditions::byPosition, .page = Page::gauge, .usual = true,
             .hint = SPARKOUT_NOOP("Input",
                                   "How far from the target radius the wheel head's feed starts. In "
                                   "a batch it is where the wheel touches the nominal blank: a "
                                   "larger blank is cut deeper at once, a smaller one later."),
             .formula = "R_max0 − R_t", .source = "MODEL-7"),
-        SPARKOUT_FIELD(Gauge, spans_gaps, .label = SPARKOUT_NOOP("Input", "Gauge spans the gaps"),
-                       .relevant = gaugeMeetsGaps, .sparse = true, .page = Page::gauge,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "A gauge for interrupted surfaces, with wide contacts or a "
-                                    "reading held over the gaps. Any other drops into them, so "
-                                    "that only the maximum diameter (in a bore the smallest) is "
-                                    "of use."),
-                       .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            Gauge, spans_gaps, .label = SPARKOUT_NOOP("Input", "Gauge spans the gaps"),
+            .relevant = gaugeMeetsGaps, .sparse = true, .page = Page::gauge, .usual = true,
+            .hint =
+                SPARKOUT_NOOP("Input", "A gauge for interrupted surfaces, with wide contacts or a "
+                                       "reading held over the gaps. Any other drops into them, so "
+                                       "that only the maximum diameter (in a bore the smallest) is "
+                                       "of use."),
+            .source = "MODEL-7"),
         SPARKOUT_FIELD(Gauge, commands, .label = SPARKOUT_NOOP("Input", "Gauge commands"),
-                       .hard = {1, 5}, .page = Page::gauge,
+                       .hard = {1, 5}, .page = Page::gauge, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "How many stages the gauge can switch."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Gauge, delay_s, .label = SPARKOUT_NOOP("Input", "Gauge delay"), .symbol = "τ_g",
             .unit = "s", .hard = {0, 60}, .soft = {0, 2},
             .nullMeaning = SPARKOUT_NOOP("Input", "none"), .relevant = gaugeEndsAStage,
-            .page = Page::gauge,
+            .page = Page::gauge, .usual = true,
             .hint = SPARKOUT_NOOP("Input",
                                   "Time from the gauge's reading to its command. Every stage that "
                                   "the gauge ends goes on for the whole double strokes or "

@@ -85,22 +85,23 @@ const StructInfo& tableOf<Stiffness>() {
     static const std::array rows{
         SPARKOUT_FIELD(Stiffness, headstock, .label = SPARKOUT_NOOP("Input", "Headstock stiffness"),
                        .symbol = "j_h", .unit = "N/µm", .hard = {1e-3, 1e6}, .soft = {5, 1000},
-                       .required = conditions::always, .page = Page::machine,
+                       .required = conditions::always, .page = Page::machine, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Force for one micrometre of deflection at the headstock."),
                        .formula = "G(x,x) = 1/j_w + (1 − x/L_s)²/j_h + (x/L_s)²/j_t + G_beam(x,x)",
                        .source = "MODEL-6"),
-        SPARKOUT_FIELD(Stiffness, tailstock, .label = SPARKOUT_NOOP("Input", "Tailstock stiffness"),
-                       .symbol = "j_t", .unit = "N/µm", .hard = {1e-3, 1e6}, .soft = {5, 1000},
-                       .required = onCentres, .relevant = onCentres, .page = Page::machine,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Force for one micrometre of deflection at the tailstock."),
-                       .formula = "G(x,x) = 1/j_w + (1 − x/L_s)²/j_h + (x/L_s)²/j_t + G_beam(x,x)",
-                       .source = "MODEL-6"),
+        SPARKOUT_FIELD(
+            Stiffness, tailstock, .label = SPARKOUT_NOOP("Input", "Tailstock stiffness"),
+            .symbol = "j_t", .unit = "N/µm", .hard = {1e-3, 1e6}, .soft = {5, 1000},
+            .required = onCentres, .relevant = onCentres, .page = Page::machine, .usual = true,
+            .hint =
+                SPARKOUT_NOOP("Input", "Force for one micrometre of deflection at the tailstock."),
+            .formula = "G(x,x) = 1/j_w + (1 − x/L_s)²/j_h + (x/L_s)²/j_t + G_beam(x,x)",
+            .source = "MODEL-6"),
         SPARKOUT_FIELD(
             Stiffness, wheel_head, .label = SPARKOUT_NOOP("Input", "Wheel head stiffness"),
             .symbol = "j_w", .unit = "N/µm", .hard = {1e-3, 1e6}, .soft = {5, 1000},
-            .required = conditions::always, .page = Page::machine,
+            .required = conditions::always, .page = Page::machine, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Force for one micrometre of deflection at the wheel."),
             .formula = "G(x,x) = 1/j_w + (1 − x/L_s)²/j_h + (x/L_s)²/j_t + G_beam(x,x)",
             .source = "MODEL-6"),
@@ -250,7 +251,7 @@ Field geometricRunout() {
     return SPARKOUT_FIELD(
         Machine, geometric_runout_um, .label = SPARKOUT_NOOP("Input", "Geometric runout"),
         .symbol = "Δ_m", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10},
-        .relevant = withoutRunoutOfForm, .page = Page::machine,
+        .relevant = withoutRunoutOfForm, .page = Page::machine, .usual = true,
         .hint = SPARKOUT_NOOP("Input", "Runout of centres and spindle; it adds to every runout. At "
                                        "0 it is not known."),
         .source = "MODEL-7");
@@ -271,17 +272,19 @@ template <>
 const StructInfo& tableOf<Machine>() {
     static const std::array rows{
         SPARKOUT_FIELD(Machine, name, .label = SPARKOUT_NOOP("Input", "Machine"),
-                       .page = Page::machine,
+                       .page = Page::machine, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Model of the grinder.")),
         SPARKOUT_FIELD(Machine, wheel_speed_m_s, .label = SPARKOUT_NOOP("Input", "Wheel speed"),
                        .symbol = "V_k", .unit = "m/s", .hard = {1, 250}, .soft = {15, 80},
                        .required = conditions::always, .slider = true, .page = Page::machine,
+                       .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Peripheral speed of the wheel."),
                        .formula = "k_s = ε_i·tg β·σ_i·V_d/V_k", .source = "MODEL-1"),
         wheelSpeedControl(),
         SPARKOUT_FIELD(Machine, work_speed_rpm, .label = SPARKOUT_NOOP("Input", "Work speed"),
                        .symbol = "n", .unit = "rev/min", .hard = {0.1, 10000}, .soft = {20, 1500},
                        .required = conditions::always, .slider = true, .page = Page::machine,
+                       .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Revolutions of the part; V_d = π·d·n."),
                        .source = "MODEL-1"),
         SPARKOUT_FIELD(
@@ -305,22 +308,24 @@ const StructInfo& tableOf<Machine>() {
             Machine, overrun_entry_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the entry"),
             .symbol = "o_1", .unit = "mm", .hard = {-1000, 1000}, .soft = {0, 100},
             .required = conditions::travels, .relevant = conditions::travels, .page = Page::machine,
+            .usual = true,
             .hint = SPARKOUT_NOOP("Input", "How far the wheel runs past the entry end; the entry "
                                            "reversal zone is B − o1 long."),
             .source = "MODEL-5"),
-        SPARKOUT_FIELD(
-            Machine, overrun_exit_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the exit"),
-            .symbol = "o_2", .unit = "mm", .hard = {-1000, 1000}, .soft = {0, 100},
-            .required = conditions::travels, .relevant = conditions::travels, .page = Page::machine,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "How far the wheel runs past the exit end; the exit reversal "
-                                  "zone is B − o2 long."),
-            .source = "MODEL-5"),
+        SPARKOUT_FIELD(Machine, overrun_exit_mm,
+                       .label = SPARKOUT_NOOP("Input", "Overrun at the exit"), .symbol = "o_2",
+                       .unit = "mm", .hard = {-1000, 1000}, .soft = {0, 100},
+                       .required = conditions::travels, .relevant = conditions::travels,
+                       .page = Page::machine, .usual = true,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "How far the wheel runs past the exit end; the exit reversal "
+                                    "zone is B − o2 long."),
+                       .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Machine, dwell_entry_s, .label = SPARKOUT_NOOP("Input", "Dwell at the entry"),
             .symbol = "τ_1", .unit = "s", .hard = {0, 3600}, .soft = {0, 5},
             .required = conditions::travels, .relevant = conditions::travels, .slider = true,
-            .page = Page::machine,
+            .page = Page::machine, .usual = true,
             .hint =
                 SPARKOUT_NOOP("Input", "Spark-out at the entry reversal, twice a double stroke, in "
                                        "whole revolutions of the part."),
@@ -328,7 +333,7 @@ const StructInfo& tableOf<Machine>() {
         SPARKOUT_FIELD(Machine, dwell_exit_s, .label = SPARKOUT_NOOP("Input", "Dwell at the exit"),
                        .symbol = "τ_2", .unit = "s", .hard = {0, 3600}, .soft = {0, 5},
                        .required = conditions::travels, .relevant = conditions::travels,
-                       .slider = true, .page = Page::machine,
+                       .slider = true, .page = Page::machine, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Spark-out at the exit reversal, once a double stroke, in "
                                     "whole revolutions of the part."),
@@ -344,6 +349,7 @@ const StructInfo& tableOf<Machine>() {
         SPARKOUT_FIELD(Machine, stiffness_n_um,
                        .label = SPARKOUT_NOOP("Input", "Stiffness of the units"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "not stated"), .page = Page::machine,
+                       .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Headstock, tailstock and wheel head, for a compliance that is "
                                     "computed."),
@@ -351,11 +357,12 @@ const StructInfo& tableOf<Machine>() {
         zoneCompliance(),
         geometricRunout(),
         machineForm(),
-        SPARKOUT_FIELD(
-            Machine, wheel_drive_kw, .label = SPARKOUT_NOOP("Input", "Wheel drive power"),
-            .symbol = "N_k", .unit = "kW", .hard = {0, 1000, true},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .page = Page::machine,
-            .hint = SPARKOUT_NOOP("Input", "Power of the wheel drive."), .source = "MODEL-8"),
+        SPARKOUT_FIELD(Machine, wheel_drive_kw,
+                       .label = SPARKOUT_NOOP("Input", "Wheel drive power"), .symbol = "N_k",
+                       .unit = "kW", .hard = {0, 1000, true},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .page = Page::machine,
+                       .usual = true, .hint = SPARKOUT_NOOP("Input", "Power of the wheel drive."),
+                       .source = "MODEL-8"),
         SPARKOUT_FIELD(Machine, work_drive_kw, .label = SPARKOUT_NOOP("Input", "Work drive power"),
                        .symbol = "N_d", .unit = "kW", .hard = {0, 1000, true},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .page = Page::machine,
@@ -372,7 +379,7 @@ const StructInfo& tableOf<Machine>() {
                                        "The last command only draws the wheel back, undelayed."),
             .formula = "t ≥ t_m + τ_g + τ_f", .source = "MODEL-7"),
         SPARKOUT_FIELD(Machine, entry_side, .label = SPARKOUT_NOOP("Input", "Entry zone is at the"),
-                       .relevant = conditions::travels, .page = Page::machine,
+                       .relevant = conditions::travels, .page = Page::machine, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Which end of the part the wheel enters at."),
                        .source = "MODEL-6"),
         SPARKOUT_FIELD(

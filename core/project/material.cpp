@@ -30,17 +30,19 @@ const StructInfo& tableOf<Material>() {
     static const std::array rows{
         SPARKOUT_FIELD(
             Material, grade, .label = SPARKOUT_NOOP("Input", "Grade"), .page = Page::material,
+            .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Steel or iron grade, as it stands in the drawing.")),
         SPARKOUT_FIELD(Material, hardness_hrc, .label = SPARKOUT_NOOP("Input", "Hardness"),
                        .symbol = "HRC", .unit = "HRC", .hard = {0, 75}, .soft = {15, 68},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not stated"), .page = Page::material,
+                       .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Hardness of the part; for the record, the force law takes the "
                                     "flow stress.")),
         SPARKOUT_FIELD(Material, flow_stress_mpa, .label = SPARKOUT_NOOP("Input", "Flow stress"),
                        .symbol = "σ_i", .unit = "MPa", .hard = {10, 20000}, .soft = {300, 4000},
                        .required = conditions::always, .relevant = bySources, .slider = true,
-                       .page = Page::material,
+                       .page = Page::material, .usual = true,
                        .hint = SPARKOUT_NOOP("Input",
                                              "Stress intensity of the metal in the cutting zone: "
                                              "k_s = ε_i·tg β·σ_i·V_d/V_k, k_r = η·σ_i·√D_e/3."),
@@ -105,13 +107,14 @@ const StructInfo& tableOf<Material>() {
             .symbol = "Ω", .unit = "mm²/s", .hard = {0.01, 500}, .soft = {3, 20},
             .page = Page::material, .hint = SPARKOUT_NOOP("Input", "Of the part near the surface."),
             .source = "MODEL-8"),
-        SPARKOUT_FIELD(
-            Material, burn_rise_k, .label = SPARKOUT_NOOP("Input", "Burn temperature rise"),
-            .symbol = "U", .unit = "K", .hard = {10, 3000}, .soft = {200, 1000},
-            .nullMeaning = SPARKOUT_NOOP("Input", "burn not checked"), .page = Page::material,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "Temperature rise above which the metal's structure changes."),
-            .source = "MODEL-8"),
+        SPARKOUT_FIELD(Material, burn_rise_k,
+                       .label = SPARKOUT_NOOP("Input", "Burn temperature rise"), .symbol = "U",
+                       .unit = "K", .hard = {10, 3000}, .soft = {200, 1000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "burn not checked"),
+                       .page = Page::material, .usual = true,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Temperature rise above which the metal's structure changes."),
+                       .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Material, heat_share, .label = SPARKOUT_NOOP("Input", "Heat into the part"),
             .symbol = "ε_w", .hard = {0, 1, true}, .soft = {0.05, 1}, .page = Page::material,

@@ -91,6 +91,7 @@ Field adaptiveLevels() {
 Field objective() {
     return SPARKOUT_FIELD(
         Optimisation, objective, .label = SPARKOUT_NOOP("Input", "Objective"), .page = Page::search,
+        .usual = true,
         .hint = SPARKOUT_NOOP(
             "Input", "Cost and wheel life are searched over the parts from one dressing "
                      "to the next: the cycle holds for all of them, with the wheel as "
@@ -126,7 +127,7 @@ template <>
 const StructInfo& tableOf<Optimisation>() {
     static const std::array rows{
         SPARKOUT_FIELD(Optimisation, stages, .label = SPARKOUT_NOOP("Input", "Numbers of stages"),
-                       .hard = {1, 5}, .whole = true, .page = Page::search,
+                       .hard = {1, 5}, .whole = true, .page = Page::search, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Numbers of stages the search tries."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(Optimisation, stock_step_mm,
@@ -149,7 +150,7 @@ const StructInfo& tableOf<Optimisation>() {
         adaptiveLevels(),
         marginWithin(),
         SPARKOUT_FIELD(Optimisation, scenarios, .label = SPARKOUT_NOOP("Input", "Must hold for"),
-                       .page = Page::search,
+                       .page = Page::search, .usual = true,
                        .hint =
                            SPARKOUT_NOOP("Input", "The parts the cycle must hold the drawing for."),
                        .source = "MODEL-8"),
@@ -158,6 +159,7 @@ const StructInfo& tableOf<Optimisation>() {
             .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"), .unit = "mm/dbl stroke",
             .hard = {0, 1, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
             .relevant = conditions::setsFeed<&Stage::radial_feed_mm>, .page = Page::search,
+            .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Per double stroke: a list, or from, to and step."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
@@ -165,18 +167,20 @@ const StructInfo& tableOf<Optimisation>() {
             .label = SPARKOUT_NOOP("Input", "Levels of the axial feed"), .unit = "mm/min",
             .hard = {0, 1e5, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
             .relevant = conditions::setsFeed<&Stage::axial_feed_mm_min>, .page = Page::search,
-            .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."), .source = "MODEL-8"),
+            .usual = true, .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."),
+            .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, radial_feed_mm_min,
             .label = SPARKOUT_NOOP("Input", "Levels of the plunge feed"), .unit = "mm/min",
             .hard = {0, 100, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
             .relevant = conditions::setsFeed<&Stage::radial_feed_mm_min>, .page = Page::search,
-            .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."), .source = "MODEL-8"),
+            .usual = true, .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."),
+            .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, work_speed_rpm,
             .label = SPARKOUT_NOOP("Input", "Levels of the work speed"), .unit = "rev/min",
             .hard = {0.1, 10000}, .nullMeaning = SPARKOUT_NOOP("Input", "as the machine is set"),
-            .page = Page::search,
+            .page = Page::search, .usual = true,
             .hint =
                 SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
             .source = "MODEL-8"),
@@ -230,7 +234,7 @@ const StructInfo& tableOf<Optimisation>() {
         SPARKOUT_FIELD(Optimisation, stage_stock_mm,
                        .label = SPARKOUT_NOOP("Input", "Stock per side by stage"), .unit = "mm",
                        .hard = {0, 5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .count = 2, .page = Page::search,
+                       .count = 2, .page = Page::search, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input",
                            "Minimum and maximum of the first stage, of the second and so on; "

@@ -113,12 +113,14 @@ const StructInfo& tableOf<Tolerance>() {
             Tolerance, roundness_um, .label = SPARKOUT_NOOP("Input", "Roundness"), .symbol = "Δ_r",
             .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
             .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
+            .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Maximum roundness deviation the drawing allows."),
             .source = "ISO12181"),
         SPARKOUT_FIELD(Tolerance, radial_runout_um,
                        .label = SPARKOUT_NOOP("Input", "Radial runout"), .symbol = "Δ_b",
                        .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
+                       .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Maximum R_max − R_min of a section about the centre axis the "
                                     "drawing allows."),
@@ -127,6 +129,7 @@ const StructInfo& tableOf<Tolerance>() {
             Tolerance, cylindricity_um, .label = SPARKOUT_NOOP("Input", "Cylindricity"),
             .symbol = "Δ_c", .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
             .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
+            .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Maximum cylindricity deviation the drawing allows."),
             .source = "ISO12180"),
         SPARKOUT_FIELD(
@@ -139,6 +142,7 @@ const StructInfo& tableOf<Tolerance>() {
             Tolerance, roughness_ra_um, .label = SPARKOUT_NOOP("Input", "Roughness"),
             .symbol = "Ra", .unit = "µm", .hard = {0, 100, true}, .soft = {0.05, 6.3},
             .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
+            .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Maximum arithmetic mean roughness the drawing allows."),
             .source = "MODEL-8"),
     };
@@ -152,14 +156,14 @@ const StructInfo& tableOf<ShaftSegment>() {
     static const std::array rows{
         SPARKOUT_FIELD(ShaftSegment, length_mm, .label = SPARKOUT_NOOP("Input", "Segment length"),
                        .symbol = "l", .unit = "mm", .hard = {0.01, 20000}, .soft = {1, 2000},
-                       .required = conditions::always, .page = Page::part,
+                       .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Length of one step of the shaft, from the headstock on."),
                        .column = SPARKOUT_NOOP("Input", "Length"), .source = "MODEL-6"),
         SPARKOUT_FIELD(ShaftSegment, diameter_mm,
                        .label = SPARKOUT_NOOP("Input", "Segment diameter"), .symbol = "d",
                        .unit = "mm", .hard = {0.1, 3000}, .soft = {3, 500},
-                       .required = conditions::always, .page = Page::part,
+                       .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Diameter of one step of the shaft."),
                        .formula = "I = π·d⁴/64", .column = SPARKOUT_NOOP("Input", "Diameter"),
                        .source = "MODEL-6"),
@@ -196,14 +200,14 @@ const StructInfo& tableOf<SurfaceGap>() {
     static const std::array rows{
         SPARKOUT_FIELD(SurfaceGap, from_deg, .label = SPARKOUT_NOOP("Input", "Gap begins at"),
                        .symbol = "φ_0", .unit = "°", .hard = {0, 360},
-                       .required = conditions::always, .page = Page::part,
+                       .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Angle of the gap's first edge, counted as "
                                                       "the radii are, from radius 0 on."),
                        .column = SPARKOUT_NOOP("Input", "From"), .source = "MODEL-4"),
         SPARKOUT_FIELD(
             SurfaceGap, width_deg, .label = SPARKOUT_NOOP("Input", "Gap width"), .symbol = "Δφ",
             .unit = "°", .hard = {0, 350}, .soft = {0, 120}, .required = conditions::always,
-            .page = Page::part,
+            .page = Page::part, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Angle from edge to edge; of a keyway of width w about "
                                            "115°·w/d. The radii within are not ground."),
             .formula = "φ_0 ≤ φ_k < φ_0 + Δφ", .column = SPARKOUT_NOOP("Input", "Width"),
@@ -220,13 +224,13 @@ const StructInfo& tableOf<Quill>() {
         SPARKOUT_FIELD(
             Quill, length_mm, .label = SPARKOUT_NOOP("Input", "Quill length"), .symbol = "L",
             .unit = "mm", .hard = {0.01, 2000}, .soft = {5, 300}, .required = conditions::always,
-            .page = Page::part,
+            .page = Page::part, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Overhang of the wheel's spindle in internal grinding."),
             .formula = "G(x,x) = 1/j_w + 1/j_h + x³/(3·E·I)", .source = "MODEL-6"),
         SPARKOUT_FIELD(
             Quill, diameter_mm, .label = SPARKOUT_NOOP("Input", "Quill diameter"), .symbol = "d",
             .unit = "mm", .hard = {0.1, 1000}, .soft = {3, 150}, .required = conditions::always,
-            .page = Page::part,
+            .page = Page::part, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Diameter of the wheel's spindle in internal grinding."),
             .formula = "I = π·d⁴/64", .source = "MODEL-6"),
     };
@@ -237,16 +241,17 @@ const StructInfo& tableOf<Quill>() {
 template <>
 const StructInfo& tableOf<Shaft>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Shaft, segments, .label = SPARKOUT_NOOP("Input", "Segments of the shaft"),
-                       .hard = {0, 100}, .relevant = conditions::external, .page = Page::part,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Steps of the shaft from the headstock on; needed when the "
-                                    "compliance is computed from the stiffness."),
-                       .source = "MODEL-6"),
+        SPARKOUT_FIELD(
+            Shaft, segments, .label = SPARKOUT_NOOP("Input", "Segments of the shaft"),
+            .hard = {0, 100}, .relevant = conditions::external, .page = Page::part, .usual = true,
+            .hint =
+                SPARKOUT_NOOP("Input", "Steps of the shaft from the headstock on; needed when the "
+                                       "compliance is computed from the stiffness."),
+            .source = "MODEL-6"),
         SPARKOUT_FIELD(
             Shaft, ground_from_mm, .label = SPARKOUT_NOOP("Input", "Ground length begins at"),
             .symbol = "x_0", .unit = "mm", .hard = {0, 20000}, .relevant = conditions::external,
-            .page = Page::part,
+            .page = Page::part, .usual = true,
             .hint =
                 SPARKOUT_NOOP("Input", "Distance from the headstock end of the shaft to the ground "
                                        "length."),
@@ -257,7 +262,7 @@ const StructInfo& tableOf<Shaft>() {
             .hint = SPARKOUT_NOOP("Input", "Young's modulus of the shaft: steel about 210."),
             .formula = "G_beam(x,x) = x²·(L_s − x)²/(3·E·I·L_s)", .source = "MODEL-6"),
         SPARKOUT_FIELD(Shaft, mounting, .label = SPARKOUT_NOOP("Input", "Mounting"),
-                       .relevant = conditions::external, .page = Page::part,
+                       .relevant = conditions::external, .page = Page::part, .usual = true,
                        .hint =
                            SPARKOUT_NOOP("Input", "Between centres, or overhanging from a chuck."),
                        .source = "MODEL-6"),
@@ -268,7 +273,7 @@ const StructInfo& tableOf<Shaft>() {
             .source = "MODEL-6"),
         SPARKOUT_FIELD(Shaft, quill, .label = SPARKOUT_NOOP("Input", "Quill"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "none"),
-                       .relevant = conditions::internal, .page = Page::part,
+                       .relevant = conditions::internal, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "The wheel's spindle in internal grinding, a cantilever."),
                        .source = "MODEL-6"),
@@ -281,53 +286,56 @@ template <>
 const StructInfo& tableOf<Part>() {
     static const std::array rows{
         SPARKOUT_FIELD(
-            Part, name, .label = SPARKOUT_NOOP("Input", "Part"), .page = Page::part,
+            Part, name, .label = SPARKOUT_NOOP("Input", "Part"), .page = Page::part, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Name of the part, as it stands in the drawing.")),
+        SPARKOUT_FIELD(Part, surface, .label = SPARKOUT_NOOP("Input", "Surface"),
+                       .page = Page::part, .usual = true,
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "External: a shaft. Internal: a bore, ground by a "
+                                             "wheel on a quill."),
+                       .source = "MODEL-3"),
         SPARKOUT_FIELD(
-            Part, surface, .label = SPARKOUT_NOOP("Input", "Surface"), .page = Page::part,
-            .hint = SPARKOUT_NOOP("Input", "External: a shaft. Internal: a bore, ground by a "
-                                           "wheel on a quill."),
-            .source = "MODEL-3"),
-        SPARKOUT_FIELD(Part, blind_bore, .label = SPARKOUT_NOOP("Input", "Blind bore"),
-                       .relevant = boreWithTravel, .sparse = true, .page = Page::part,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "A bore with a wall at its headstock end, where the wheel "
-                                    "cannot leave it: the overrun there is 0, or negative where "
-                                    "the wheel turns before the wall."),
-                       .source = "MODEL-5"),
+            Part, blind_bore, .label = SPARKOUT_NOOP("Input", "Blind bore"),
+            .relevant = boreWithTravel, .sparse = true, .page = Page::part, .usual = true,
+            .hint =
+                SPARKOUT_NOOP("Input", "A bore with a wall at its headstock end, where the wheel "
+                                       "cannot leave it: the overrun there is 0, or negative where "
+                                       "the wheel turns before the wall."),
+            .source = "MODEL-5"),
         SPARKOUT_FIELD(Part, diameter_mm, .label = SPARKOUT_NOOP("Input", "Diameter"),
                        .symbol = "d", .unit = "mm", .hard = {1, 2000}, .soft = {3, 500},
-                       .required = conditions::always, .page = Page::part,
+                       .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Nominal diameter of the drawing."),
                        .source = "MODEL-1"),
         SPARKOUT_FIELD(Part, upper_deviation_um, .label = SPARKOUT_NOOP("Input", "Upper deviation"),
                        .symbol = "es", .unit = "µm", .hard = {-5000, 5000}, .soft = {-500, 500},
-                       .required = conditions::always, .page = Page::part,
+                       .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Upper limit of the diameter less the nominal diameter."),
                        .formula = "D_max = d + es", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, lower_deviation_um, .label = SPARKOUT_NOOP("Input", "Lower deviation"),
                        .symbol = "ei", .unit = "µm", .hard = {-5000, 5000}, .soft = {-500, 500},
-                       .required = conditions::always, .page = Page::part,
+                       .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Lower limit of the diameter less the nominal diameter."),
                        .formula = "D_min = d + ei", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, length_mm, .label = SPARKOUT_NOOP("Input", "Ground length"),
                        .symbol = "L_p", .unit = "mm", .hard = {0.1, 10000}, .soft = {2, 2000},
-                       .required = conditions::always, .page = Page::part,
+                       .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Length of the ground surface."),
                        .source = "MODEL-1"),
-        SPARKOUT_FIELD(Part, stock_mm, .label = SPARKOUT_NOOP("Input", "Stock per side"),
-                       .symbol = "Π", .unit = "mm", .hard = {0, 5, true}, .soft = {0.01, 0.6},
-                       .required = conditions::always, .slider = true, .page = Page::part,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Minimum radial stock: what the minimum radius of the blank "
-                                    "stands above the target radius."),
-                       .formula = "R_max = R_t + Π + ΔR", .source = "MODEL-4"),
+        SPARKOUT_FIELD(
+            Part, stock_mm, .label = SPARKOUT_NOOP("Input", "Stock per side"), .symbol = "Π",
+            .unit = "mm", .hard = {0, 5, true}, .soft = {0.01, 0.6}, .required = conditions::always,
+            .slider = true, .page = Page::part, .usual = true,
+            .hint =
+                SPARKOUT_NOOP("Input", "Minimum radial stock: what the minimum radius of the blank "
+                                       "stands above the target radius."),
+            .formula = "R_max = R_t + Π + ΔR", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, initial_runout_mm, .label = SPARKOUT_NOOP("Input", "Initial runout"),
                        .symbol = "ΔR", .unit = "mm", .hard = {0, 2}, .soft = {0, 0.2},
                        .required = conditions::always, .relevant = notMeasured, .slider = true,
-                       .page = Page::part,
+                       .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "R_max − R_min of the blank. R_max = R_t + Π + ΔR is where the "
                                     "wheel touches first."),
@@ -360,7 +368,7 @@ const StructInfo& tableOf<Part>() {
                                        "radius; only their differences matter."),
             .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, gaps, .label = SPARKOUT_NOOP("Input", "Gaps of the surface"),
-                       .hard = {0, 60}, .sparse = true, .page = Page::part,
+                       .hard = {0, 60}, .sparse = true, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Keyways, splines, flats: ranges of angle without a surface, "
                                     "the same all along the ground length. Their radii are not "
@@ -391,8 +399,9 @@ const StructInfo& tableOf<Part>() {
                        .hint = SPARKOUT_NOOP("Input", "The diameter the gauge is set to."),
                        .formula = "R_t = d/2 + (es + ei)/4", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerances"),
-                       .page = Page::part),
-        SPARKOUT_FIELD(Part, shaft, .label = SPARKOUT_NOOP("Input", "Shaft"), .page = Page::part),
+                       .page = Page::part, .usual = true),
+        SPARKOUT_FIELD(Part, shaft, .label = SPARKOUT_NOOP("Input", "Shaft"), .page = Page::part,
+                       .usual = true),
     };
     static const StructInfo info = makeTable<Part>(SPARKOUT_NOOP("Struct", "Part"), rows);
     return info;

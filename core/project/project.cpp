@@ -65,7 +65,7 @@ template <>
 const StructInfo& tableOf<Project>() {
     static const std::array rows{
         SPARKOUT_FIELD(Project, title, .label = SPARKOUT_NOOP("Input", "Title"), .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Title of the project.")),
+                       .usual = true, .hint = SPARKOUT_NOOP("Input", "Title of the project.")),
         SPARKOUT_FIELD(Project, author, .label = SPARKOUT_NOOP("Input", "Author"),
                        .page = Page::part,
                        .hint = SPARKOUT_NOOP("Input", "Who designed the cycle.")),
@@ -76,7 +76,7 @@ const StructInfo& tableOf<Project>() {
                        .hint = SPARKOUT_NOOP("Input", "Coolant and its concentration, for the "
                                                       "operation card.")),
         SPARKOUT_FIELD(Project, operation, .label = SPARKOUT_NOOP("Input", "Operation"),
-                       .required = conditions::always, .page = Page::cycle,
+                       .required = conditions::always, .page = Page::cycle, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Traverse: the table strokes along the part. Plunge: the wheel "
                                     "covers the ground length and is fed radially."),
@@ -145,10 +145,10 @@ const StructInfo& tableOf<Project>() {
                                                       "beside the inputs of the cycle.")),
         SPARKOUT_FIELD(Project, batch, .label = SPARKOUT_NOOP("Input", "Batch"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "no batch described"),
-                       .page = Page::batch),
+                       .page = Page::batch, .usual = true),
         SPARKOUT_FIELD(Project, optimisation, .label = SPARKOUT_NOOP("Input", "Optimisation"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "no grid described"),
-                       .page = Page::search),
+                       .page = Page::search, .usual = true),
         SPARKOUT_FIELD(Project, sweep, .label = SPARKOUT_NOOP("Input", "Sweep"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "no input is varied"),
                        .hint =

@@ -102,23 +102,25 @@ const StructInfo& tableOf<Wheel>() {
     static const std::array rows{
         SPARKOUT_FIELD(
             Wheel, marking, .label = SPARKOUT_NOOP("Input", "Marking"), .page = Page::wheel,
+            .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Marking of the wheel, for example 25А F60 L 6 V.")),
         SPARKOUT_FIELD(Wheel, diameter_mm, .label = SPARKOUT_NOOP("Input", "Wheel diameter"),
                        .symbol = "D", .unit = "mm", .hard = {0.5, 2000}, .soft = {5, 1100},
-                       .required = conditions::always, .page = Page::wheel,
+                       .required = conditions::always, .page = Page::wheel, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Diameter of the wheel; D_e = d·D/(D ± d) sets the contact "
                                     "length √(a·D_e)."),
                        .source = "MODEL-1"),
         SPARKOUT_FIELD(Wheel, width_mm, .label = SPARKOUT_NOOP("Input", "Wheel width"),
                        .symbol = "B", .unit = "mm", .hard = {0.5, 1000}, .soft = {3, 250},
-                       .required = conditions::always, .page = Page::wheel,
+                       .required = conditions::always, .page = Page::wheel, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Width of the wheel. A plunge wheel covers the ground length."),
                        .formula = "b = min(S_ax/n, B)", .source = "MODEL-1"),
         SPARKOUT_FIELD(Wheel, dullness, .label = SPARKOUT_NOOP("Input", "Dullness"), .symbol = "η",
                        .hard = {0, 1}, .soft = {0.005, 0.25}, .required = conditions::always,
                        .relevant = dullnessCounts, .slider = true, .page = Page::wheel,
+                       .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Share of the working surface that is wear flats: 0 is ideally "
                                     "sharp. It drives the friction term k_r = η·σ_i·√D_e/3."),
@@ -150,7 +152,7 @@ const StructInfo& tableOf<Wheel>() {
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Wheel, roughness_factor, .label = SPARKOUT_NOOP("Input", "Roughness calibration"),
-            .hard = {0, 100, true}, .soft = {0.2, 10}, .page = Page::wheel,
+            .hard = {0, 100, true}, .soft = {0.2, 10}, .page = Page::wheel, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Measured Ra over computed Ra."), .source = "MODEL-8"),
         SPARKOUT_FIELD(Wheel, grain_surface_energy_j_m2,
                        .label = SPARKOUT_NOOP("Input", "Grain surface energy"), .symbol = "γ_g",
@@ -192,10 +194,11 @@ const StructInfo& tableOf<Wheel>() {
         SPARKOUT_FIELD(Wheel, max_speed_m_s, .label = SPARKOUT_NOOP("Input", "Maximum wheel speed"),
                        .symbol = "V_m", .unit = "m/s", .hard = {1, 400}, .soft = {15, 160},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .page = Page::wheel,
+                       .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Working speed marked on the wheel, which "
                                                       "the machine may not exceed.")),
         SPARKOUT_FIELD(Wheel, dressing, .label = SPARKOUT_NOOP("Input", "Dressing"), .sparse = true,
-                       .page = Page::wheel,
+                       .page = Page::wheel, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Dressing tool and how it is used, for the "
                                                       "operation card.")),
         SPARKOUT_FIELD(

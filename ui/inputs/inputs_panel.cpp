@@ -9,6 +9,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/theme_icon.h"
+#include "ui/session/settings.h"
 #include "ui/text/texts.h"
 
 #include <QApplication>
@@ -72,6 +73,14 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent, Settings* settings
         connect(page, &FormPage::refusalsChanged, this, [this] {
             noteRefusals();
             emit refusalsChanged();
+        });
+        connect(page, &FormPage::allInputsChosen, this, [this, settings](bool all) {
+            if (settings) {
+                settings->setAllInputs(all);
+            }
+            for (FormPage* one : m_pages) {
+                one->setAllInputs(all);
+            }
         });
         connect(page, &FormPage::built, this, [this, page] { hintAtCells(*page); });
     }

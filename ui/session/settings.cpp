@@ -14,6 +14,7 @@ const QString languageKey = QStringLiteral("language");
 const QString themeKey = QStringLiteral("theme");
 const QString fontKey = QStringLiteral("fontSize");
 const QString stockKey = QStringLiteral("stockOnDiameter");
+const QString allInputsKey = QStringLiteral("allInputs");
 const QString tourKey = QStringLiteral("tourSeen");
 const QString handoutKey = QStringLiteral("handout");
 const QString titlePageKey = QStringLiteral("titlePage");
@@ -51,7 +52,9 @@ Settings::Settings(const QString& file)
     , m_folder(file.isEmpty() ? QString() : QFileInfo(file).absolutePath()) {}
 
 Settings Settings::transient() {
-    return Settings(QString());
+    Settings settings{QString()};
+    settings.setAllInputs(true); // what is not seen cannot be tried
+    return settings;
 }
 
 QString Settings::oneOf(const QString& key, const QStringList& allowed) const {
@@ -97,6 +100,14 @@ bool Settings::stockOnDiameter() const {
 
 void Settings::setStockOnDiameter(bool onDiameter) {
     m_file->set(stockKey, onDiameter);
+}
+
+bool Settings::allInputs() const {
+    return m_file->value(allInputsKey).toBool();
+}
+
+void Settings::setAllInputs(bool all) {
+    m_file->set(allInputsKey, all);
 }
 
 bool Settings::tourSeen() const {

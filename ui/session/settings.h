@@ -29,6 +29,8 @@ public:
     void setFontSize(int percent);
     [[nodiscard]] bool stockOnDiameter() const; ///< as the inputs show and take it
     void setStockOnDiameter(bool onDiameter);
+    [[nodiscard]] bool allInputs() const; ///< not the usual ones alone
+    void setAllInputs(bool all);
     [[nodiscard]] bool tourSeen() const; ///< the tour of the window was shown once
     void setTourSeen();
     [[nodiscard]] QString handout() const; ///< what the last course hand-out had, in words

@@ -9,6 +9,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace sparkout {
 
 namespace {
@@ -48,6 +50,22 @@ bool hasDefault(const Field& field) {
 
 bool isDefault(const Field& field, const void* owner) {
     return !hasDefault(field) || field.same(owner, defaultsOf(field));
+}
+
+bool isAsNew(const Field& field, const void* owner) {
+    switch (field.kind) {
+    case Kind::optionalObject: return !field.objectIn(owner);
+    case Kind::objectList: return field.size(owner) == 0;
+    case Kind::object:
+        return std::ranges::all_of(field.nested->fields,
+                                   [object = field.objectIn(owner)](const Field& member) {
+                                       return isAsNew(member, object);
+                                   });
+    default: {
+        const void* const defaults = defaultsOf(field);
+        return defaults && field.same(owner, defaults);
+    }
+    }
 }
 
 QString defaultText(const Field& field) {

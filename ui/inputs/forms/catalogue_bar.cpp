@@ -16,6 +16,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace sparkout {
 
 namespace {
@@ -79,7 +81,7 @@ void CatalogueBar::choose() {
     m_document.edit(dialog.taken(), editText(m_kind));
 }
 
-QString CatalogueBar::proposedName() const {
+QString CatalogueBar::nameInProject() const {
     const Project& project = m_document.project();
     const std::string& name = m_kind == CatalogueKind::materials ? project.material->grade
                               : m_kind == CatalogueKind::wheels  ? project.wheel->marking
@@ -87,10 +89,19 @@ QString CatalogueBar::proposedName() const {
     return QString::fromStdString(name);
 }
 
+std::optional<Project> CatalogueBar::asInCatalogue() {
+    const QString name = nameInProject();
+    const auto& items = store().items();
+    const auto item = std::ranges::find_if(
+        items, [&name](const CatalogueItem& one) { return entryName(one.entry) == name; });
+    return item == items.end() ? std::nullopt
+                               : std::optional(withEntry(item->entry, m_document.project()));
+}
+
 void CatalogueBar::keep() {
     store().refresh();
     EntryNameDialog dialog(
-        tr("Save as mine"), proposedName(),
+        tr("Save as mine"), nameInProject(),
         [this](const QString& name) -> EntryNameDialog::Answer {
             if (!store().fault().isEmpty()) {
                 return {tr("Your own catalogue cannot be read. “From catalogue…” says why."),

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
 class QPushButton;
 
@@ -26,12 +27,14 @@ public:
     ~CatalogueBar() override;
 
     void retranslate();
+    /// The project as the entry of its name makes it; nothing where there is no such entry.
+    [[nodiscard]] std::optional<Project> asInCatalogue();
 
 private:
     void choose();
     void keep();
     [[nodiscard]] CatalogueStore& store(); ///< read when it is first asked for
-    [[nodiscard]] QString proposedName() const;
+    [[nodiscard]] QString nameInProject() const;
 
     CatalogueKind m_kind;
     Document& m_document;

@@ -21,12 +21,15 @@
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/session/document.h"
+#include "ui/session/settings.h"
 #include "ui/text/help_fields.h"
 #include "ui/text/texts.h"
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QTimer>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -59,7 +62,11 @@ FormPage::FormPage(Page page, Document& document, QWidget* parent, Settings* set
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    connect(&document, &Document::projectReplaced, this, [this] { m_replaced = true; });
+    m_rank.showsAll = !settings || settings->allInputs();
+    connect(&document, &Document::projectReplaced, this, [this] {
+        m_replaced = true;
+        m_rank.wanted.clear();
+    });
     connect(&document, &Document::changed, this, [this] {
         if (m_isBuilt) {
             showProject(m_replaced);
@@ -83,6 +90,13 @@ void FormPage::build() {
     addCatalogue(m_settings, {*layout, 0});
     addStruct(tableOf<Project>(), {}, {*layout, 0});
     addProjectTexts({*layout, 0});
+    m_all = new QToolButton(body);
+    m_all->setObjectName(QStringLiteral("allInputs"));
+    m_all->setCheckable(true);
+    m_all->setAutoRaise(true);
+    m_all->setChecked(m_rank.showsAll);
+    layout->addWide(m_all);
+    connect(m_all, &QToolButton::toggled, this, &FormPage::allInputsChosen);
     retranslate();
     giveAccess();
     showProject(true);
@@ -272,10 +286,90 @@ void FormPage::toggleOptional(const Box& box, bool given) {
     m_document.edit(std::move(project), {"Input", box.field->label});
 }
 
+void FormPage::setAllInputs(bool all) {
+    m_rank.showsAll = all;
+    m_rank.wanted.clear();
+    if (m_isBuilt) {
+        const QSignalBlocker blocker(m_all);
+        m_all->setChecked(all);
+        showProject(false);
+    }
+}
+
+/// Shows what is seen on demand alone, as long as the project is open.
+void FormPage::want(const std::string& path) {
+    m_rank.wanted.push_back(path);
+    showProject(false);
+}
+
+/// After what is relevant is shown: a box goes where nothing in it is left.
+void FormPage::showRank(const InputRank& rank) {
+    const Project& project = m_document.project();
+    const auto isSeen = [&](const std::string& path, const Field& field) {
+        return rank.shows(project, field, path);
+    };
+    for (ListTable* list : m_lists) {
+        if (!isSeen(list->path(), *findMember(project, list->path()).field)) {
+            list->hide();
+        }
+    }
+    for (std::size_t i = 0; i < m_inputBoxes.size(); ++i) {
+        if (!isSeen(m_inputBoxPaths[i], *findMember(project, m_inputBoxPaths[i]).field)) {
+            m_inputBoxes[i]->hide();
+        }
+    }
+    for (const auto& [helper, path] : m_helpers) {
+        const FormRow* const row = rowAt(path);
+        FormAccess::hide(*helper, row && !row->isShown());
+    }
+    for (const Box& box : m_boxes) { // those within another come before it
+        const auto isIn = [&box](const std::string& path) {
+            return path.starts_with(box.path + '/');
+        };
+        const auto isLeft = [&isIn](const auto* widget, const std::string& path) {
+            return isIn(path) && !widget->isHidden();
+        };
+        bool any = box.field->kind == Kind::optionalObject && isSeen(box.path, *box.field);
+        any = any || std::ranges::any_of(m_rows, [&](const FormRow* row) {
+                  return isIn(row->editor().path()) && row->isShown();
+              });
+        any = any || std::ranges::any_of(m_lists, [&](const ListTable* list) {
+                  return isLeft(list, list->path());
+              });
+        any = any || std::ranges::any_of(m_boxes, [&](const Box& inner) {
+                  return isLeft(inner.box, inner.path);
+              });
+        for (std::size_t i = 0; i < m_inputBoxes.size(); ++i) {
+            any = any || isLeft(m_inputBoxes[i], m_inputBoxPaths[i]);
+        }
+        if (!any && !box.reason->isVisibleTo(box.box)) {
+            box.box->hide();
+        }
+    }
+}
+
+void FormPage::showAllButton() {
+    const auto onDemand = std::ranges::count_if(m_rows, &FormRow::isOnDemand);
+    const auto shown = std::ranges::count_if(
+        m_rows, [](const FormRow* row) { return row->isOnDemand() && row->isShown(); });
+    const QString all = tr("All inputs (%1 more)").arg(onDemand - shown);
+    m_all->setText(m_rank.showsAll ? tr("Usual inputs alone")
+                   : shown > 0
+                       ? tr("%1 · %n other(s) shown", nullptr, static_cast<int>(shown)).arg(all)
+                       : all);
+    m_all->setToolTip(tr("Beside the usual inputs those are shown that are calibrated, refused or "
+                         "warned of, or that are neither the default nor the catalogue's"));
+    m_all->setAccessibleName(m_all->text());
+    m_all->setVisible(m_access->isFree() && (m_rank.showsAll || onDemand > shown));
+}
+
 void FormPage::showProject(bool replaced) {
     const Project& project = m_document.project();
+    InputRank rank = m_rank;
+    rank.showsAll = rank.showsAll || !m_access->isFree(); // what a lesson lets one see is seen
+    rank.asCatalogue = m_catalogue && !rank.showsAll ? m_catalogue->asInCatalogue() : std::nullopt;
     for (FormRow* row : m_rows) {
-        row->show(project, replaced);
+        row->show(project, replaced, rank);
     }
     for (const Box& box : m_boxes) {
         const ConstMember member = findMember(project, box.path);
@@ -296,6 +390,8 @@ void FormPage::showProject(bool replaced) {
     }
     showShared();
     showAccess();
+    showRank(rank);
+    showAllButton();
     emit refusalsChanged();
 }
 
@@ -412,6 +508,12 @@ void FormPage::setOutcome(const OutcomePtr& outcome) {
     for (const Box& box : m_boxes) {
         box.reason->showRemark(remarkAt(issues, box.path));
     }
+    if (std::ranges::any_of(m_rows, [](const FormRow* row) {
+            return row->isOnDemand() && !row->isShown()
+                   && row->editor().remark().mark != Mark::none;
+        })) {
+        showProject(false);
+    }
 }
 
 void FormPage::retranslate() {
@@ -442,6 +544,7 @@ void FormPage::retranslate() {
         list->retranslate();
     }
     showShared();
+    showAllButton();
 }
 
 std::vector<Refusal> FormPage::refusals() const {
@@ -505,7 +608,20 @@ bool FormPage::holds(const std::string& path) {
                                   [&](const ListTable* list) { return list->holds(path); });
 }
 
+bool FormPage::isOnDemand(const std::string& path) const {
+    if (const FormRow* row = rowAt(path)) {
+        return row->isOnDemand() && !row->isShown();
+    }
+    const auto isHidden = [&path](const auto* one) { return one->holds(path) && one->isHidden(); };
+    const Box* const box = boxAt(path);
+    return std::ranges::any_of(m_inputBoxes, isHidden) || std::ranges::any_of(m_lists, isHidden)
+           || (box && box->box->isHidden());
+}
+
 void FormPage::showPath(const std::string& path, bool focus) {
+    if (isOnDemand(path)) {
+        want(path);
+    }
     widget()->layout()->activate(); // it may just have come into sight
     const auto show = [this, focus](QWidget* widget, QWidget* focused) {
         ensureWidgetVisible(widget);

@@ -6,6 +6,7 @@
 #include "core/study/outcome.h"
 #include "ui/fields/refusal.h"
 #include "ui/inputs/forms/form_access.h"
+#include "ui/inputs/forms/input_rank.h"
 
 #include <QScrollArea>
 
@@ -15,6 +16,7 @@
 
 class QGridLayout;
 class QLabel;
+class QToolButton;
 
 namespace sparkout {
 
@@ -37,7 +39,8 @@ class FormPage : public QScrollArea {
     Q_OBJECT
 
 public:
-    /// Without settings the user's own catalogues are kept as long as the page lives.
+    /// Without settings the user's own catalogues are kept as long as the page lives, and all inputs
+    /// are shown.
     FormPage(Page page, Document& document, QWidget* parent = nullptr,
              Settings* settings = nullptr);
     ~FormPage() override;
@@ -47,6 +50,7 @@ public:
     void forgetResults();
     /// What may be changed, and what is shown.
     void setAccess(const FormAccessPtr& access);
+    void setAllInputs(bool all);   ///< not the usual ones alone
     [[nodiscard]] bool hasShown(); ///< whether any input is
     void retranslate();
     [[nodiscard]] std::vector<Refusal> refusals() const;
@@ -60,6 +64,7 @@ public:
 
 signals:
     void built();
+    void allInputsChosen(bool all);
     void refusalsChanged();
 
 protected:
@@ -95,6 +100,10 @@ private:
     [[nodiscard]] bool hasShown(const StructInfo& table, const std::string& path) const;
     void showProject(bool replaced);
     void showShared();
+    void showRank(const InputRank& rank); ///< what is seen on demand alone
+    void showAllButton();
+    void want(const std::string& path);
+    [[nodiscard]] bool isOnDemand(const std::string& path) const; ///< and not seen
     void showAccess();
     void giveAccess(); ///< to the rows and lists
     void toggleOptional(const Box& box, bool given);
@@ -117,6 +126,8 @@ private:
     StageTable* m_stages = nullptr;                            ///< one of them
     SectionBox* m_projectBox = nullptr;
     bool m_replaced = false;
+    InputRank m_rank;
+    QToolButton* m_all = nullptr; ///< at the foot: all inputs, or the usual ones
 };
 
 } // namespace sparkout

@@ -9,6 +9,7 @@
 #include "ui/fields/shared_mark.h"
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/editors/hint_strip.h"
+#include "ui/inputs/forms/input_rank.h"
 #include "ui/inputs/forms/section_box.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
@@ -107,16 +108,19 @@ void FormRow::addTo(QGridLayout& grid) {
     m_unit->setVisible(!m_editor->wide());
 }
 
-void FormRow::show(const Project& project, bool replaced) {
+void FormRow::show(const Project& project, bool replaced, const InputRank& rank) {
     const ConstMember member = findMember(project, m_editor->path());
-    m_relevant = member && member.relevant(project) && m_access != Access::hidden;
+    m_isRelevant = member && member.relevant(project) && m_access != Access::hidden;
+    m_editor->show(replaced);
+    m_isShown = m_isRelevant
+                && (rank.shows(project, m_editor->field(), m_editor->path())
+                    || m_editor->remark().mark != Mark::none || m_editor->widget()->hasFocus());
     for (QWidget* widget : {m_head, m_editor->widget(), m_editor->slider()}) {
         if (widget) {
-            widget->setVisible(m_relevant);
+            widget->setVisible(m_isShown);
         }
     }
-    m_unit->setVisible(m_relevant && !m_editor->wide());
-    m_editor->show(replaced);
+    m_unit->setVisible(m_isShown && !m_editor->wide());
     for (QWidget* widget :
          {m_editor->widget(), m_editor->slider(), static_cast<QWidget*>(m_mark)}) {
         if (widget) {
@@ -175,10 +179,10 @@ void FormRow::showRemark() {
     colors.setColor(QPalette::WindowText, remark.mark == Mark::none
                                               ? colors.color(QPalette::PlaceholderText)
                                               : markColor(remark.mark, colors));
-    const bool shown = m_relevant && !text.isEmpty();
+    const bool shown = m_isShown && !text.isEmpty();
     // A message that goes while one types leaves its place until the field is left.
     QSizePolicy policy = m_reason->sizePolicy();
-    policy.setRetainSizeWhenHidden(m_relevant && !shown && m_editor->widget()->hasFocus()
+    policy.setRetainSizeWhenHidden(m_isShown && !shown && m_editor->widget()->hasFocus()
                                    && (m_reason->isVisible() || policy.retainSizeWhenHidden()));
     m_reason->setSizePolicy(policy);
     m_reason->setPalette(colors);

@@ -13,6 +13,7 @@ class QMenu;
 namespace sparkout {
 
 class CalibratedMark;
+class InputRank;
 class ReasonLabel;
 class ResetMark;
 class SharedMark;
@@ -27,7 +28,10 @@ public:
 
     [[nodiscard]] FieldEditor& editor() const { return *m_editor; }
     [[nodiscard]] ResetMark* resetMark() const { return m_mark; }
-    void show(const Project& project, bool replaced);
+    void show(const Project& project, bool replaced, const InputRank& rank);
+    /// Whether it is to be seen only on demand, and whether it is seen.
+    [[nodiscard]] bool isOnDemand() const { return m_isRelevant && !m_editor->field().usual; }
+    [[nodiscard]] bool isShown() const { return m_isShown; }
     void setShared(bool shared);              ///< with the other surfaces of the set-up
     void setAccess(const FormAccess& access); ///< taken up by the next show()
     void setIssues(const Issues& issues);
@@ -58,8 +62,9 @@ private:
     QString m_calibration; ///< in brief; empty: not calibrated
     bool m_isShared = false;
     Access m_access = Access::free;
-    QString m_lock; ///< why it is locked
-    bool m_relevant = true;
+    QString m_lock;           ///< why it is locked
+    bool m_isRelevant = true; ///< is read by the model, and not hidden by a lesson
+    bool m_isShown = true;    ///< and of a rank that is
 };
 
 } // namespace sparkout
