@@ -3002,6 +3002,10 @@
             <source>Machine&apos;s form from the measured parts</source>
             <translation>Форма от станка по измеренным деталям</translation>
         </message>
+        <message>
+            <source>Add a spark-out</source>
+            <translation>Добавление выхаживания</translation>
+        </message>
     </context>
     <context>
         <name>EstimateNames</name>
@@ -16061,6 +16065,14 @@ target, µm</source>
         <message>
             <source>Move the stage down</source>
             <translation>Переместить ступень вниз</translation>
+        </message>
+        <message>
+            <source>+ Spark-out</source>
+            <translation>+ Выхаживание</translation>
+        </message>
+        <message>
+            <source>Adds a spark-out after the last feed; the stocks stay as they are</source>
+            <translation>Добавляет выхаживание после последней подачи; припуски остаются прежними</translation>
         </message>
     </context>
     <context>

@@ -2,6 +2,8 @@
 #include "core/study/stage_edits.h"
 
 #include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +31,15 @@ Project withStock(Project project, std::size_t stage, double stock_mm, std::size
     stages[stage].stock_mm = stock_mm;
     stages[other].stock_mm = tidyStock(both_mm - stock_mm);
     return project;
+}
+
+int usualSparkOut(const Project& project) {
+    constexpr int strokes = 2, leastRevolutions = 3;
+    constexpr double time_s = 3;
+    const double revolutions =
+        std::round(time_s * project.machine->work_speed_rpm / units::secondsPerMinute);
+    return project.operation->travels ? strokes
+                                      : std::max(leastRevolutions, static_cast<int>(revolutions));
 }
 
 Project withSparkOutAfter(Project project, int steps) {

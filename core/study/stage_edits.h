@@ -19,6 +19,10 @@ namespace sparkout {
 [[nodiscard]] Project withStock(Project project, std::size_t stage, double stock_mm,
                                 std::size_t other);
 
+/// Of the spark-out that is offered: 2 double strokes, or the whole revolutions in 3 s, 3 at least:
+/// an estimate, the low end of the 3 to 8 s that are usual.
+[[nodiscard]] int usualSparkOut(const Project& project);
+
 /// The project with a spark-out of so many double strokes or revolutions as its last stage. The
 /// table travels as in the stage before.
 [[nodiscard]] Project withSparkOutAfter(Project project, int steps);

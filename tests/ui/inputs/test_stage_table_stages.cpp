@@ -47,6 +47,27 @@ private slots:
         QVERIFY(!bench.document.canUndo());
     }
 
+    void theSparkOutIsAddedAfterTheLastFeedNotInItsPlace() {
+        Bench bench;
+        auto* const button = bench.table.findChild<QPushButton*>(QStringLiteral("addSparkOut"));
+        QVERIFY(button && button->isVisible());
+        const std::vector<Stage> before = bench.stages();
+        const double sum = bench.stockSum();
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(bench.stages().size(), before.size() + 1);
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            QVERIFY(bench.stages()[i].feeds());
+            QCOMPARE(bench.stages()[i].stock_mm, before[i].stock_mm);
+        }
+        QVERIFY(!bench.stages().back().feeds() && bench.stages().back().sparkOutSteps() == 2);
+        QCOMPARE(bench.stockSum(), sum);
+        QVERIFY(!hasErrors(validate(bench.document.project())));
+        QVERIFY(!button->isVisible());
+        bench.document.undo();
+        QCOMPARE(bench.stages().size(), before.size());
+        QVERIFY(button->isVisible());
+    }
+
     // The usual table has no column for it.
     void theBoxBelowTheTableAddsAContinuousInfeed() {
         Bench bench;

@@ -37,7 +37,13 @@ StageTable::StageTable(Document& document, StageModel* model, QWidget* parent)
     : ListTable(stagesPath, stagesField(), document, model, new StageDelegate(document), parent)
     , m_stages(model)
     , m_continuous(new QCheckBox(this))
+    , m_sparkOut(new QPushButton(this))
     , m_fit(new QPushButton(this)) {
+    m_sparkOut->setObjectName(QStringLiteral("addSparkOut"));
+    m_sparkOut->setAutoDefault(false);
+    layout()->addWidget(m_sparkOut);
+    connect(m_sparkOut, &QPushButton::clicked, this, &StageTable::addSparkOut);
+    connect(&document, &Document::changed, this, &StageTable::showSparkOut);
     m_continuous->setObjectName(QStringLiteral("continuousInfeed"));
     layout()->addWidget(m_continuous);
     connect(m_continuous, &QCheckBox::clicked, this, &StageTable::setContinuous);
@@ -63,8 +69,25 @@ void StageTable::retranslate() {
     m_continuous->setToolTip(QStringLiteral("<p>%1</p>")
                                  .arg(tr("The wheel is fed all the time while the table travels; "
                                          "each stage has a column for it.")));
+    m_sparkOut->setText(tr("+ Spark-out"));
+    m_sparkOut->setToolTip(tr("Adds a spark-out after the last feed; the stocks stay as they are"));
+    m_sparkOut->setAccessibleDescription(m_sparkOut->toolTip());
+    showSparkOut();
     showContinuous();
     showFit();
+}
+
+void StageTable::showSparkOut() {
+    const std::vector<Stage>& stages = document().project().cycle->stages;
+    m_sparkOut->setVisible(!stages.empty() && stages.back().feeds());
+}
+
+void StageTable::addSparkOut() {
+    const Project& project = document().project();
+    view().setFocus(); // the button goes
+    apply(withSparkOutAfter(project, usualSparkOut(project)),
+          {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a spark-out")},
+          static_cast<int>(project.cycle->stages.size()));
 }
 
 void StageTable::showContinuous() {
@@ -109,6 +132,7 @@ void StageTable::forgetResults() {
 void StageTable::setAccess(const FormAccessPtr& access) {
     ListTable::setAccess(access);
     m_continuous->setEnabled(mayHaveOtherRows());
+    m_sparkOut->setEnabled(mayHaveOtherRows());
     m_fit->setEnabled(mayHaveOtherRows());
 }
 

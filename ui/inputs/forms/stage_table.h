@@ -41,11 +41,14 @@ private:
     void applyStages(std::vector<Stage> stages, EditText text, int selected);
 
     void showFit();
+    void showSparkOut();
+    void addSparkOut();
     void showContinuous();
     void setContinuous(bool stated);
 
     StageModel* m_stages;
     QCheckBox* m_continuous; ///< whether the stages state a continuous infeed, and its column shows
+    QPushButton* m_sparkOut; ///< as long as there is none
     QPushButton* m_fit;
 };
 
