@@ -22825,4 +22825,25 @@ s</source>
         <translation>Исходная работа: лучшее время %1 мин, запас %2 %</translation>
     </message>
     </context>
+    <context>
+        <name>WheelWidths</name>
+        <message>
+            <source>to traverse %1 mm (overruns of a third)</source>
+            <comment>widths of wheels</comment>
+            <translation>с продольной подачей – %1 мм (перебеги в треть ширины)</translation>
+        </message>
+        <message>
+            <source>to plunge %1 mm</source>
+            <comment>widths of wheels</comment>
+            <translation>врезанием – %1 мм</translation>
+        </message>
+        <message>
+            <source>no wheel of the catalogue would do</source>
+            <translation>в каталоге нет подходящего круга</translation>
+        </message>
+        <message>
+            <source>of the catalogue's wheels would do: %1</source>
+            <translation>из кругов каталога подходят: %1</translation>
+        </message>
+    </context>
 </TS>

@@ -109,23 +109,23 @@ void keepOffTheWall(Project& project) {
     machine.overrun_exit_mm = kept(machine.overrun_exit_mm, !atEntry);
 }
 
-/// Leaves a zone between the reversals: L_p > (B − o1) + (B − o2), each bracket above zero.
+/// Overruns that leave a zone between the reversals, L_p > (B − o1) + (B − o2), each bracket above
+/// zero: a third of the wheel, or half of it, where those there are do not. The wheel stays; where
+/// none of them does the length is refused.
 void fitZones(Project& project) {
-    const double length = project.part->length_mm;
-    double& width = project.wheel->width_mm;
+    const double width = project.wheel->width_mm;
     Machine& machine = *project.machine;
     keepOffTheWall(project);
-    const auto zones = [&] {
-        return 2 * width - machine.overrun_entry_mm - machine.overrun_exit_mm;
+    const auto fits = [&] {
+        return machine.overrun_entry_mm < width && machine.overrun_exit_mm < width
+               && 2 * width - machine.overrun_entry_mm - machine.overrun_exit_mm
+                      < project.part->length_mm;
     };
-    if (zones() >= length || machine.overrun_entry_mm >= width
-        || machine.overrun_exit_mm >= width) {
-        const double narrowest =
-            findMember(std::as_const(project), "/wheel/width_mm").field->hard.low;
-        width = std::max(rounded(std::min(width, length / 2)), narrowest);
-        machine.overrun_entry_mm = rounded(width / 4);
-        machine.overrun_exit_mm = rounded(width / 4);
-        keepOffTheWall(project);
+    for (const double share : {1.0 / 3, 1.0 / 2}) {
+        if (!fits()) {
+            machine.overrun_entry_mm = machine.overrun_exit_mm = rounded(share * width);
+            keepOffTheWall(project);
+        }
     }
 }
 

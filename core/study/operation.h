@@ -8,13 +8,13 @@
 /// Edits that must change several inputs together.
 namespace sparkout {
 
-/// The project under another operation: feeds, compliance, wheel and gauge get values the new
-/// operation can run with; what it does not read is cleared. A search gets levels for the feeds of
-/// the new operation.
+/// The project under another operation: feeds, compliance, overruns and gauge get values the new
+/// operation can run with; what it does not read is cleared. The wheel stays, so that a length may
+/// be too short to be traversed with it. A search gets levels for the feeds of the new operation.
 [[nodiscard]] Project withOperation(Project project, Operation operation);
 
-/// The project with what suits an operation: for traverse wheel width and overruns that leave a
-/// zone between the reversals, for plunge a ground length that the wheel covers.
+/// The project with what suits an operation: for traverse overruns that leave a zone between the
+/// reversals, where the wheel allows it, for plunge a ground length that the wheel covers.
 [[nodiscard]] Project fitted(Project project, Operation operation);
 
 /// The project with another number of plunge sections; a listed compliance follows.

@@ -111,8 +111,6 @@ Project withOperation(const Project& project, Operation operation, const Project
     giveBackGauge(*made.gauge, *project.gauge, *thence.gauge, *last->gauge);
     giveBack(made.part->length_mm, project.part->length_mm, thence.part->length_mm,
              last->part->length_mm);
-    giveBack(made.wheel->width_mm, project.wheel->width_mm, thence.wheel->width_mm,
-             last->wheel->width_mm);
     giveBack(made.least_steps, project.least_steps, thence.least_steps, last->least_steps);
     giveBackLevels(made, project, thence, *last);
     Machine& machine = *made.machine;

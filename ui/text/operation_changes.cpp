@@ -44,9 +44,9 @@ QString switchedText(const ConstMember& member, const Project& of) {
 QStringList changesOfOperation(const Project& before, const Project& after) {
     QStringList changes;
     for (const char* path :
-         {"/part/length_mm", "/wheel/width_mm", "/machine/overrun_entry_mm",
-          "/machine/overrun_exit_mm", "/machine/compliance_mm_per_n", "/gauge/section",
-          "/gauge/position_mm", "/gauge/compliance_mm_per_n", "/least_steps", "/part/zone_stock_mm",
+         {"/part/length_mm", "/machine/overrun_entry_mm", "/machine/overrun_exit_mm",
+          "/machine/compliance_mm_per_n", "/gauge/section", "/gauge/position_mm",
+          "/gauge/compliance_mm_per_n", "/least_steps", "/part/zone_stock_mm",
           "/part/zone_runout_mm", "/machine/zone_compliance", "/batch/zone_stock_mm",
           "/machine/form/roundness_um", "/machine/form/runout_um", "/batch/zone_runout_mm",
           "/batch/zone_compliance"}) {

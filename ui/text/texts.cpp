@@ -9,6 +9,7 @@
 #include "ui/text/number_text.h"
 #include "ui/text/shown_scale.h"
 #include "ui/text/stock_reading.h"
+#include "ui/text/wheel_widths.h"
 #include "words/issue_words.h"
 
 #include <QCoreApplication>
@@ -172,8 +173,11 @@ QString rangeBrief(const Range& range, const char* unit) {
 
 QString issueText(const Issue& issue) {
     const ShownScale scale = ShownScale::of(issue);
-    const QString text = fileIssueText({issue.code, issue.severity, issue.path,
-                                        scale.shown(issue.value), scale.shown(issue.limit)});
+    QString text = fileIssueText({issue.code, issue.severity, issue.path, scale.shown(issue.value),
+                                  scale.shown(issue.limit)});
+    if (const QString wheels = WheelWidths::hint(issue); !wheels.isEmpty()) {
+        text += QStringLiteral(" (%1)").arg(wheels);
+    }
     return scale.factor == 1
                ? text
                : QCoreApplication::translate("Issue", "%1 (stock on diameter)").arg(text);

@@ -211,7 +211,9 @@ private slots:
         QVERIFY(!hasErrors(validate(p)));
         for (const EntrySide side : {EntrySide::headstock, EntrySide::tailstock}) {
             p.machine->entry_side = side;
-            const Project traverse = withOperation(p, Operation::traverse);
+            Project narrow = p; // no other wheel is taken
+            narrow.wheel->width_mm = p.part->length_mm / 2;
+            const Project traverse = withOperation(narrow, Operation::traverse);
             QCOMPARE(traverse.part->surface, Surface::internal);
             QVERIFY(!hasErrors(validate(traverse)));
             QVERIFY(traverse.part->shaft.quill.has_value());
@@ -223,6 +225,7 @@ private slots:
             QCOMPARE(plunge.part->surface, Surface::internal);
             QVERIFY(!hasErrors(validate(plunge)));
         }
+        p.wheel->width_mm = p.part->length_mm / 2;
         Project strip = withOperation(p, Operation::traverse); // then as a shaft: no wall any more
         strip.machine->overrun_exit_mm = -1;
         Project shaft = withOperation(strip, Operation::plunge);

@@ -7,6 +7,7 @@
 #include "tests/ui/support/untitled.h"
 #include "tests/whole_project.h"
 #include "ui/text/operation_changes.h"
+#include "ui/text/texts.h"
 
 #include "core/format/project_file.h"
 #include "core/optimisation/levels.h"
@@ -31,6 +32,15 @@ void switchTo(Document& document, Operation operation) {
 
 Operation other(Operation operation) {
     return operation == Operation::plunge ? Operation::traverse : Operation::plunge;
+}
+
+/// Whether all that is refused is a length that the wheel cannot traverse.
+bool tooShort(const Project& project) {
+    Issues errors = validate(project);
+    std::erase_if(errors, [](const Issue& issue) { return issue.severity != Severity::error; });
+    return !errors.empty() && std::ranges::all_of(errors, [](const Issue& issue) {
+        return issue.code == IssueCode::zoneTooShort;
+    });
 }
 
 class TestOperationReturn : public QObject {
@@ -66,6 +76,9 @@ private slots:
             QVERIFY(within(asked.axial_feed_mm_min, limits.axial_feed_mm_min));
         } else {
             QVERIFY(within(asked.radial_feed_mm_min, limits.plunge_feed_mm_min));
+        }
+        if (tooShort(project)) {
+            return; // the wheel stays, and with it nothing can be ground
         }
         QVERIFY(Variants(project).fault() == GridFault::none);
         QCOMPARE(asked.stock_step_mm, before.optimisation->stock_step_mm);
@@ -155,7 +168,6 @@ private slots:
             member = now;
         };
         take(told.part->length_mm, after.part->length_mm);
-        take(told.wheel->width_mm, after.wheel->width_mm);
         take(told.machine->overrun_entry_mm, after.machine->overrun_entry_mm);
         take(told.machine->overrun_exit_mm, after.machine->overrun_exit_mm);
         take(told.machine->compliance_mm_per_n, after.machine->compliance_mm_per_n);
@@ -264,8 +276,36 @@ private slots:
         Project shorter = document.project();
         shorter.part->length_mm = 8;
         document.edit(shorter, {});
+        const double width = shorter.wheel->width_mm;
         switchTo(document, Operation::traverse);
-        QVERIFY(!hasErrors(validate(document.project())));
+        QVERIFY(tooShort(document.project()));
+        QCOMPARE(document.project().wheel->width_mm, width);
+    }
+
+    // A traverse takes no other wheel: longer overruns where they do, else a refusal that names
+    // wheels which would.
+    void aTraverseKeepsTheWheel() {
+        Project plunge = newProject(Operation::plunge);
+        plunge.wheel->width_mm = 40;
+        for (const auto& [length, isPossible] :
+             {std::pair(40.0, false), std::pair(39.0, false), std::pair(12.0, false)}) {
+            plunge.part->length_mm = length;
+            const Project made = withOperation(plunge, Operation::traverse);
+            QCOMPARE(made.wheel->width_mm, 40.0);
+            QCOMPARE(!tooShort(made), isPossible);
+        }
+        Project back = withOperation(plunge, Operation::traverse);
+        back.part->length_mm = 50; // as long as neither is possible with this wheel and overruns
+        back = fitted(back, Operation::traverse);
+        QVERIFY(!hasErrors(validate(back)));
+        QCOMPARE(back.machine->overrun_entry_mm, 20.0);
+        back.part->length_mm = 30;
+        const Issues refused = validate(back);
+        const auto found = std::ranges::find(refused, IssueCode::zoneTooShort, &Issue::code);
+        QVERIFY(found != refused.end());
+        const QString text = issueText(*found);
+        QVERIFY2(text.contains(QStringLiteral("to plunge 40, 50, 63")), qPrintable(text));
+        QVERIFY2(text.contains(QStringLiteral("to traverse ")), qPrintable(text));
     }
 
     void aStageAddedMeanwhileLeavesTheOthersTheirFeeds() {
