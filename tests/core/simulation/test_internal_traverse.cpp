@@ -231,6 +231,7 @@ private slots:
         Project shaft = withOperation(strip, Operation::plunge);
         shaft.part->surface = Surface::external;
         shaft.wheel->diameter_mm = 400;
+        shaft.part->length_mm = 3 * shaft.wheel->width_mm;
         shaft = withComputable(std::move(shaft));
         QVERIFY(!hasErrors(validate(withOperation(shaft, Operation::traverse))));
     }

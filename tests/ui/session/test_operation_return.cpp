@@ -299,13 +299,13 @@ private slots:
         back = fitted(back, Operation::traverse);
         QVERIFY(!hasErrors(validate(back)));
         QCOMPARE(back.machine->overrun_entry_mm, 20.0);
-        back.part->length_mm = 30;
+        back.part->length_mm = 39;
         const Issues refused = validate(back);
         const auto found = std::ranges::find(refused, IssueCode::zoneTooShort, &Issue::code);
         QVERIFY(found != refused.end());
         const QString text = issueText(*found);
         QVERIFY2(text.contains(QStringLiteral("to plunge 40, 50, 63")), qPrintable(text));
-        QVERIFY2(text.contains(QStringLiteral("to traverse ")), qPrintable(text));
+        QVERIFY2(text.contains(QStringLiteral("to traverse 25 mm")), qPrintable(text));
     }
 
     void aStageAddedMeanwhileLeavesTheOthersTheirFeeds() {
