@@ -11222,6 +11222,10 @@ With another name both versions stay as they are.</source>
             <source>%1 (%2): %3 %4 above its limit</source>
             <translation>%1 (%2): выше предела на %3 %4</translation>
         </message>
+        <message>
+            <source>%1 s (%2)</source>
+            <translation>%1 с (%2)</translation>
+        </message>
     </context>
     <context>
         <name>VerdictWhy</name>

@@ -46,9 +46,13 @@ QString minutes(double time_s) {
 
 } // namespace
 
+/// Below two minutes in seconds first, as a grinder counts a plunge.
 QString time(const SimulationResult& result) {
-    return VerdictText::tr("%1 (%2 s)")
-        .arg(minutes(result.time_s), Names::significant(result.time_s, 4));
+    constexpr double short_s = 120;
+    const QString seconds = Names::significant(result.time_s, 4);
+    return result.time_s < short_s
+               ? VerdictText::tr("%1 s (%2)").arg(seconds, minutes(result.time_s))
+               : VerdictText::tr("%1 (%2 s)").arg(minutes(result.time_s), seconds);
 }
 
 QString status(const SimulationResult& result) {
