@@ -13226,6 +13226,10 @@ With another name both versions stay as they are.</source>
             <source>Projects, lessons and works (*.sparkout *.sparkout-lesson *.sparkout-work);;All files (*)</source>
             <translation>Проекты и лабораторные работы (*.sparkout *.sparkout-lesson *.sparkout-work);;Все файлы (*)</translation>
         </message>
+        <message>
+            <source>%1 carries no project. The cards and passports that Sparkout writes do.</source>
+            <translation>%1 не содержит проекта. Он вложен в карты и паспорта, которые пишет Sparkout.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ProjectSaver</name>
@@ -22848,6 +22852,13 @@ s</source>
         <message>
             <source>of the catalogue's wheels would do: %1</source>
             <translation>из кругов каталога подходят: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>Pages</name>
+        <message>
+            <source>Inputs of this document</source>
+            <translation>Исходные данные этого документа</translation>
         </message>
     </context>
 </TS>

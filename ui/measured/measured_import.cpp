@@ -38,9 +38,12 @@ void MeasuredImport::importFile() {
     const QString path =
         FileDialog::openPath(m_window, tr("Import measurements"), m_settings.lastFolder(),
                              tr("Tables (*.csv *.txt *.tsv *.dat);;All files (*)"));
-    if (path.isEmpty()) {
-        return;
+    if (!path.isEmpty()) {
+        importFrom(path);
     }
+}
+
+void MeasuredImport::importFrom(const QString& path) {
     m_settings.setLastFolder(QFileInfo(path).absolutePath());
     const QString name = QFileInfo(path).fileName();
     std::optional<FileError> error;

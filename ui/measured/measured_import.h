@@ -20,6 +20,7 @@ public:
     MeasuredImport(Document& document, Settings& settings, QWidget* window);
 
     void importFile(); ///< asks for it
+    void importFrom(const QString& path);
     void paste();
     void take(MeasuredSource source); ///< asks how it is to be read
 

@@ -170,6 +170,9 @@ QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details,
         putOutline(document, details.outline);
         putSpaces(document);
         putFontMarks(document);
+        if (details.attachment) {
+            putAttachment(document, *details.attachment);
+        }
         if (!details.structure.isEmpty()) {
             putTags(document, details.structure, stopIfAsked);
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/pdf/pdf_attachment.h"
 #include "ui/pdf/pdf_structure.h"
 
 #include <QByteArray>
@@ -8,6 +9,7 @@
 #include <QString>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 /// What a PDF by Qt lacks: an outline, tags, and the author and the subject among its properties.
@@ -26,6 +28,7 @@ struct PdfDetails {
     QDate date;
     std::vector<Bookmark> outline; ///< in the order of the pages
     PdfStructure structure = {};   ///< its marks are painted; empty: the document is not tagged
+    std::optional<PdfAttachment> attachment = {};
 };
 
 /// The same document with its details; the same bytes for the same details. Empty when `pdf` is no

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/file_commands.h"
 
+#include "core/format/project_file.h"
 #include "core/study/new_project.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/file_questions.h"
@@ -9,6 +10,7 @@
 #include "ui/kit/file_dialog.h"
 #include "ui/lesson/lesson_desk.h"
 #include "ui/packs/pack_commands.h"
+#include "ui/pdf/pdf_attachment.h"
 #include "ui/session/document.h"
 #include "ui/session/program_log.h"
 #include "ui/session/settings.h"
@@ -19,6 +21,7 @@
 #include "ui/window/recent_files_menu.h"
 
 #include <QEvent>
+#include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -114,14 +117,48 @@ void FileCommands::openInstead(const QString& path) {
         emit packChosen(path);
         return;
     }
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (QStringList{QStringLiteral("csv"), QStringLiteral("txt"), QStringLiteral("tsv"),
+                    QStringLiteral("dat")}
+            .contains(ending)) {
+        emit measurementsChosen(path);
+        return;
+    }
     if (m_wait.busy() || !mayDiscard()) {
         return;
     }
-    if (LessonDesk::isOfLesson(path)) {
+    if (ending == QLatin1StringView("pdf")) {
+        openAttached(path);
+    } else if (LessonDesk::isOfLesson(path)) {
         m_lessons.open(path);
     } else {
         openFile(path);
     }
+}
+
+/// A paper carries its project: it is opened without a file of its own.
+void FileCommands::openAttached(const QString& path) {
+    constexpr qsizetype most = 200'000'000; // of a paper
+    QFile file(path);
+    std::optional<PdfAttachment> attached;
+    if (file.open(QIODevice::ReadOnly)) {
+        attached = attachmentOf(file.read(most), QStringLiteral(".sparkout"),
+                                static_cast<qsizetype>(limits::fileBytes));
+    }
+    if (!attached) {
+        showFailure(m_window, tr("The file was not opened"),
+                    tr("%1 carries no project. The cards and passports that Sparkout writes do.")
+                        .arg(printableText(QFileInfo(path).fileName())));
+        return;
+    }
+    LoadedProject loaded =
+        parseProject({attached->data.constData(), static_cast<std::size_t>(attached->data.size())});
+    if (!loaded.setup) {
+        showWhyRefused(loaded, path);
+        return;
+    }
+    m_document.startUntitled(std::move(*loaded.setup));
+    m_notices.showOpened(loaded.issues);
 }
 
 bool FileCommands::openFile(const QString& given) {

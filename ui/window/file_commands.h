@@ -67,13 +67,15 @@ public:
 
 signals:
     void saved();
-    void begun(const std::string& path);  ///< a new project, whose first input is asked for
-    void packChosen(const QString& path); ///< in place of a project
+    void begun(const std::string& path);          ///< a new project, whose first input is asked for
+    void packChosen(const QString& path);         ///< in place of a project
+    void measurementsChosen(const QString& path); ///< a table in place of a project
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void openAttached(const QString& path);
     void take(LoadedProject loaded, const QString& path, GuardQuestions::Opening opening);
     bool recover(bool alsoDiscarded);
     bool openAsCopy(const QString& path);

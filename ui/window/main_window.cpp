@@ -404,6 +404,7 @@ void MainWindow::connectReports() {
         m_packs->importFile(path);
         showLogoFault();
     });
+    connect(m_files, &FileCommands::measurementsChosen, m_import, &MeasuredImport::importFrom);
     on(m_actions->titlePage, [this] { TitlePageDialog(m_settings, this).exec(); });
     on(m_actions->exportResults, [exports] { exports->exportResults(); });
     auto* output = new ReportOutput(m_settings, this);

@@ -8,6 +8,9 @@
 #include "tests/ui/window/file_dialogs_bench.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/notice_bar.h"
+#include "ui/pdf/pdf_attachment.h"
+#include "ui/report/documents/cycle_card.h"
+#include "ui/report/format/pages.h"
 #include "ui/window/dialogs/examples_dialog.h"
 #include "ui/window/recent_files_menu.h"
 
@@ -90,6 +93,60 @@ private slots:
         QTRY_VERIFY2(bench.document().filePath() == bench.other, qPrintable(answers.fault()));
         ANSWERED(answers);
         QCOMPARE(trouble::bytesOf(bench.path), textWith(30));
+    }
+
+    // A card carries its project: dropped on the window it is opened as a new one.
+    void aDroppedPaperOpensItsProject() {
+        Bench bench;
+        trouble::write(bench.path, textWith(40));
+        QVERIFY(bench.open());
+        const OutcomePtr outcome = evaluate(bench.document().project(), {});
+        const QByteArray paper =
+            report::pdf(report::CycleCard::write(outcome, bench.path, QDate(2026, 11, 30)), {});
+        QCOMPARE(
+            report::pdf(report::CycleCard::write(outcome, bench.path, QDate(2026, 11, 30)), {}),
+            paper);
+        const QString file = bench.folder.filePath(QStringLiteral("card.pdf"));
+        trouble::write(file, paper);
+        bench.edit(31);
+        DialogAnswers answers({QStringLiteral("discard")});
+        bench.window->files().openInstead(file);
+        ANSWERED(answers);
+        QVERIFY(bench.document().filePath().isEmpty());
+        Project expected = outcome->result.project;
+        expected.runs = {};
+        QCOMPARE(writeProject(bench.document().project()), writeProject(expected));
+        QVERIFY(!attachmentOf(paper, QStringLiteral(".sparkout"), 100)); // too long to be taken
+        QVERIFY(!attachmentOf(paper, QStringLiteral(".csv"), 1'000'000));
+        QVERIFY(!attachmentOf(paper.first(paper.size() / 2), QStringLiteral(".sparkout"), 1'000'000)
+                || paper.isEmpty());
+        QVERIFY(!attachmentOf("%PDF-1.4 no document", QStringLiteral(".sparkout"), 1'000'000));
+    }
+
+    void aPaperWithoutAProjectIsSaidToBeOne() {
+        Bench bench;
+        trouble::write(bench.path, textWith(40));
+        QVERIFY(bench.open());
+        const QString file = bench.folder.filePath(QStringLiteral("other.pdf"));
+        trouble::write(file, QByteArrayLiteral("%PDF-1.4 of somebody else"));
+        DialogAnswers answers({QStringLiteral("ok")});
+        bench.window->files().openInstead(file);
+        ANSWERED(answers);
+        QCOMPARE(bench.document().filePath(), bench.path);
+    }
+
+    void aDroppedTableAsksHowItIsToBeRead() {
+        Bench bench;
+        trouble::write(bench.path, textWith(40));
+        QVERIFY(bench.open());
+        QSignalSpy chosen(&bench.window->files(), &FileCommands::measurementsChosen);
+        const QString file = bench.folder.filePath(QStringLiteral("parts.csv"));
+        trouble::write(file, QByteArrayLiteral("part;diameter_mm\n1;30.001\n2;30.002\n"));
+        DialogAnswers answers({QStringLiteral("cancel")});
+        bench.window->files().openInstead(file);
+        ANSWERED(answers);
+        QCOMPARE(chosen.size(), 1);
+        QCOMPARE(bench.document().filePath(), bench.path);
     }
 
     void aKeptRunWithFaultsCostsNothing() {

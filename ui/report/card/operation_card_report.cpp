@@ -5,6 +5,7 @@
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
+#include "core/setup/setup_file.h"
 #include "ui/report/card/head_grids.h"
 #include "ui/report/card/sketch_sheet.h"
 #include "ui/report/parts/begun_report.h"
@@ -115,12 +116,26 @@ Table OperationCardReport::table(const std::vector<CardRow>& rows) {
     return table;
 }
 
+namespace {
+
+/// With all surfaces as its inputs.
+Report begun(const QString& title, Setup setup, const QString& file, const QDate& date) {
+    Report report = begunReport(title, setup.surfaces.front().project, file, date);
+    for (GroundSurface& surface : setup.surfaces) {
+        surface.project.runs = {};
+    }
+    report.inputs = QByteArray::fromStdString(writeSetup(setup));
+    return report;
+}
+
+} // namespace
+
 Report OperationCardReport::write(const Setup& setup, const SetupRun& run, const Company& company,
                                   const QString& file, const QDate& date) {
     const OperationCard card = operationCard(setup, run);
     const std::vector<CardRow> rows = CardRows::of(card, setup, run);
     const CardHead head = OperationCardReport::head(setup, card, company, date);
-    Report report = begunReport(tr("Operation card"), setup.surfaces.front().project, file, date);
+    Report report = begun(tr("Operation card"), setup, file, date);
     report.blocks = {formHead(head, form::card), table(rows),
                      Paragraph{form::text(form::card.note)}};
     report.sheets = CardSheets(head).card(rows);
@@ -130,7 +145,7 @@ Report OperationCardReport::write(const Setup& setup, const SetupRun& run, const
 
 Report OperationCardReport::sketch(const Setup& setup, const Company& company, const QString& file,
                                    const QDate& date) {
-    Report report = begunReport(tr("Sketch sheet"), setup.surfaces.front().project, file, date);
+    Report report = begun(tr("Sketch sheet"), setup, file, date);
     const CardHead head = OperationCardReport::head(setup, {}, company, date);
     addSketch(report, head, setup);
     return report;

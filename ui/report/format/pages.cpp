@@ -7,6 +7,7 @@
 #include "ui/report/format/sheet_pieces.h"
 
 #include <QBuffer>
+#include <QCoreApplication>
 #include <QMarginsF>
 #include <QPageLayout>
 #include <QPageSize>
@@ -15,6 +16,7 @@
 #include <QPrinter>
 
 #include <algorithm>
+#include <optional>
 
 namespace sparkout::report {
 
@@ -119,6 +121,21 @@ bool printPages(const Pages& pages, QPrinter& printer) {
     return paintRange(pages, printer, first, last);
 }
 
+namespace {
+
+/// The project, so that the paper can be opened again.
+std::optional<PdfAttachment> attachmentOf(const Report& report) {
+    const QString ending = QStringLiteral(".sparkout");
+    if (report.inputs.isEmpty()) {
+        return std::nullopt;
+    }
+    const QString base = report.file.isEmpty() ? QStringLiteral("project") : report.file;
+    return PdfAttachment{base.endsWith(ending) ? base : base + ending, report.inputs,
+                         QCoreApplication::translate("Pages", "Inputs of this document")};
+}
+
+} // namespace
+
 QByteArray pdf(const Report& report, const KeepGoing& keepGoing) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -132,7 +149,8 @@ QByteArray pdf(const Report& report, const KeepGoing& keepGoing) {
                        report.language,
                        report.date,
                        {},
-                       {}};
+                       {},
+                       attachmentOf(report)};
     bool painted = false;
     {
         QPdfWriter writer(&buffer);

@@ -5,6 +5,7 @@
 #include "ui/report/format/form_sheet.h"
 #include "ui/report/format/formula_node.h"
 
+#include <QByteArray>
 #include <QDate>
 #include <QSizeF>
 #include <QString>
@@ -109,9 +110,10 @@ struct Report {
     QString title;
     QString subject; ///< what it is about: the part and the project
     QString author;
-    QString file;     ///< name of the project's file
-    QString program;  ///< "Sparkout 0.1.0"
-    QString language; ///< "en"
+    QString file;      ///< name of the project's file
+    QByteArray inputs; ///< the project's text, which a PDF carries with it; empty: none
+    QString program;   ///< "Sparkout 0.1.0"
+    QString language;  ///< "en"
     QDate date;
     std::vector<Block> blocks;
     /// A form that is printed in place of the blocks, on A4 landscape; the other formats have

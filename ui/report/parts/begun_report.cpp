@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/parts/begun_report.h"
 
+#include "core/format/project_file.h"
 #include "core/project/part.h"
 #include "core/version.h"
 #include "ui/report/parts/cell_text.h"
@@ -25,6 +26,9 @@ Report begunReport(const QString& title, const Project& project, const QString& 
     report.program = QStringLiteral("Sparkout %1").arg(QString::fromUtf8(version));
     report.language = QLocale().bcp47Name().section(u'-', 0, 0);
     report.date = date;
+    Project inputs = project; // kept runs are no inputs of this paper
+    inputs.runs = {};
+    report.inputs = QByteArray::fromStdString(writeProject(inputs));
     return report;
 }
 
