@@ -132,7 +132,7 @@ private slots:
     /// The known β comes back within its 95 % interval in 93…97 of 100 batches, as far as so many
     /// batches tell it; the others are hardly ever refused.
     void aKnownTruthIsHeld() {
-        const int sets = samples::sized(3, 1, 100);
+        const int sets = samples::sized(3, 1, 50);
         int held = 0, settings = 0, answers = 0, refused = 0;
         for (int set = 0; set < sets; ++set) {
             const auto seed = static_cast<std::uint32_t>(set + 1);

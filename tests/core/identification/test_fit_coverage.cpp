@@ -179,7 +179,7 @@ class TestFitCoverage : public QObject {
 
 private slots:
     void answersHoldAndTheOthersAreRefused() {
-        const int sets = samples::sized(1, 1, 20);
+        const int sets = samples::sized(1, 1, 10);
         Count all, undisturbed;
         for (std::size_t d = 0; d < std::size(disturbances); ++d) {
             const Disturbance& how = disturbances[d];

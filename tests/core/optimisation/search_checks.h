@@ -66,7 +66,7 @@ inline bool same(const SearchSummary& a, const SearchSummary& b) {
 
 /// Fewer under the sanitizers.
 inline unsigned searches(int usual) {
-    return static_cast<unsigned>(samples::sized(usual, usual * 2 / 5, usual * 4));
+    return static_cast<unsigned>(samples::sized(usual, usual * 2 / 5, usual * 2));
 }
 
 /// Of an option held against all cycles of its grids: 500 in --long.
