@@ -85,6 +85,9 @@ public:
                     m_alike[i].second = std::max(m_alike[i].second, one.q[i] + more);
                 }
             }
+            for (std::size_t i = 0; i < left.unknownLag.size(); ++i) {
+                found.covariance[i] += left.unknownLag[i];
+            }
             addValues(found);
             if (m_stop.stop_requested()) { // the values would lack what was not asked
                 m_result = {};

@@ -27,6 +27,10 @@ inline constexpr double certainDelay = 3.5;
 /// From so many on it may be real: the criterion of Akaike is for it.
 inline constexpr double possibleDelay = 1.4;
 
+/// What is known of the lag of a gauge that nobody stated, 0 ± this standard deviation: gauges
+/// filter over 0.05 to 0.3 s. An estimate.
+inline constexpr double usualLag_s = 0.15;
+
 /// What was left out of a fit.
 struct LeftOut {
     std::vector<OutOfStep> certain;
@@ -36,6 +40,9 @@ struct LeftOut {
         std::vector<double> q, errors;
     };
     std::vector<Possible> possible;
+    /// What the lag of a gauge that is not known adds to the covariance of the coordinates, row by
+    /// row; empty: nothing.
+    std::vector<double> unknownLag;
 };
 
 /// Whether it is beyond `certainDelay` of its errors, and long enough for the clock of a recorder.
