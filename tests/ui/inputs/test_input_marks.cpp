@@ -235,6 +235,26 @@ private slots:
         QTRY_VERIFY(!text->text().contains(QStringLiteral("30h6 fills")));
     }
 
+    void aDesignationTypedIntoTheDiameterFillsItsLimits() {
+        Bench bench;
+        bench.panel.showPage(0);
+        NumberField* const diameter = bench.field("/part/diameter_mm");
+        typeOver(*diameter, QStringLiteral("35k6"));
+        QTest::keyClick(diameter, Qt::Key_Return);
+        const Part& part = *bench.document.project().part;
+        QCOMPARE(part.diameter_mm, 35.0);
+        QCOMPARE(part.upper_deviation_um, 18.0);
+        QCOMPARE(part.lower_deviation_um, 2.0);
+        QVERIFY(bench.row("/part/diameter_mm")->editor().refusal().isEmpty());
+        const auto* const size = bench.panel.findChild<QWidget*>(QStringLiteral("sizeField"));
+        QVERIFY(size->mapTo(&bench.panel, QPoint()).y()
+                < diameter->mapTo(&bench.panel, QPoint()).y());
+        typeOver(*diameter, QStringLiteral("35zz6"));
+        QTest::keyClick(diameter, Qt::Key_Return);
+        QVERIFY(!bench.row("/part/diameter_mm")->editor().refusal().isEmpty());
+        QCOMPARE(bench.document.project().part->diameter_mm, 35.0);
+    }
+
     void onlyInputsWithADefaultAreMarkedAndAClickTakesThemBack() {
         Bench bench;
         bench.panel.showPage(1);

@@ -27,6 +27,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QTimer>
 #include <QToolButton>
@@ -142,11 +143,7 @@ void FormPage::addCatalogue(Settings* settings, Place into) {
     into.rows.addWidget(m_catalogue);
 }
 
-void FormPage::addHelper(const std::string& path, Place into) {
-    RowHelper* helper = makeRowHelper(path, m_document, into.rows.parentWidget());
-    if (!helper) {
-        return;
-    }
+void FormPage::addHelper(RowHelper* helper, const std::string& path, Place into) {
     const int inset = SectionBox::inset(into.depth);
     helper->setContentsMargins(inset, 0, inset, 0);
     into.rows.addWidget(helper);
@@ -195,10 +192,23 @@ void FormPage::addRow(const Field& field, const std::string& path, Place into) {
     if (!editor) {
         return;
     }
+    RowHelper* const helper = makeRowHelper(path, m_document, parent);
+    if (helper && helper->standsFirst()) {
+        addHelper(helper, path, into);
+    }
     auto* row = new FormRow(std::move(editor), *newGrid(into.rows, into.depth), parent);
     row->setParent(this);
     connectRow(*row);
-    addHelper(path, into);
+    if (helper && !helper->standsFirst()) {
+        addHelper(helper, path, into);
+    }
+    if (auto* line = qobject_cast<QLineEdit*>(row->editor().widget()); line && helper) {
+        connect(line, &QLineEdit::editingFinished, helper, [row, line, helper] {
+            if (!row->editor().refusal().isEmpty() && helper->take(line->text())) {
+                row->editor().dropRefusal();
+            }
+        });
+    }
 }
 
 void FormPage::addInputBox(InputBox* box, const std::string& path, Place into) {
@@ -241,7 +251,9 @@ void FormPage::connectRow(FormRow& row) {
 }
 
 void FormPage::addBox(const Field& field, const std::string& path, Place into) {
-    addHelper(path, into);
+    if (RowHelper* helper = makeRowHelper(path, m_document, into.rows.parentWidget())) {
+        addHelper(helper, path, into);
+    }
     auto* box = new SectionBox(into.depth + 1, into.rows.parentWidget());
     into.rows.addWidget(box);
     auto* reason = new ReasonLabel(box);

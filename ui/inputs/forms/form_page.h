@@ -39,8 +39,8 @@ class FormPage : public QScrollArea {
     Q_OBJECT
 
 public:
-    /// Without settings the user's own catalogues are kept as long as the page lives, and all inputs
-    /// are shown.
+    /// Without settings the user's own catalogues are kept as long as the page lives, and all
+    /// inputs are shown.
     FormPage(Page page, Document& document, QWidget* parent = nullptr,
              Settings* settings = nullptr);
     ~FormPage() override;
@@ -85,7 +85,7 @@ private:
     };
 
     void addCatalogue(Settings* settings, Place into);
-    void addHelper(const std::string& path, Place into);
+    void addHelper(RowHelper* helper, const std::string& path, Place into);
     void addStruct(const StructInfo& table, const std::string& path, Place into);
     void addRow(const Field& field, const std::string& path, Place into);
     void addInputBox(InputBox* box, const std::string& path, Place into);

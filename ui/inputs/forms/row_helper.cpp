@@ -144,7 +144,7 @@ RowHelper* makeRowHelper(const std::string& path, Document& document, QWidget* p
     if (path == "/card/mass_kg") {
         return new OfferHelper(estimatedMass, document, parent);
     }
-    return path == "/part/lower_deviation_um" ? new SizeHelper(document, parent) : nullptr;
+    return path == "/part/diameter_mm" ? new SizeHelper(document, parent) : nullptr;
 }
 
 MarkingHelper::MarkingHelper(Document& document, QWidget* parent)
@@ -294,6 +294,15 @@ void SizeHelper::showTyped() {
     const auto typed = toFill();
     m_meaning->setText(typed ? typed->text : QString());
     m_meaning->setVisible(!m_meaning->text().isEmpty());
+}
+
+bool SizeHelper::take(const QString& text) {
+    if (!readSize(text, *m_document.project().part).size) {
+        return false;
+    }
+    m_size->setText(text);
+    fill();
+    return true;
 }
 
 void SizeHelper::fill() {

@@ -15,16 +15,19 @@ class QPushButton;
 
 namespace sparkout {
 
-/// What stands below a row of the inputs and fills others from what is typed there.
+/// What stands beside a row of the inputs and fills others from what is typed there.
 class RowHelper : public QWidget {
     Q_OBJECT
 
 public:
     using QWidget::QWidget;
     virtual void retranslate() = 0;
+    [[nodiscard]] virtual bool standsFirst() const { return false; } ///< above its row, not below
+    /// Takes a text that the row itself refuses; false where it means nothing here.
+    virtual bool take(const QString&) { return false; }
 };
 
-/// The helper below the row at a path; null where there is none.
+/// The helper of the row at a path; null where there is none.
 [[nodiscard]] RowHelper* makeRowHelper(const std::string& path, Document& document,
                                        QWidget* parent);
 
@@ -74,13 +77,15 @@ private:
 };
 
 /// Takes a size with its tolerance class, 30h6, says what it means, and fills diameter and limits
-/// from it when it is left or Enter is pressed.
+/// from it when it is left or Enter is pressed; also one that is typed into the diameter.
 class SizeHelper : public RowHelper {
     Q_OBJECT
 
 public:
     SizeHelper(Document& document, QWidget* parent);
     void retranslate() override;
+    [[nodiscard]] bool standsFirst() const override { return true; }
+    bool take(const QString& text) override;
 
 private:
     void showPart();
