@@ -2242,6 +2242,29 @@
         </message>
     </context>
     <context>
+        <name>StartingCycle</name>
+        <message>
+            <source>the wheel drive&apos;s power</source>
+            <translation>мощность привода круга</translation>
+        </message>
+        <message>
+            <source>the deflection of machine and part</source>
+            <translation>отжатие станка и детали</translation>
+        </message>
+        <message>
+            <source>the depth of the burnt layer</source>
+            <translation>глубина прижога</translation>
+        </message>
+        <message>
+            <source>the machine&apos;s range of feeds</source>
+            <translation>диапазон подач станка</translation>
+        </message>
+        <message>
+            <source>the usual depth of cut</source>
+            <translation>обычная глубина резания</translation>
+        </message>
+    </context>
+    <context>
         <name>StateGridSheet</name>
         <message>
             <source>State</source>

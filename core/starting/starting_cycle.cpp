@@ -347,10 +347,11 @@ double Rule::finishBelowBurn(double depth_mm) const {
 }
 
 /// The stock of a spark-out [mm]: what it removes, and half a step of finishing, which ends
-/// somewhere within its own.
+/// somewhere within its own; of a small stock no more than a quarter.
 double Rule::sparkOutStock(double removed_mm, double infeed_mm) const {
     const double step = starting::stockStep;
-    return std::max(step, std::round((removed_mm + infeed_mm / 2) / step) * step);
+    const double stock_mm = std::max(step, std::round((removed_mm + infeed_mm / 2) / step) * step);
+    return std::min(stock_mm, m_project.part->stock_mm / 4);
 }
 
 double Rule::finishStock(double wanted_mm) const {
