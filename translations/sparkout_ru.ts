@@ -9865,6 +9865,10 @@ With another name both versions stay as they are.</source>
             <translation>Тейбор, 1951, предел текучести и твёрдость</translation>
         </message>
         <message>
+            <source>Machinery&apos;s Handbook 31, cylindrical grinding</source>
+            <translation>Machinery&apos;s Handbook, 31-е изд., круглое шлифование</translation>
+        </message>
+        <message>
             <source>hon1.ru, spark-out and threshold force</source>
             <translation>hon1.ru, выхаживание и пороговая сила</translation>
         </message>
