@@ -10,6 +10,8 @@
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 
+#include <QFile>
+
 #include <string>
 
 namespace test_cli_new {
