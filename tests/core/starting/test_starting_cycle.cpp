@@ -265,7 +265,8 @@ private slots:
     }
 
     /// ⌀35k6 × 28: Q'_w 1.5 is 0.8185 mm/min, in steps of 0.01; 0.05 of 16 µm is 0.8 µm, which is
-    /// more than the 0.12 mm/min of Ra 0.8; 4 s are 16 revolutions at 227 a minute.
+    /// more than the 0.12 mm/min of Ra 0.8; 4 s are 16 revolutions at 236 a minute, within 5 % of
+    /// 25 m/min.
     void bearingSeatHasTheCycleOfTheRule() {
         const StartingCycle start = startOf("35k6", 28);
         const auto& stages = start.project.cycle->stages;
@@ -301,11 +302,11 @@ private slots:
         Issues issues;
         auto entries = *startingEntries({}, drawing, issues);
         const double usual = startingProject(drawing, entries).start->roughDepth_mm;
-        entries.machine.value.wheel_drive_kw = 1;
+        entries.machine.value.wheel_drive_kw = 3;
         const StartingCycle weak = *startingProject(drawing, entries).start;
         QCOMPARE(std::string(roughBoundKey(weak.bound)), std::string("power"));
         QVERIFY(weak.roughDepth_mm < usual);
-        QVERIFY(PowerModel(weak.project).wheelPower(45, weak.roughDepth_mm) < 0.8 * 1e6);
+        QVERIFY(PowerModel(weak.project).wheelPower(45, weak.roughDepth_mm) < 0.8 * 3e6);
     }
 
     void shoulderHasNoOverrunAndADwell() {
