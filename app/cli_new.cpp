@@ -91,7 +91,7 @@ std::string stocksText(const PhaseDecision& decision) {
     return text;
 }
 
-std::string line(const std::string& label, const std::string& value) {
+std::string labelled(const std::string& label, const std::string& value) {
     constexpr std::size_t column = 21;
     return label + std::string(label.size() < column ? column - label.size() : 1, ' ') + value
            + '\n';
@@ -100,18 +100,18 @@ std::string line(const std::string& label, const std::string& value) {
 std::string startText(const StartingCycle& start) {
     const Project& project = start.project;
     std::string text =
-        line("machine",
-             project.machine->name + ", " + project.wheel->marking + ", " + project.material->grade)
-        + line("work speed", numberText(project.machine->work_speed_rpm) + " rev/min");
+        labelled("machine", project.machine->name + ", " + project.wheel->marking + ", "
+                                + project.material->grade)
+        + labelled("work speed", numberText(project.machine->work_speed_rpm) + " rev/min");
     const auto& stages = project.cycle->stages;
     for (std::size_t i = 0; i < stages.size(); ++i) {
-        text += line("stage " + std::to_string(i + 1), stageText(project, stages[i]));
+        text += labelled("stage " + std::to_string(i + 1), stageText(project, stages[i]));
     }
-    text += line("rough depth bound by", roughBoundText(start.bound));
-    return text + line("cycle", stocksText(decidePhases(project, usualPhases(project))));
+    text += labelled("rough depth bound by", roughBoundText(start.bound));
+    return text + labelled("cycle", stocksText(decidePhases(project, usualPhases(project))));
 }
 
-int missing(const Options& options) {
+int missingOption(const Options& options) {
     return !options.length_mm       ? usageError("new needs --length")
            : !options.stock_mm      ? usageError("new needs --stock")
            : options.output.empty() ? usageError("new needs -o")
@@ -121,7 +121,7 @@ int missing(const Options& options) {
 } // namespace
 
 int runNewCommand(const Options& options) {
-    if (const int status = missing(options)) {
+    if (const int status = missingOption(options)) {
         return status;
     }
     int status = done;
