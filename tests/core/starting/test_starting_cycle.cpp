@@ -5,7 +5,6 @@
 #include "core/catalogue/shipped_catalogue.h"
 #include "core/phases/phase_decision.h"
 #include "core/project/cycle.h"
-#include "core/project/gauge.h"
 #include "core/project/validate.h"
 #include "core/quality/power.h"
 #include "core/simulation/simulate.h"
