@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli_batch_command.h"
 #include "app/cli_dressing.h"
+#include "app/cli_new.h"
 #include "app/cli_optimise.h"
 #include "app/cli_phases.h"
 #include "app/cli_remedies.h"
@@ -182,7 +183,13 @@ int run(const std::vector<std::string>& arguments) {
         return usageError(command.empty() ? "a command is needed" : "unknown command " + command);
     }
     if (options.operand.empty()) {
-        return usageError(command + (command == "examples" ? " needs a folder" : " needs a file"));
+        return usageError(command
+                          + (command == "examples" ? " needs a folder"
+                             : command == "new"    ? " needs a size with its field, as 35k6"
+                                                   : " needs a file"));
+    }
+    if (command == "new") {
+        return runNewCommand(options);
     }
     if (command == "simulate") {
         return runSimulate(options);

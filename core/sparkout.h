@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The public face of the core: a project read and checked, its cycle simulated, held against the
-// drawing and evaluated, for which stocks it holds, what would help, its batch, its sweep, its
-// search; what was measured, read, judged and fitted, and the trials to measure next; and the
-// surfaces of a part that are ground in one set-up.
+// The public face of the core: a project read and checked or made for a drawing, its cycle
+// simulated, held against the drawing and evaluated, for which stocks it holds, what would help,
+// its batch, its sweep, its search; what was measured, read, judged and fitted, and the trials to
+// measure next; and the surfaces of a part that are ground in one set-up.
 
 #include "core/adequacy/adequacy_outputs.h"
 #include "core/batch/batch_check.h"
@@ -45,6 +45,7 @@
 #include "core/setup/setup_run.h"
 #include "core/setup/worn_project.h"
 #include "core/simulation/simulate.h"
+#include "core/starting/starting_project.h"
 #include "core/study/evaluate.h"
 #include "core/study/search.h"
 #include "core/study/search_json.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/project_object.h"
 #include "python/remedy_objects.h"
+#include "python/starting.h"
 #include "python/study_objects.h"
 
 #include "core/version.h"
@@ -11,4 +12,5 @@ PYBIND11_MODULE(sparkout, module) {
     sparkout::python::bindProject(module);
     sparkout::python::bindStudies(module);
     sparkout::python::bindRemedies(module);
+    sparkout::python::bindStarting(module);
 }

@@ -300,6 +300,19 @@ class Search:
     def text(self) -> list[str]: ...
     def to_dict(self) -> dict[str, Any]: ...
 
+def starting(
+    size: str,
+    *,
+    length_mm: float,
+    stock_mm: float,
+    bore: bool = False,
+    operation: Optional[str] = None,
+    shoulder: Optional[str] = None,
+    ra_um: Optional[float] = None,
+    machine: str = "",
+    wheel: str = "",
+    material: str = "",
+) -> Project: ...
 def evaluate(project: Project) -> Evaluation: ...
 def remedies(project: Project) -> Remedies: ...
 def batch(project: Project, threads: int = 0) -> Batch: ...

@@ -2254,6 +2254,29 @@
         </message>
     </context>
     <context>
+        <name>StartingCycle</name>
+        <message>
+            <source>the wheel drive&apos;s power</source>
+            <translation>мощность привода круга</translation>
+        </message>
+        <message>
+            <source>the deflection of machine and part</source>
+            <translation>отжатие станка и детали</translation>
+        </message>
+        <message>
+            <source>the depth of the burnt layer</source>
+            <translation>глубина прижога</translation>
+        </message>
+        <message>
+            <source>the machine&apos;s range of feeds</source>
+            <translation>диапазон подач станка</translation>
+        </message>
+        <message>
+            <source>the usual depth of cut</source>
+            <translation>обычная глубина резания</translation>
+        </message>
+    </context>
+    <context>
         <name>StateGridSheet</name>
         <message>
             <source>State</source>
@@ -9852,6 +9875,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Tabor, 1951, yield stress and hardness</source>
             <translation>Тейбор, 1951, предел текучести и твёрдость</translation>
+        </message>
+        <message>
+            <source>Machinery&apos;s Handbook 31, cylindrical grinding</source>
+            <translation>Machinery&apos;s Handbook, 31-е изд., круглое шлифование</translation>
         </message>
         <message>
             <source>hon1.ru, spark-out and threshold force</source>

@@ -49,6 +49,16 @@ std::optional<Scenarios> scenariosOf(const std::string& text) {
     return std::nullopt;
 }
 
+std::optional<Operation> operationOf(const std::string& text) {
+    const auto choices = choicesOf<Operation>();
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (text == choices[i].key) {
+            return Operation::ofIndex(i);
+        }
+    }
+    return std::nullopt;
+}
+
 std::optional<std::string> fileName(const std::string& text) {
     return text.empty() ? std::nullopt : std::optional(text);
 }
@@ -130,6 +140,39 @@ const ValueOption valueOptions[] = {
      [](const std::string& text, Options& options) {
          return put(options.to_mm, numberIn(text, 1e-9, 1e3));
      }},
+    {"new", "--length", "a length in mm from 0.1 to 10000",
+     [](const std::string& text, Options& options) {
+         return put(options.length_mm, numberIn(text, 0.1, 1e4));
+     }},
+    {"new", "--stock", "a stock per side in mm from 0.01 to 5",
+     [](const std::string& text, Options& options) {
+         return put(options.stock_mm, numberIn(text, 0.01, 5.0));
+     }},
+    {"new", "--ra", "Ra in µm above 0, up to 100",
+     [](const std::string& text, Options& options) {
+         return put(options.ra_um, numberIn(text, 1e-9, 1e2));
+     }},
+    {"new", "--operation", "plunge or traverse",
+     [](const std::string& text, Options& options) {
+         return put(options.operation, operationOf(text));
+     }},
+    {"new", "--shoulder", "headstock, tailstock or both",
+     [](const std::string& text, Options& options) {
+         options.shoulder = text;
+         return text == "headstock" || text == "tailstock" || text == "both";
+     }},
+    {"new", "--machine", "a name of the catalogue",
+     [](const std::string& text, Options& options) {
+         return put(options.machine, fileName(text));
+     }},
+    {"new", "--wheel", "a name of the catalogue",
+     [](const std::string& text, Options& options) { return put(options.wheel, fileName(text)); }},
+    {"new", "--material", "a name of the catalogue",
+     [](const std::string& text, Options& options) {
+         return put(options.material, fileName(text));
+     }},
+    {"new", "-o", "a file name",
+     [](const std::string& text, Options& options) { return put(options.output, fileName(text)); }},
     {"measured", "--trial", "parameters, as alpha,beta",
      [](const std::string& text, Options& options) { return put(options.trial, fileName(text)); }},
     {"measured", "--profile", "a file name",
@@ -178,7 +221,7 @@ bool* switchOf(const std::string& name, Options& options) {
     const bool batch = runs || options.command == "batch-merge";
     const bool sweeps = options.command == "sweep", mends = options.command == "remedies";
     const bool measures = options.command == "measured", decides = options.command == "phases";
-    const bool dresses = options.command == "dressing";
+    const bool dresses = options.command == "dressing", starts = options.command == "new";
     const bool checks = simulates || batch || measures || decides || dresses;
     const bool prints = checks || mends || sweeps;
     return prints && name == "--json"                                        ? &options.json
@@ -187,8 +230,9 @@ bool* switchOf(const std::string& name, Options& options) {
            : (runs || sweeps || measures || dresses) && name == "--progress" ? &options.progress
            : measures && name == "--roundness"                               ? &options.roundness
            : measures && name == "--stiffness-sheet"                         ? &options.sheet
-           : (runs || options.command == "examples") && name == "--force"    ? &options.force
-                                                                             : nullptr;
+           : (runs || starts || options.command == "examples") && name == "--force" ? &options.force
+           : starts && name == "--bore"                                             ? &options.bore
+                                                                                    : nullptr;
 }
 
 /// Options that contradict each other.
@@ -208,10 +252,11 @@ int checkTogether(const Options& options) {
     if (kinds > 1) {
         return usageError("only one of --roundness, --trial, --stiffness and --fit");
     }
-    if (options.fit.empty() && (!options.loss.empty() || !options.output.empty())) {
+    const bool startsNew = options.command == "new";
+    if (options.fit.empty() && (!options.loss.empty() || (!options.output.empty() && !startsNew))) {
         return usageError("--loss and -o need --fit");
     }
-    if (isSameFile(options.output, options.operand)) {
+    if (!startsNew && isSameFile(options.output, options.operand)) {
         return usageError("-o would replace the project that is read: " + options.output);
     }
     if (!options.indicator.empty() && options.stiffness.empty() && !options.sheet) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/batch.h"
+#include "core/project/operation.h"
 
 #include <optional>
 #include <string>
@@ -22,7 +23,11 @@ struct Options {
     std::optional<int> parts, seed, threads, sensitivity;
     std::optional<std::pair<int, int>> shard; ///< I of N
     std::optional<double> untilWidth_um;
-    std::optional<double> from_mm, to_mm; ///< stocks, of phases
+    std::optional<double> from_mm, to_mm;             ///< stocks, of phases
+    std::optional<double> length_mm, stock_mm, ra_um; ///< of new
+    std::optional<Operation> operation;               ///< of new
+    std::string machine, wheel, material, shoulder;   ///< of new
+    bool bore = false;                                ///< of new
     std::optional<Scenarios> scenarios;
 };
 

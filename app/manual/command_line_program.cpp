@@ -516,6 +516,71 @@ Command courseCommand() {
            "для variants: имеющиеся работы заменяются; для grade: заменяется имеющаяся книга"}}}};
 }
 
+Command newCommand() {
+    return {
+        "new",
+        Kind::anything,
+        {"writes a project with a starting cycle for a surface of a drawing: the size with its "
+         "field, as 35k6 or for a bore 60H7, and what is said of it below. Work speed, feeds, "
+         "stocks and spark-out follow from diameter, stock, tolerance, material, wheel and "
+         "machine, in steps of the machine; what bounds the rough depth is printed, and for which "
+         "stocks the cycle holds",
+         "записывает проект с исходным циклом для поверхности чертежа: размер с полем, например "
+         "35k6, для отверстия 60H7, и то, что о нём сказано ниже. Частота вращения детали, подачи, "
+         "припуски и выхаживание следуют из диаметра, припуска, допуска, материала, круга и "
+         "станка, с шагом станка; печатается, что ограничивает черновую глубину резания и при "
+         "каких припусках цикл годен"},
+        {{"--length", "MM", Kind::anything, "", {"ground length in mm", "длина шлифования в мм"}},
+         {"--stock",
+          "MM",
+          Kind::anything,
+          "",
+          {"minimum stock per side in mm", "наименьший припуск на сторону в мм"}},
+         {"--bore",
+          "",
+          Kind::none,
+          "",
+          {"a bore, also where the field is written in small letters",
+           "отверстие, даже если поле записано строчными буквами"}},
+         {"--operation",
+          "plunge|traverse",
+          Kind::choice,
+          "plunge traverse",
+          {"instead of plunge grinding where the wheel covers the length, else traverse grinding",
+           "вместо врезного шлифования, если круг перекрывает длину, иначе с продольной подачей"}},
+         {"--shoulder",
+          "headstock|tailstock|both",
+          Kind::choice,
+          "headstock tailstock both",
+          {"an end that the wheel cannot run over; a plain cylinder has none",
+           "конец, за который круг выйти не может; у гладкого цилиндра таких нет"}},
+         {"--ra", "UM", Kind::anything, "", {"required Ra in µm", "требуемая Ra в мкм"}},
+         {"--machine",
+          "NAME",
+          Kind::anything,
+          "",
+          {"of the catalogue, instead of 3М151, for a bore 3К227; part of a name will do",
+           "станок каталога вместо 3М151, для отверстия 3К227; достаточно части названия"}},
+         {"--wheel",
+          "NAME",
+          Kind::anything,
+          "",
+          {"of the catalogue, instead of its first, for a bore the widest that goes into it",
+           "круг каталога вместо первого, для отверстия — самого большого, входящего в него"}},
+         {"--material",
+          "NAME",
+          Kind::anything,
+          "",
+          {"of the catalogue, instead of hardened 40Х",
+           "материал каталога вместо закалённой стали 40Х"}},
+         {"-o", "OUT.sparkout", Kind::file, "", {"the project", "файл проекта"}},
+         {"--force",
+          "",
+          Kind::none,
+          "",
+          {"replaces a file that is there", "заменяет имеющийся файл"}}}};
+}
+
 Command examplesCommand() {
     return {
         "examples",
@@ -538,7 +603,10 @@ const Program& commandLineProgram() {
         "sparkout-cli",
         {"cylindrical grinding cycles, computed pass by pass",
          "расчёт циклов круглого шлифования по проходам"},
-        {"simulate FILE [--surface NAME|N|all] [--json] [--check] [--trace OUT.csv]",
+        {"new SIZE --length MM --stock MM [--bore] [--operation plunge|traverse]\n"
+         "[--shoulder headstock|tailstock|both] [--ra UM] [--machine NAME]\n"
+         "[--wheel NAME] [--material NAME] -o OUT.sparkout [--force]",
+         "simulate FILE [--surface NAME|N|all] [--json] [--check] [--trace OUT.csv]",
          "remedies FILE [--surface NAME|N|all] [--json]",
          "optimize FILE [--surface NAME|N|all] [--robust] [--refine] [--front]\n"
          "[--method search|full|dp|labels] [--stages N,…]\n"
@@ -566,9 +634,9 @@ const Program& commandLineProgram() {
          "проектов окна и даёт те же числа, до последнего знака."},
         {{"--version", "", Kind::none, "", {"prints the version", "печатает версию"}},
          {"--help", "", Kind::none, "", {"prints this text", "печатает список параметров"}}},
-        {simulateCommand(), remediesCommand(), optimizeCommand(), validateCommand(), batchCommand(),
-         mergeCommand(), sweepCommand(), phasesCommand(), dressingCommand(), measuredCommand(),
-         examplesCommand(), courseCommand()},
+        {newCommand(), simulateCommand(), remediesCommand(), optimizeCommand(), validateCommand(),
+         batchCommand(), mergeCommand(), sweepCommand(), phasesCommand(), dressingCommand(),
+         measuredCommand(), examplesCommand(), courseCommand()},
         {{"A file may hold several surfaces of a part that are ground in one set-up. simulate, "
           "remedies, optimize, batch, sweep, phases and measured take each in its order, or the "
           "one "

@@ -28,6 +28,29 @@ def cli(*arguments):
     return json.loads(done.stdout)
 
 
+class Starting(unittest.TestCase):
+    def test_the_project_is_that_of_the_command_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "seat.sparkout"
+            subprocess.run([CLI, "new", "35k6", "--length", "28", "--stock", "0.15", "--ra", "0.8",
+                            "--machine", "3М153", "-o", file], check=True, capture_output=True)
+            mine = sparkout.starting("35k6", length_mm=28, stock_mm=0.15, ra_um=0.8,
+                                     machine="3М153")
+            self.assertEqual(mine, sparkout.Project.read(file))
+        self.assertTrue(sparkout.phases(mine)["decided"])
+
+    def test_what_is_refused_is_named(self):
+        size = {"length_mm": 28, "stock_mm": 0.15}
+        with self.assertRaisesRegex(ValueError, "30z6.*ISO 286"):
+            sparkout.starting("30z6", **size)
+        with self.assertRaisesRegex(ValueError, "turning.*plunge"):
+            sparkout.starting("35k6", operation="turning", **size)
+        with self.assertRaisesRegex(sparkout.ProjectError, "/machine/name.*3М151"):
+            sparkout.starting("35k6", machine="no such", **size)
+        with self.assertRaisesRegex(sparkout.ProjectError, "/part/length_mm"):
+            sparkout.starting("40h6", length_mm=80, stock_mm=0.15, shoulder="both")
+
+
 class Evaluations(unittest.TestCase):
     def test_every_example_has_the_numbers_of_the_command_line(self):
         files = sorted(EXAMPLES.glob("*.sparkout"))

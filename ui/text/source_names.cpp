@@ -59,6 +59,8 @@ constexpr std::array names{
     SourceName{"GILBERT1950", QT_TRANSLATE_NOOP("Source", "Gilbert, 1950, economics of machining")},
     SourceName{"HASHIMOTO2020", QT_TRANSLATE_NOOP("Source", "Hashimoto, 2020, contact stiffness "
                                                             "of the wheel")},
+    SourceName{"MH31", QT_TRANSLATE_NOOP("Source", "Machinery's Handbook 31, cylindrical "
+                                                   "grinding")},
     SourceName{"HON585", QT_TRANSLATE_NOOP("Source", "hon1.ru, spark-out and threshold force")},
     SourceName{"AKAIKE1974", QT_TRANSLATE_NOOP("Source", "Akaike, 1974, choice of a model")},
     SourceName{

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_new.h"
+
+#include "app/io/cli_io.h"
+#include "core/digits.h"
+#include "core/files/file_system.h"
+#include "core/format/project_file.h"
+#include "core/phases/phase_decision.h"
+#include "core/printable.h"
+#include "core/project/cycle.h"
+#include "core/project/iso286.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/validate.h"
+#include "core/project/wheel.h"
+#include "core/starting/starting_project.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+
+namespace sparkout::cli {
+
+namespace {
+
+/// A designation as a title: "35k6 × 28".
+std::string titleOf(const Options& options) {
+    return options.operand + " × " + numberText(*options.length_mm);
+}
+
+/// The drawing that the options describe; what is wrong is said.
+std::optional<StartingDrawing> drawingIn(const Options& options, int& status) {
+    const auto designation = parseSizeDesignation(options.operand);
+    if (!designation) {
+        status = usageError("new needs a size with its field, as 35k6 or 60H7: " + options.operand);
+        return std::nullopt;
+    }
+    auto drawing = drawingOf(*designation);
+    if (!drawing) {
+        print(stderr, printable(options.operand)
+                          + ": no such field is known; allowed: nominal sizes up to 500 mm, grades "
+                            "IT4…IT14, deviations d…p and D…P of ISO 286\n");
+        status = refused;
+        return std::nullopt;
+    }
+    drawing->name = titleOf(options);
+    if (options.bore) {
+        drawing->surface = Surface::internal;
+    }
+    drawing->operation = options.operation;
+    drawing->length_mm = *options.length_mm;
+    drawing->stock_mm = *options.stock_mm;
+    drawing->tolerance.roughness_ra_um = options.ra_um;
+    drawing->ends.freeAtHeadstock = options.shoulder != "headstock" && options.shoulder != "both";
+    drawing->ends.freeAtTailstock = options.shoulder != "tailstock" && options.shoulder != "both";
+    return drawing;
+}
+
+/// "0.81 mm/min, 0.1 mm" or "spark-out of 16 revolutions, 0.001 mm".
+std::string stageText(const Project& project, const Stage& stage) {
+    std::string text;
+    if (const auto steps = stage.sparkOutSteps()) {
+        text = "spark-out of " + std::to_string(*steps)
+               + (project.operation->countsStrokes ? " double strokes" : " revolutions");
+    } else {
+        for (const StageFeed& feed : project.operation->feeds) {
+            text += (text.empty() ? "" : ", ") + numberText((stage.*feed.value).value_or(0)) + ' '
+                    + tableOf<Stage>().find(feed.key)->unit;
+        }
+    }
+    return text + "; stock " + numberText(stage.stock_mm) + " mm";
+}
+
+std::string stocksText(const PhaseDecision& decision) {
+    if (!decision.isDecided) {
+        return "not decided";
+    }
+    const auto range = [](const StockRange& stocks) {
+        constexpr int digits = 4;
+        return fixed(stocks.from_mm, digits) + "…" + fixed(stocks.to_mm, digits) + " mm";
+    };
+    if (decision.holds()) {
+        return "holds for every stock of " + range(decision.range);
+    }
+    std::string text = "fails for stocks of";
+    for (const StockRange& each : decision.failingRanges()) {
+        text += ' ' + range(each);
+    }
+    return text;
+}
+
+std::string labelled(const std::string& label, const std::string& value) {
+    constexpr std::size_t column = 21;
+    return label + std::string(label.size() < column ? column - label.size() : 1, ' ') + value
+           + '\n';
+}
+
+std::string startText(const StartingCycle& start) {
+    const Project& project = start.project;
+    std::string text =
+        labelled("machine", project.machine->name + ", " + project.wheel->marking + ", "
+                                + project.material->grade)
+        + labelled("work speed", numberText(project.machine->work_speed_rpm) + " rev/min");
+    const auto& stages = project.cycle->stages;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        text += labelled("stage " + std::to_string(i + 1), stageText(project, stages[i]));
+    }
+    text += labelled("rough depth bound by", roughBoundText(start.bound));
+    return text + labelled("cycle", stocksText(decidePhases(project, usualPhases(project))));
+}
+
+int missingOption(const Options& options) {
+    return !options.length_mm       ? usageError("new needs --length")
+           : !options.stock_mm      ? usageError("new needs --stock")
+           : options.output.empty() ? usageError("new needs -o")
+                                    : static_cast<int>(done);
+}
+
+} // namespace
+
+int runNewCommand(const Options& options) {
+    if (const int status = missingOption(options)) {
+        return status;
+    }
+    int status = done;
+    const auto drawing = drawingIn(options, status);
+    if (!drawing) {
+        return status;
+    }
+    Issues issues;
+    const auto entries =
+        startingEntries({options.machine, options.wheel, options.material}, *drawing, issues);
+    if (!entries) {
+        printIssues(options.operand, issues);
+        return refused;
+    }
+    std::error_code ignored;
+    if (!options.force && std::filesystem::exists(pathFromUtf8(options.output), ignored)) {
+        print(stderr, printable(options.output) + ": is there; --force replaces it\n");
+        return refused;
+    }
+    const StartingAnswer answer = startingProject(*drawing, *entries);
+    printIssues(options.operand, answer.issues);
+    if (!answer.start) {
+        return refused;
+    }
+    if (const int failed = save(options.output, writeProject(answer.start->project))) {
+        return failed;
+    }
+    print(stdout, startText(*answer.start));
+    return done;
+}
+
+} // namespace sparkout::cli

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
+// `new` as a user meets it: the project it writes is the engine's starting cycle, and what it
+// refuses.
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
+#include "core/starting/starting_project.h"
+#include "tests/cli/cli_bench.h"
+#include "tests/registry.h"
+
+#include <QFile>
+
+#include <string>
+
+namespace test_cli_new {
+
+using namespace sparkout;
+using namespace cli;
+
+class TestCliNew : public FolderTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { begin(); }
+
+    void writesTheStartingCycleOfTheDrawing() {
+        const QString file = m_folder.filePath("seat.sparkout");
+        const Outcome outcome = run({"new", "35k6", "--length", "28", "--stock", "0.15", "--ra",
+                                     "0.8", "--machine", "3М153", "-o", file});
+        QVERIFY2(outcome.status == 0, outcome.text().c_str());
+        QVERIFY(outcome.out.find("rough depth bound by") != std::string::npos);
+        QVERIFY(outcome.out.find("every stock of ") != std::string::npos);
+
+        auto drawing = *drawingOf(*parseSizeDesignation("35k6"));
+        drawing.name = "35k6 × 28";
+        drawing.length_mm = 28;
+        drawing.stock_mm = 0.15;
+        drawing.tolerance.roughness_ra_um = 0.8;
+        Issues issues;
+        const StartingAnswer answer =
+            startingProject(drawing, *startingEntries({"3М153", {}, {}}, drawing, issues));
+        QVERIFY(sameProject(projectOf(file), answer.start->project));
+        QCOMPARE(run({"simulate", file}).status, 0);
+    }
+
+    void boreIsGroundOnTheInternalMachine() {
+        const QString file = m_folder.filePath("bore.sparkout");
+        const Outcome outcome =
+            run({"new", "60H7", "--length", "70", "--stock", "0.15", "-o", file});
+        QVERIFY2(outcome.status == 0, outcome.text().c_str());
+        const Project project = projectOf(file);
+        QCOMPARE(project.part->surface, Surface::internal);
+        QCOMPARE(project.machine->name, std::string("3К227"));
+        QVERIFY(project.operation->travels);
+        QVERIFY(project.wheel->diameter_mm < 60);
+    }
+
+    void operationAndShoulderAreTaken() {
+        const QString file = m_folder.filePath("shoulder.sparkout");
+        const Outcome outcome =
+            run({"new", "40h6", "--length", "200", "--stock", "0.2", "--operation", "traverse",
+                 "--shoulder", "tailstock", "-o", file});
+        QVERIFY2(outcome.status == 0, outcome.text().c_str());
+        const Project project = projectOf(file);
+        QVERIFY(project.operation->travels);
+        QCOMPARE(project.machine->overrun_exit_mm, 0.0);
+        QVERIFY(project.machine->overrun_entry_mm > 0 && project.machine->dwell_exit_s > 0);
+    }
+
+    void aFileThatIsThereIsKeptWithoutForce() {
+        const QString file = save(QStringLiteral("kept.sparkout"), "mine");
+        QStringList arguments{"new", "35k6", "--length", "28", "--stock", "0.15", "-o", file};
+        const Outcome outcome = run(arguments);
+        QCOMPARE(outcome.status, 1);
+        QVERIFY(outcome.err.find("--force") != std::string::npos);
+        QCOMPARE(samples::readText(file.toStdString()), std::string("mine"));
+        QCOMPARE(run(arguments << "--force").status, 0);
+        QCOMPARE(projectOf(file).part->diameter_mm, 35.0);
+    }
+
+    void usageErrors_data() {
+        QTest::addColumn<QStringList>("arguments");
+        const QString file = m_folder.filePath("none.sparkout");
+        addRow("no size", QStringList{"new"});
+        addRow("no field",
+               QStringList{"new", "35", "--length", "28", "--stock", "0.1", "-o", file});
+        addRow("no length", QStringList{"new", "35k6", "--stock", "0.1", "-o", file});
+        addRow("no stock", QStringList{"new", "35k6", "--length", "28", "-o", file});
+        addRow("no file", QStringList{"new", "35k6", "--length", "28", "--stock", "0.1"});
+        addRow("length of nothing", QStringList{"new", "35k6", "--length", "0"});
+        addRow("stock beyond", QStringList{"new", "35k6", "--stock", "6"});
+        addRow("no operation", QStringList{"new", "35k6", "--operation", "turning"});
+        addRow("no end", QStringList{"new", "35k6", "--shoulder", "left"});
+        addRow("option of another", QStringList{"new", "35k6", "--json"});
+    }
+
+    void usageErrors() {
+        QFETCH(QStringList, arguments);
+        const Outcome outcome = run(arguments);
+        QVERIFY2(isUsageError(outcome), outcome.text().c_str());
+    }
+
+    void whatIsRefusedIsNamedWithWhatIsAllowed_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("named");
+        QTest::addColumn<QString>("allowed");
+        const QStringList size{"--length", "28", "--stock", "0.15"};
+        addRow("field", QStringList{"30z6"} + size, QString("30z6"), QString("IT4…IT14"));
+        addRow("machine", QStringList{"35k6", "--machine", "3М15"} + size, QString("/machine/name"),
+               QString("3М151"));
+        addRow("wheel", QStringList{"35k6", "--wheel", "25А"} + size, QString("/wheel/marking"),
+               QString("600×63×305"));
+        addRow("material", QStringList{"35k6", "--material", "gold"} + size,
+               QString("/material/grade"), QString("ШХ15"));
+        addRow("room",
+               QStringList{"40h6", "--length", "80", "--stock", "0.15", "--shoulder", "both"},
+               QString("/part/length_mm"), QString("100"));
+    }
+
+    void whatIsRefusedIsNamedWithWhatIsAllowed() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, named);
+        QFETCH(QString, allowed);
+        const QString file = m_folder.filePath("refused.sparkout");
+        const Outcome outcome = run(QStringList{"new"} + arguments + QStringList{"-o", file});
+        QCOMPARE(outcome.status, 1);
+        const QString said = QString::fromStdString(outcome.err);
+        QVERIFY2(said.contains(named) && said.contains(allowed), outcome.err.c_str());
+        QVERIFY(!QFile::exists(file));
+    }
+};
+
+} // namespace test_cli_new
+
+SPARKOUT_TEST(test_cli_new, TestCliNew)
+#include "test_cli_new.moc"
