@@ -3029,6 +3029,10 @@
             <source>Add a spark-out</source>
             <translation>Добавление выхаживания</translation>
         </message>
+        <message>
+            <source>Starting cycle</source>
+            <translation>Исходный цикл</translation>
+        </message>
     </context>
     <context>
         <name>EstimateNames</name>
@@ -16108,6 +16112,14 @@ target, µm</source>
         <message>
             <source>Adds a spark-out after the last feed; the stocks stay as they are</source>
             <translation>Добавляет выхаживание после последней подачи; припуски остаются прежними</translation>
+        </message>
+        <message>
+            <source>Starting cycle</source>
+            <translation>Исходный цикл</translation>
+        </message>
+        <message>
+            <source>Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would begin with for this part, wheel and machine; an estimate</source>
+            <translation>Частота вращения детали, подачи, припуски, выхаживание, перебеги и выстой, с которых начал бы цех для этой детали, круга и станка; оценка</translation>
         </message>
     </context>
     <context>

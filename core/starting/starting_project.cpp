@@ -126,6 +126,49 @@ Issues faultsOf(Project project) {
 
 } // namespace
 
+StartingEnds startingEnds(const Project& project) {
+    const Part& part = *project.part;
+    if (part.surface == Surface::internal) {
+        return {.freeAtHeadstock = !part.blind_bore, .freeAtTailstock = true};
+    }
+    constexpr double same_mm = 1e-6;
+    StartingEnds ends;
+    double from_mm = 0;
+    const double begin_mm = part.shaft.ground_from_mm, end_mm = begin_mm + part.length_mm;
+    for (const ShaftSegment& segment : part.shaft.segments) {
+        const double to_mm = from_mm + segment.length_mm;
+        const bool isThicker = segment.diameter_mm > part.diameter_mm + same_mm;
+        if (isThicker && std::abs(to_mm - begin_mm) < same_mm) {
+            ends.freeAtHeadstock = false;
+        }
+        if (isThicker && std::abs(from_mm - end_mm) < same_mm) {
+            ends.freeAtTailstock = false;
+        }
+        from_mm = to_mm;
+    }
+    return ends;
+}
+
+Project withStartingCycle(Project project) {
+    const StartingEnds ends = startingEnds(project);
+    Project ended = withStartingEnds(project, ends);
+    return hasErrors(faultsOf(ended)) ? project : startingCycle(std::move(ended), ends).project;
+}
+
+bool hasPlainShaft(const Project& project) {
+    const Shaft& shaft = project.part->shaft;
+    return project.part->surface == Surface::internal
+               ? shaft.segments.empty() && shaft.steady_rests.empty()
+               : shaft.segments.size() <= 1 && shaft.steady_rests.empty()
+                     && shaft.ground_from_mm == 0;
+}
+
+Project withPlainShaft(Project project) {
+    project.part->shaft = project.part->surface == Surface::internal ? boreWithQuill(project)
+                                                                     : plainCylinder(project);
+    return project;
+}
+
 std::optional<StartingDrawing> drawingOf(const SizeDesignation& designation) {
     const auto deviations = sizeDeviations(designation);
     if (!deviations) {

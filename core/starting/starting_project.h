@@ -52,6 +52,19 @@ struct StartingEntries {
 [[nodiscard]] std::optional<StartingEntries>
 startingEntries(const StartingNames& names, const StartingDrawing& drawing, Issues& issues);
 
+/// The ends of a project's ground length: a thicker step of the shaft beside it is a shoulder, and
+/// a blind bore has its wall at the headstock.
+[[nodiscard]] StartingEnds startingEnds(const Project& project);
+
+/// The project with a starting cycle for its part, wheel and machine as they are; unchanged where
+/// they cannot be ground with one another, whatever the cycle is.
+[[nodiscard]] Project withStartingCycle(Project project);
+
+/// Whether the shaft is a plain cylinder, ground on its whole length, or the quill of a bore alone.
+[[nodiscard]] bool hasPlainShaft(const Project& project);
+/// The project with such a shaft for its diameter and length.
+[[nodiscard]] Project withPlainShaft(Project project);
+
 /// A starting cycle, or why there is none.
 struct StartingAnswer {
     std::optional<StartingCycle> start; ///< with a valid project

@@ -4,6 +4,7 @@
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
+#include "core/starting/starting_project.h"
 #include "core/study/operation.h"
 #include "core/study/search_edits.h"
 
@@ -40,8 +41,17 @@ std::vector<std::string> drawingInputs() {
 
 Project undrawnProject(Operation operation) {
     constexpr double never = 1.7e-7; // is added by no one
-    Project project = newProject(operation);
-    project.part->tolerance = {};
+    StartingDrawing drawing;
+    drawing.operation = operation;
+    drawing.diameter_mm = 30;
+    drawing.lower_deviation_um = -13;
+    drawing.length_mm = operation->travels ? 90 : 30;
+    drawing.stock_mm = 0.15;
+    Issues issues;
+    const auto entries = startingEntries({}, drawing, issues);
+    const auto answer = entries ? startingProject(drawing, *entries) : StartingAnswer();
+    Project project = answer.start ? answer.start->project : newProject(operation);
+    project = withPracticalLimits(std::move(project));
     project.part->diameter_mm += never;
     project.part->upper_deviation_um += never;
     project.part->lower_deviation_um -= never;

@@ -136,18 +136,34 @@ QString AddSurfaceDialog::name() const {
     return m_name->text().simplified();
 }
 
+std::vector<std::string> AddSurfaceDialog::openInputs() const {
+    std::vector<std::string> open;
+    const auto begin = static_cast<BeginWith>(m_begin->currentData().toInt());
+    if (begin == BeginWith::copy) {
+        return m_state.inFront().open;
+    }
+    const bool isShaft = m_state.inFront().project.part->surface == Surface::external;
+    for (const std::string& path : drawingInputs()) {
+        const bool isOfStep = path == "/part/length_mm" || (isShaft && path == "/part/diameter_mm");
+        if (!(step() && isOfStep)) {
+            open.push_back(path);
+        }
+    }
+    return open;
+}
+
 Project AddSurfaceDialog::project() const {
     const Project& present = m_state.inFront().project;
     Project made = present;
     const auto begin = static_cast<BeginWith>(m_begin->currentData().toInt());
     if (begin != BeginWith::copy) {
-        made = newProject(begin == BeginWith::traverse ? Operation::traverse : Operation::plunge);
+        made =
+            undrawnProject(begin == BeginWith::traverse ? Operation::traverse : Operation::plunge);
         if (std::holds_alternative<std::monostate>(present.machine->compliance_mm_per_n)) {
             made = withGivenCompliance(std::move(made), false);
         }
         copyShared(present, made);
         made.part->surface = present.part->surface;
-        made.part->diameter_mm = present.part->diameter_mm;
         made.part->shaft.ground_from_mm = present.part->shaft.ground_from_mm;
     }
     if (const auto at = step()) {

@@ -7,6 +7,8 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 class QComboBox;
 class QDialogButtonBox;
@@ -30,6 +32,8 @@ public:
 
     [[nodiscard]] QString name() const;
     [[nodiscard]] Project project() const;
+    /// Numbers of its drawing that are yet to be given.
+    [[nodiscard]] std::vector<std::string> openInputs() const;
 
 private:
     void fillPlaces();

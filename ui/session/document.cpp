@@ -4,9 +4,11 @@
 #include "core/format/difference.h"
 #include "core/format/project_file.h"
 #include "core/project/leaves.h"
+#include "core/project/machine.h"
 #include "core/project/member.h"
 #include "core/project/validate.h"
 #include "core/setup/shared_members.h"
+#include "core/starting/starting_project.h"
 #include "ui/text/example_texts.h"
 
 #include <QCoreApplication>
@@ -105,9 +107,31 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
     }
     const Project before = m_present.inFront().project;
     std::vector<std::string> open = openIn(changed);
+    if (isStarting(changed, open)) {
+        if (hasPlainShaft(changed) && surfaceCount() == 1) {
+            changed = withPlainShaft(std::move(changed));
+        }
+        changed = withStartingCycle(std::move(changed));
+        m_started = changed;
+    }
     if (push(with(std::move(changed), std::move(open)), text, mergeKey)) {
         emit edited(before);
     }
+}
+
+/// Whether the drawing has just become complete, or changes while the cycle that was made for it
+/// is as it was made.
+bool Document::isStarting(const Project& changed, const std::vector<std::string>& open) const {
+    if (!openInputs().empty()) {
+        return open.empty();
+    }
+    if (!m_started || !sameProject(*m_started, m_project)) {
+        return false;
+    }
+    const std::string path = firstDifference(m_project, changed);
+    const bool isOtherMachine = changed.machine->name != m_project.machine->name;
+    return path.starts_with("/part/") || path.starts_with("/material/")
+           || path.starts_with("/wheel/") || isOtherMachine;
 }
 
 void Document::editSetup(SetupState changed, EditText text, const QString& mergeKey) {
@@ -406,6 +430,7 @@ void Document::replace(SetupState state, const QString& path, const QByteArray& 
     m_present = std::move(state);
     m_project = m_present.inFront().withRuns();
     m_begun = m_project;
+    m_started.reset();
     m_filePath = path;
     m_diskHash = hash;
     m_readOnly = readOnly;

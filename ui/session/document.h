@@ -145,6 +145,8 @@ private:
                  Kept kept);
     [[nodiscard]] SetupState stateOf(Setup setup);
     [[nodiscard]] std::vector<std::string> openIn(const Project& changed) const;
+    [[nodiscard]] bool isStarting(const Project& changed,
+                                  const std::vector<std::string>& open) const;
     [[nodiscard]] SetupState with(Project changed, std::vector<std::string> open) const;
     /// False: the gate refuses it.
     bool push(SetupState after, EditText text, const QString& mergeKey);
@@ -155,6 +157,9 @@ private:
     SetupState m_present;
     Project m_project; ///< the one in front, with its runs
     Project m_begun;   ///< as it was started: has what stands in for open inputs
+    /// What a drawing was made into when it was complete: its cycle follows the drawing as long as
+    /// nothing else is changed.
+    std::optional<Project> m_started;
     QString m_filePath;
     QByteArray m_diskHash;
     bool m_readOnly = false;

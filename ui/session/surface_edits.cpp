@@ -60,12 +60,12 @@ QString SurfaceEdits::nameOf(const SetupState& state, std::size_t surface) {
     return name.empty() ? tr("Surface %1").arg(surface + 1) : QString::fromStdString(name);
 }
 
-void SurfaceEdits::add(Project project, const QString& name) {
+void SurfaceEdits::add(Project project, const QString& name, std::vector<std::string> open) {
     copyShared(m_document.project(), project);
     project.runs.clear();
     SurfaceState made = surfaceState(m_document.newSurfaceId(), name.simplified().toStdString(),
                                      std::move(project));
-    made.open = m_document.openInputs();
+    made.open = std::move(open);
     insert(std::move(made), addSurfaceText);
 }
 

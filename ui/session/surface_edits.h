@@ -6,6 +6,8 @@
 #include <QCoreApplication>
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 namespace sparkout {
 
@@ -26,8 +28,9 @@ public:
     /// As it is shown: its name, else "Surface 1".
     [[nodiscard]] static QString nameOf(const SetupState& state, std::size_t surface);
 
-    /// Behind the one in front, and in front from then on. It keeps no runs.
-    void add(Project project, const QString& name);
+    /// Behind the one in front, and in front from then on. It keeps no runs; `open`: the numbers of
+    /// its drawing that are yet to be given.
+    void add(Project project, const QString& name, std::vector<std::string> open = {});
     void duplicate();                                      ///< the one in front
     bool rename(std::size_t surface, const QString& name); ///< false, and nothing done: not free
     void remove();                                         ///< the one in front

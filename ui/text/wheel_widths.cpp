@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/wheel_widths.h"
 
-#include "core/catalogue/catalogue.h"
+#include "core/catalogue/shipped_catalogue.h"
 #include "ui/text/number_text.h"
 
-#include <QFile>
 #include <QLocale>
 #include <QStringList>
 
@@ -17,20 +16,11 @@ namespace sparkout {
 
 namespace {
 
-const std::set<double>& shippedWidths() {
-    static const std::set<double> widths = [] {
-        std::set<double> found;
-        QFile file(QStringLiteral(":/catalogue/wheels.json"));
-        if (file.open(QIODevice::ReadOnly)) {
-            const QByteArray text = file.readAll();
-            const auto read = readCatalogue<WheelEntry>(
-                {text.constData(), static_cast<std::size_t>(text.size())});
-            for (const WheelEntry& entry : read.entries.value_or(std::vector<WheelEntry>())) {
-                found.insert(entry.value.width_mm);
-            }
-        }
-        return found;
-    }();
+std::set<double> shippedWidths() {
+    std::set<double> widths;
+    for (const WheelEntry& entry : shippedEntries<WheelEntry>()) {
+        widths.insert(entry.value.width_mm);
+    }
     return widths;
 }
 

@@ -510,10 +510,12 @@ void MainWindow::connectDocument() {
         showTitle();
     });
     connect(&m_runs, &RunController::finished, this, &MainWindow::showOutcome);
-    connect(m_files, &FileCommands::begun, this, [this](const std::string& path) {
+    const auto askFor = [this](const std::string& path) {
         m_layout->showInputs();
         m_inputs->focusPath(path);
-    });
+    };
+    connect(m_files, &FileCommands::begun, this, askFor);
+    connect(m_part, &PartCommands::begun, this, askFor);
     connect(m_files, &FileCommands::saved, this, [this] {
         const int refused = static_cast<int>(m_inputs->refusals().size());
         m_status->showForAWhile(

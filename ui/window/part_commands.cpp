@@ -49,7 +49,11 @@ void PartCommands::add(std::optional<std::size_t> step) {
     };
     AddSurfaceDialog dialog(m_document.state(), m_edits.freeName(), isFree, step, m_window);
     if (dialog.exec() == QDialog::Accepted) {
-        m_edits.add(dialog.project(), dialog.name());
+        const std::vector<std::string> open = dialog.openInputs();
+        m_edits.add(dialog.project(), dialog.name(), open);
+        if (!open.empty()) {
+            emit begun(open.front());
+        }
     }
 }
 

@@ -35,7 +35,8 @@ public:
     void showDressing(); ///< the parts between dressings
 
 signals:
-    void stayed(); ///< the surface that was in front still is
+    void stayed();                       ///< the surface that was in front still is
+    void begun(const std::string& path); ///< a new surface, whose first input is asked for
 
 private:
     Document& m_document;

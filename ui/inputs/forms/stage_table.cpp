@@ -2,6 +2,7 @@
 #include "ui/inputs/forms/stage_table.h"
 
 #include "core/project/cycle.h"
+#include "core/starting/starting_project.h"
 #include "core/study/stage_edits.h"
 #include "ui/inputs/forms/stage_delegate.h"
 #include "ui/inputs/forms/stage_model.h"
@@ -38,6 +39,7 @@ StageTable::StageTable(Document& document, StageModel* model, QWidget* parent)
     , m_stages(model)
     , m_continuous(new QCheckBox(this))
     , m_sparkOut(new QPushButton(this))
+    , m_start(new QPushButton(this))
     , m_fit(new QPushButton(this)) {
     m_sparkOut->setObjectName(QStringLiteral("addSparkOut"));
     m_sparkOut->setAutoDefault(false);
@@ -48,6 +50,13 @@ StageTable::StageTable(Document& document, StageModel* model, QWidget* parent)
     layout()->addWidget(m_continuous);
     connect(m_continuous, &QCheckBox::clicked, this, &StageTable::setContinuous);
     connect(&document, &Document::changed, this, &StageTable::showContinuous);
+    m_start->setObjectName(QStringLiteral("startingCycle"));
+    m_start->setAutoDefault(false);
+    layout()->addWidget(m_start);
+    connect(m_start, &QPushButton::clicked, this, [this] {
+        apply(withStartingCycle(this->document().project()),
+              {"Edit", QT_TRANSLATE_NOOP("Edit", "Starting cycle")}, 0);
+    });
     m_fit->setObjectName(QStringLiteral("fitStocks"));
     m_fit->setAutoDefault(false);
     layout()->addWidget(m_fit);
@@ -72,6 +81,13 @@ void StageTable::retranslate() {
     m_sparkOut->setText(tr("+ Spark-out"));
     m_sparkOut->setToolTip(tr("Adds a spark-out after the last feed; the stocks stay as they are"));
     m_sparkOut->setAccessibleDescription(m_sparkOut->toolTip());
+    m_start->setText(tr("Starting cycle"));
+    m_start->setToolTip(
+        QStringLiteral("<p>%1</p>")
+            .arg(tr(
+                "Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would begin "
+                "with for this part, wheel and machine; an estimate")));
+    m_start->setAccessibleDescription(m_start->toolTip());
     showSparkOut();
     showContinuous();
     showFit();
@@ -133,6 +149,7 @@ void StageTable::setAccess(const FormAccessPtr& access) {
     ListTable::setAccess(access);
     m_continuous->setEnabled(mayHaveOtherRows());
     m_sparkOut->setEnabled(mayHaveOtherRows());
+    m_start->setEnabled(mayHaveOtherRows());
     m_fit->setEnabled(mayHaveOtherRows());
 }
 

@@ -49,6 +49,7 @@ private:
     StageModel* m_stages;
     QCheckBox* m_continuous; ///< whether the stages state a continuous infeed, and its column shows
     QPushButton* m_sparkOut; ///< as long as there is none
+    QPushButton* m_start;    ///< takes a starting cycle
     QPushButton* m_fit;
 };
 
