@@ -477,7 +477,7 @@
         </message>
         <message>
             <source>traverse grinding</source>
-            <translation>с осевой подачей</translation>
+            <translation>с продольной подачей</translation>
         </message>
         <message>
             <source>plunge grinding</source>
@@ -875,7 +875,7 @@
         </message>
         <message>
             <source>Axial, mm/min</source>
-            <translation>Осевая, мм/мин</translation>
+            <translation>Продольная, мм/мин</translation>
         </message>
         <message>
             <source>Radius before, µm</source>
@@ -928,7 +928,7 @@
         <name>Condition</name>
         <message>
             <source>traverse</source>
-            <translation>с осевой подачей</translation>
+            <translation>с продольной подачей</translation>
         </message>
         <message>
             <source>plunge</source>
@@ -1411,7 +1411,7 @@
         </message>
         <message>
             <source>Grind surface %1 by traverse grinding to %2</source>
-            <translation>Шлифовать поверхность %1 с осевой подачей в размер %2</translation>
+            <translation>Шлифовать поверхность %1 с продольной подачей в размер %2</translation>
         </message>
         <message>
             <source>Grind surface %1 by plunge grinding to %2</source>
@@ -1503,7 +1503,7 @@
         </message>
         <message>
             <source> / axial, mm/min</source>
-            <translation> / осевая, мм/мин</translation>
+            <translation> / продольная, мм/мин</translation>
         </message>
         <message>
             <source>; continuous %1 mm/min</source>
@@ -2206,7 +2206,7 @@
         </message>
         <message>
             <source>Axial feed, mm/min</source>
-            <translation>Осевая подача, мм/мин</translation>
+            <translation>Продольная подача, мм/мин</translation>
         </message>
         <message>
             <source>T, min</source>
@@ -2246,7 +2246,7 @@
         </message>
         <message>
             <source>m: radial feed, mm per double stroke · axial feed, mm/min</source>
-            <translation>m: радиальная подача, мм на дв. ход · осевая подача, мм/мин</translation>
+            <translation>m: радиальная подача, мм на дв. ход· продольная подача, мм/мин</translation>
         </message>
         <message>
             <source>m: radial feed, mm/min</source>
@@ -2694,11 +2694,11 @@
         <name>OperationSetup</name>
         <message>
             <source>Cylindrical traverse grinding</source>
-            <translation>Круглое наружное шлифование с осевой подачей</translation>
+            <translation>Круглое наружное шлифование с продольной подачей</translation>
         </message>
         <message>
             <source>Internal traverse grinding</source>
-            <translation>Внутреннее шлифование с осевой подачей</translation>
+            <translation>Внутреннее шлифование с продольной подачей</translation>
         </message>
         <message>
             <source>Internal plunge grinding</source>
@@ -2786,7 +2786,7 @@
         </message>
         <message>
             <source>Axial feed, mm/min</source>
-            <translation>Подача осевая, мм/мин</translation>
+            <translation>Подача продольная, мм/мин</translation>
         </message>
         <message>
             <source>Continuous infeed, mm/min</source>
@@ -3066,7 +3066,7 @@
         </message>
         <message>
             <source>Bushing with a bore, internal traverse</source>
-            <translation>Втулка 50H7, внутреннее шлифование с осевой подачей</translation>
+            <translation>Втулка 50H7, внутреннее шлифование с продольной подачей</translation>
         </message>
         <message>
             <source>Shaft 30h6, measured batch of 50</source>
@@ -3378,7 +3378,7 @@
         </message>
         <message>
             <source>axial feed</source>
-            <translation>осевая подача</translation>
+            <translation>продольная подача</translation>
         </message>
         <message>
             <source>normal force</source>
@@ -3410,7 +3410,7 @@
         </message>
         <message>
             <source>axial feed %1 mm/min</source>
-            <translation>осевая подача %1 мм/мин</translation>
+            <translation>продольная подача %1 мм/мин</translation>
         </message>
         <message>
             <source>%1, mm/min</source>
@@ -3825,7 +3825,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>In the sources K_1 = b·k_s and K_2 = b·k_r with axial feed, K_3 and K_4 in plunge.</source>
-            <translation>В источниках К_1 = b·k_s и К_2 = b·k_r с осевой подачей, К_3 и К_4 — при врезании.</translation>
+            <translation>В источниках К_1 = b·k_s и К_2 = b·k_r с продольной подачей, К_3 и К_4 — при врезании.</translation>
         </message>
         <message>
             <source>In the sources K_3 = b·k_s and K_4 = b·k_r.</source>
@@ -4060,7 +4060,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Levels of the axial feed</source>
-            <translation>Уровни осевой подачи</translation>
+            <translation>Уровни продольной подачи</translation>
         </message>
         <message>
             <source>A list, or from, to and step.</source>
@@ -4140,7 +4140,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Traverse: the table strokes along the part. Plunge: the wheel covers the ground length and is fed radially.</source>
-            <translation>С осевой подачей: стол ходит вдоль детали. Врезное: круг перекрывает длину шлифования и подаётся радиально.</translation>
+            <translation>С продольной подачей: стол ходит вдоль детали. Врезное: круг перекрывает длину шлифования и подаётся радиально.</translation>
         </message>
         <message>
             <source>Part</source>
@@ -4248,7 +4248,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Range of the axial feed</source>
-            <translation>Диапазон осевой подачи</translation>
+            <translation>Диапазон продольной подачи</translation>
         </message>
         <message>
             <source>Minimum, maximum and step.</source>
@@ -4356,7 +4356,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Deflection of the technological system for one newton at the wheel: one value a zone (traverse) or a section (plunge).</source>
-            <translation>Отжатие технологической системы на один ньютон у круга: по значению на зону (с осевой подачей) или на сечение (врезное).</translation>
+            <translation>Отжатие технологической системы на один ньютон у круга: по значению на зону (с продольной подачей) или на сечение (врезное).</translation>
         </message>
         <message>
             <source>Stiffness of the units</source>
@@ -4456,7 +4456,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Axial feed</source>
-            <translation>Осевая подача</translation>
+            <translation>Продольная подача</translation>
         </message>
         <message>
             <source>Table speed; S_ax/n per revolution is the effective width of cut, at most the wheel width.</source>
@@ -4520,7 +4520,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Section the gauge watches, counted from the headstock: from 1 in the window and in reports, from 0 in files and on the command line. In traverse grinding the gauge is in the middle of the zone between the reversals.</source>
-            <translation>Номер сечения, за которым следит прибор, считая от передней бабки: в окне и отчётах с 1, в файлах и командной строке с 0. При шлифовании с осевой подачей прибор стоит посередине нереверсной зоны.</translation>
+            <translation>Номер сечения, за которым следит прибор, считая от передней бабки: в окне и отчётах с 1, в файлах и командной строке с 0. При шлифовании с продольной подачей прибор стоит посередине нереверсной зоны.</translation>
         </message>
         <message>
             <source>Gauge at a free position</source>
@@ -5320,7 +5320,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Traverse: the wheel&apos;s width, from which the widths of cut follow. Plunge: the ground length.</source>
-            <translation>С осевой подачей: высота круга, от которой зависит ширина контакта. Врезное: длина обработки.</translation>
+            <translation>С продольной подачей: высота круга, от которой зависит ширина контакта. Врезное: длина обработки.</translation>
         </message>
         <message>
             <source>Stock per side of the last stage</source>
@@ -5532,7 +5532,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Axial feed by stage</source>
-            <translation>Осевая подача по ступеням</translation>
+            <translation>Продольная подача по ступеням</translation>
         </message>
         <message>
             <source>Plunge feed by stage</source>
@@ -6672,7 +6672,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>In a traverse cycle.</source>
-            <translation>При продольном шлифовании.</translation>
+            <translation>При шлифовании с продольной подачей.</translation>
         </message>
         <message>
             <source>Its path in a project file, as `/wheel/dullness` or `/cycle/stages/0/stock_mm`.</source>
@@ -8035,7 +8035,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Of every stage: radial feed, mm per double stroke; axial feed, mm/min; stock per side, mm</source>
-            <translation>Для каждой ступени: радиальная подача, мм/дв.ход; осевая подача, мм/мин; припуск на сторону, мм</translation>
+            <translation>Для каждой ступени: радиальная подача, мм/дв.ход; продольная подача, мм/мин; припуск на сторону, мм</translation>
         </message>
         <message>
             <source>Of every stage: radial feed, mm/min; stock per side, mm</source>
@@ -9131,7 +9131,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Axial feed in range</source>
-            <translation>Осевая подача в диапазоне</translation>
+            <translation>Продольная подача в диапазоне</translation>
         </message>
         <message>
             <source>Plunge feed in range</source>
@@ -9238,7 +9238,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Axial feed</source>
-            <translation>Ос. подача</translation>
+            <translation>Прод. подача</translation>
         </message>
         <message>
             <source>Plunge feed</source>
@@ -9631,7 +9631,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>model page, section 5: traverse cycle</source>
-            <translation>описание модели, раздел 5: цикл с осевой подачей</translation>
+            <translation>описание модели, раздел 5: цикл с продольной подачей</translation>
         </message>
         <message>
             <source>model page, section 6: plunge cycle and compliance along the shaft</source>
@@ -10753,11 +10753,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>the sources&apos; name of b·k_s with axial feed</source>
-            <translation>b·k_s с осевой подачей, как в источниках</translation>
+            <translation>b·k_s с продольной подачей, как в источниках</translation>
         </message>
         <message>
             <source>the sources&apos; name of b·k_r with axial feed</source>
-            <translation>b·k_r с осевой подачей, как в источниках</translation>
+            <translation>b·k_r с продольной подачей, как в источниках</translation>
         </message>
         <message>
             <source>the sources&apos; name of b·k_s in plunge</source>
@@ -11231,15 +11231,15 @@ With another name both versions stay as they are.</source>
         <name>VerdictWhy</name>
         <message>
             <source>%1: not known, since strips stay uncut; an axial feed of at most %2 mm/min leaves none.</source>
-            <translation>%1: не известно, так как остаются непрошлифованные полосы; при осевой подаче не более %2 мм/мин их нет.</translation>
+            <translation>%1: не известно, так как остаются непрошлифованные полосы; при продольной подаче не более %2 мм/мин их нет.</translation>
         </message>
         <message>
             <source>The wheel&apos;s width times the work speed over the axial feed; 1 is reached at %1 mm/min.</source>
-            <translation>Высота круга, умноженная на частоту вращения заготовки и делённая на осевую подачу; значение 1 достигается при %1 мм/мин.</translation>
+            <translation>Высота круга, умноженная на частоту вращения заготовки и делённая на продольную подачу; значение 1 достигается при %1 мм/мин.</translation>
         </message>
         <message>
             <source>The wheel&apos;s width times the work speed over the axial feed; %1 is reached at %2 mm/min.</source>
-            <translation>Высота круга, умноженная на частоту вращения заготовки и делённая на осевую подачу; значение %1 достигается при %2 мм/мин.</translation>
+            <translation>Высота круга, умноженная на частоту вращения заготовки и делённая на продольную подачу; значение %1 достигается при %2 мм/мин.</translation>
         </message>
         <message>
             <source>The fewest that a stage with stock makes; a smaller feed or more stock in stage %1 makes them more.</source>
@@ -11476,7 +11476,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>&amp;Traverse grinding</source>
-            <translation>Шлифование с &amp;осевой подачей</translation>
+            <translation>Шлифование с пр&amp;одольной подачей</translation>
         </message>
         <message>
             <source>&amp;Plunge grinding</source>
@@ -12379,7 +12379,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>In traverse grinding the gauge stands in the middle of %1. The curves say what it would do in another zone.</source>
-            <translation>При шлифовании с осевой подачей прибор стоит посередине %1. Кривые показывают, что было бы в другой зоне.</translation>
+            <translation>При шлифовании с продольной подачей прибор стоит посередине %1. Кривые показывают, что было бы в другой зоне.</translation>
         </message>
         <message>
             <source>Sections are coupled in plunge grinding only: there the wheel touches all of them at once.</source>
@@ -17289,7 +17289,7 @@ force, N</source>
         <message>
             <source>Axial feed,
 mm/min</source>
-            <translation>Осевая подача,
+            <translation>Продольная подача,
 мм/мин</translation>
         </message>
         <message>
@@ -17321,7 +17321,7 @@ target, µm</source>
         <message>
             <source>Axial,
 mm/min</source>
-            <translation>Осевая,
+            <translation>Продольная,
 мм/мин</translation>
         </message>
         <message>
