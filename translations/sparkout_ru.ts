@@ -1451,7 +1451,7 @@
         </message>
         <message>
             <source>dwell at the entry %1, at the exit %2 s</source>
-            <translation>задержка на входе %1, на выходе %2 с</translation>
+            <translation>выстой на входе %1, на выходе %2 с</translation>
         </message>
         <message>
             <source>plunge-in at a reversal %1 mm/min</source>
@@ -1681,7 +1681,7 @@
         </message>
         <message>
             <source>Mean wheel power: the energy over the machining time of the stage, in all of which the wheel grinds: plunging, dwells and strokes of the table.</source>
-            <translation>Средняя мощность на круге: энергия, делённая на время обработки на ступени; круг шлифует всё это время — при врезании, задержках и ходах стола.</translation>
+            <translation>Средняя мощность шлифования: энергия, делённая на основное время ступени; круг шлифует всё это время — при врезании, выстоях и ходах стола.</translation>
         </message>
         <message>
             <source>Maximum force Py</source>
@@ -4332,7 +4332,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Dwell at the entry</source>
-            <translation>Задержка на входе</translation>
+            <translation>Выстой на входе</translation>
         </message>
         <message>
             <source>Spark-out at the entry reversal, twice a double stroke, in whole revolutions of the part.</source>
@@ -4340,7 +4340,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Dwell at the exit</source>
-            <translation>Задержка на выходе</translation>
+            <translation>Выстой на выходе</translation>
         </message>
         <message>
             <source>Spark-out at the exit reversal, once a double stroke, in whole revolutions of the part.</source>
@@ -4452,7 +4452,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Radial infeed that goes on all the time while the table travels and dwells, beside the radial feed at the reversals, which may then be 0.</source>
-            <translation>Радиальная подача, которая идёт всё время, пока стол движется и стоит на задержках, дополнительно к подаче на реверсах, которая тогда может быть равна 0.</translation>
+            <translation>Радиальная подача, которая идёт всё время, при ходах стола и на выстоях, дополнительно к подаче на реверсах, которая тогда может быть равна 0.</translation>
         </message>
         <message>
             <source>Axial feed</source>
@@ -5508,11 +5508,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Levels of the entry dwell</source>
-            <translation>Уровни задержки на входе</translation>
+            <translation>Уровни выстоя на входе</translation>
         </message>
         <message>
             <source>Levels of the exit dwell</source>
-            <translation>Уровни задержки на выходе</translation>
+            <translation>Уровни выстоя на выходе</translation>
         </message>
         <message>
             <source>Spark-outs at the end</source>
@@ -7127,7 +7127,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>a dwell of {value} is rounded to {limit}, whole revolutions</source>
-            <translation>задержка {value} округлена до {limit}, до целых оборотов</translation>
+            <translation>выстой {value} округлён до {limit}, до целых оборотов</translation>
         </message>
         <message>
             <source>a file of version {value} holds several surfaces of a part; the window and sparkout-cli take it</source>
@@ -7516,7 +7516,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>entry dwell</source>
-            <translation>задержка на входе</translation>
+            <translation>выстой на входе</translation>
         </message>
         <message>
             <source>working stroke</source>
@@ -7524,7 +7524,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>exit dwell</source>
-            <translation>задержка на выходе</translation>
+            <translation>выстой на выходе</translation>
         </message>
         <message>
             <source>plunge-in at the exit</source>
@@ -7584,7 +7584,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>dwell after return</source>
-            <translation>2-я задержка</translation>
+            <translation>2-й выстой</translation>
         </message>
         <message>
             <source>Before the first touch</source>
@@ -7772,7 +7772,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Work speed, dwells and spark-outs make more than %1 combinations: take fewer levels.</source>
-            <translation>Частота вращения, задержки и выхаживания дают более %1 сочетаний: возьмите меньше уровней.</translation>
+            <translation>Частота вращения, выстои и выхаживания дают более %1 сочетаний: возьмите меньше уровней.</translation>
         </message>
         <message>
             <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the stages&apos; feeds and stocks.</source>
@@ -8055,7 +8055,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>dwells %1 and %2 s</source>
-            <translation>задержки %1 и %2 с</translation>
+            <translation>выстой %1 и %2 с</translation>
         </message>
         <message>
             <source>“Search” finds the cycle of the grid with the minimum cost of a part, together with the parts between dressings: it holds for all of them.</source>
@@ -16402,7 +16402,7 @@ target, µm</source>
         </message>
         <message>
             <source>What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input above, and see every result over a range of it: one input gives curves, two give a map. Or start with the wheel&apos;s dullness.</source>
-            <translation>Что даёт затупленный круг, податливая задняя бабка, более долгая задержка? Выберите выше исходную величину — и увидите любой результат в зависимости от неё: одна величина даёт кривые, две — карту. Или начните с затупления круга.</translation>
+            <translation>Что даёт затупленный круг, податливая задняя бабка, более долгий выстой? Выберите выше исходную величину — и увидите любой результат в зависимости от неё: одна величина даёт кривые, две — карту. Или начните с затупления круга.</translation>
         </message>
         <message>
             <source>The sweep cannot be run:</source>
