@@ -40,7 +40,7 @@
         <name>BatchText</name>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>Mean diameter</source>
@@ -1605,7 +1605,7 @@
         </message>
         <message>
             <source>Machining time of the stage.</source>
-            <translation>Время обработки на ступени.</translation>
+            <translation>Основное время ступени.</translation>
         </message>
         <message>
             <source>Maximum actual feed</source>
@@ -1865,7 +1865,7 @@
         </message>
         <message>
             <source>Gap to the stepless limit</source>
-            <translation>Разрыв до предела бесступенчатого цикла</translation>
+            <translation>Превышение предела бесступенчатого цикла</translation>
         </message>
         <message>
             <source>No cycle of the grid is quicker than</source>
@@ -2843,9 +2843,9 @@
         <message numerus="yes">
             <source>%n gap(s), %1 % of the turn is ground</source>
             <translation>
-                <numerusform>%n разрыв, шлифуется %1 % оборота</numerusform>
-                <numerusform>%n разрыва, шлифуется %1 % оборота</numerusform>
-                <numerusform>%n разрывов, шлифуется %1 % оборота</numerusform>
+                <numerusform>%n паз, шлифуется %1 % оборота</numerusform>
+                <numerusform>%n паза, шлифуется %1 % оборота</numerusform>
+                <numerusform>%n пазов, шлифуется %1 % оборота</numerusform>
             </translation>
         </message>
     </context>
@@ -3261,7 +3261,7 @@
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Машинное время</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>Number of double strokes</source>
@@ -5736,15 +5736,15 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gap begins at</source>
-            <translation>Разрыв начинается под углом</translation>
+            <translation>Паз начинается под углом</translation>
         </message>
         <message>
             <source>Angle of the gap's first edge, counted as the radii are, from radius 0 on.</source>
-            <translation>Угол первой кромки разрыва; отсчитывается, как и радиусы, от радиуса 0.</translation>
+            <translation>Угол первой кромки паза; отсчитывается, как и радиусы, от радиуса 0.</translation>
         </message>
         <message>
             <source>Gap width</source>
-            <translation>Ширина разрыва</translation>
+            <translation>Ширина паза</translation>
         </message>
         <message>
             <source>Width</source>
@@ -5756,7 +5756,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gaps of the surface</source>
-            <translation>Разрывы поверхности</translation>
+            <translation>Пазы поверхности</translation>
         </message>
         <message>
             <source>Keyways, splines, flats: ranges of angle without a surface, the same all along the ground length. Their radii are not ground, gauged or judged.</source>
@@ -5764,11 +5764,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gauge spans the gaps</source>
-            <translation>Прибор перекрывает разрывы</translation>
+            <translation>Прибор перекрывает пазы</translation>
         </message>
         <message>
             <source>A gauge for interrupted surfaces, with wide contacts or a reading held over the gaps. Any other drops into them, so that only the maximum diameter (in a bore the smallest) is of use.</source>
-            <translation>Прибор для прерывистых поверхностей: с широкими наконечниками или с удержанием показания над разрывом. Любой другой проваливается в них, и пригоден только наибольший диаметр (в отверстии — наименьший).</translation>
+            <translation>Прибор для прерывистых поверхностей: с широкими наконечниками или с удержанием показания над пазами. Любой другой проваливается в пазы, и пригоден только наибольший диаметр (в отверстии — наименьший).</translation>
         </message>
         <message>
             <source>Out-of-roundness of the blank: ellipse R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, or a measured profile.</source>
@@ -7143,15 +7143,15 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>the gaps leave too little of the surface: {value} radii stand outside them; needed: {limit}, two of them opposite each other</source>
-            <translation>разрывы оставляют слишком мало поверхности: вне их радиусов {value}; нужно: {limit}, из них два напротив друг друга</translation>
+            <translation>пазы оставляют слишком мало поверхности: вне их радиусов {value}; нужно: {limit}, из них два напротив друг друга</translation>
         </message>
         <message>
             <source>a gap of {value} lies between two radii, which stand {limit} apart: it leaves nothing out</source>
-            <translation>разрыв {value} лежит между двумя радиусами, шаг которых {limit}: он ничего не исключает</translation>
+            <translation>паз {value} лежит между двумя радиусами, шаг которых {limit}: он ничего не исключает</translation>
         </message>
         <message>
             <source>a gauge that does not span the gaps drops into them; needed: {limit}</source>
-            <translation>прибор, не перекрывающий разрывы, проваливается в них; нужно: {limit}</translation>
+            <translation>прибор проваливается в пазы; нужно: {limit}</translation>
         </message>
         <message>
             <source>{value} is no input of this project; needed: {limit}</source>
@@ -7900,7 +7900,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The stepless limit is %1 min, %2 % below it.</source>
-            <translation>Бесступенчатый предел %1 мин, на %2 % меньше.</translation>
+            <translation>Предел бесступенчатого цикла %1 мин, на %2 % меньше.</translation>
         </message>
         <message>
             <source>The limit holds for cycles with a continuous infeed of up to %1 mm/min.</source>
@@ -8439,7 +8439,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>This is the prediction of a model, to be confirmed at the machine; it is no assessment of conformity and replaces no measurement.</source>
@@ -8970,11 +8970,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>%1, φ = %2° (k = %3): in a gap of the surface</source>
-            <translation>%1, φ = %2° (k = %3): в разрыве поверхности</translation>
+            <translation>%1, φ = %2° (k = %3): в пазу поверхности</translation>
         </message>
         <message>
             <source>%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its mean; opposite a gap</source>
-            <translation>%1, φ = %2° (k = %3): радиус %4 мкм от целевого, %5 мкм от среднего; напротив разрыва</translation>
+            <translation>%1, φ = %2° (k = %3): радиус %4 мкм от целевого, %5 мкм от среднего; напротив паза</translation>
         </message>
         <message>
             <source>; cylindricity %1 µm, total runout %2 µm, taper %3 µm</source>
@@ -10002,7 +10002,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gap of the surface</source>
-            <translation>Разрыв поверхности</translation>
+            <translation>Паз поверхности</translation>
         </message>
         <message>
             <source>Measured part</source>
@@ -10450,7 +10450,7 @@ With another name both versions stay as they are.</source>
         <name>SweepText</name>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>Minimum margin of all requirements</source>
@@ -13391,7 +13391,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gap, %</source>
-            <translation>Разрыв, %</translation>
+            <translation>Превышение, %</translation>
         </message>
         <message>
             <source>Margin, %</source>
@@ -13407,7 +13407,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>Against the time of your cycle: the present one, or the one that a cycle found took the place of</source>
@@ -13415,7 +13415,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>By how much a stepless cycle might at most be quicker</source>
-            <translation>На сколько бесступенчатый цикл мог бы быть самое большее быстрее</translation>
+            <translation>На сколько самое большее мог бы быть быстрее бесступенчатый цикл</translation>
         </message>
         <message>
             <source>The minimum margin of all requirements, of its limit</source>
@@ -14584,7 +14584,7 @@ target, µm</source>
         </message>
         <message>
             <source>Machining time over the number of stages</source>
-            <translation>Время обработки в зависимости от числа ступеней</translation>
+            <translation>Основное время в зависимости от числа ступеней</translation>
         </message>
         <message>
             <source>Legend of the search</source>
@@ -15946,7 +15946,7 @@ target, µm</source>
         </message>
         <message>
             <source>stepless limit</source>
-            <translation>бесступенчатый предел</translation>
+            <translation>предел бесступенчатого цикла</translation>
         </message>
         <message>
             <source>Stages</source>
@@ -15962,7 +15962,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stepless limit, min</source>
-            <translation>Бесступенчатый предел, мин</translation>
+            <translation>Предел бесступенчатого цикла, мин</translation>
         </message>
         <message numerus="yes">
             <source>%n stage(s)</source>
@@ -15978,7 +15978,7 @@ target, µm</source>
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>cycle with the maximum margin</source>
@@ -16013,7 +16013,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stage %1: %2 s, %3 of the machining time</source>
-            <translation>Ступень %1: %2 с, %3 машинного времени</translation>
+            <translation>Ступень %1: %2 с, %3 основного времени</translation>
         </message>
         <message>
             <source>Time, s</source>
@@ -16021,7 +16021,7 @@ target, µm</source>
         </message>
         <message>
             <source>Machining time of the stage and its share of the cycle&apos;s.</source>
-            <translation>Машинное время ступени и его доля в цикле.</translation>
+            <translation>Основное время ступени и его доля в цикле.</translation>
         </message>
         <message>
             <source>“%1” is no spark-out; allowed: %2, “%3”, “%4”</source>
@@ -16908,7 +16908,7 @@ target, µm</source>
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>End of the cycle</source>
@@ -17634,7 +17634,7 @@ good</source>
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>Minimum margin</source>
@@ -17642,7 +17642,7 @@ good</source>
         </message>
         <message>
             <source>machining time</source>
-            <translation>время обработки</translation>
+            <translation>основное время</translation>
         </message>
         <message>
             <source>minimum margin</source>
@@ -17835,7 +17835,7 @@ good</source>
         <name>sparkout::StiffnessOffer</name>
         <message>
             <source>Its effect: γ %1 nm/N; machining time %2 min; diameter deviations %3 µm; requirements that fail %4.</source>
-            <translation>Её влияние: γ %1 нм/Н; машинное время %2 мин; отклонения диаметра %3 мкм; невыполненных требований %4.</translation>
+            <translation>Её влияние: γ %1 нм/Н; основное время %2 мин; отклонения диаметра %3 мкм; невыполненных требований %4.</translation>
         </message>
         <message>
             <source>With it the cycle cannot be run: %1</source>
