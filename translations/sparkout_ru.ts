@@ -2932,11 +2932,11 @@
         </message>
         <message>
             <source>Take the cycle found</source>
-            <translation>Взять найденный цикл</translation>
+            <translation>Применить найденный цикл</translation>
         </message>
         <message>
             <source>Take the values of a point of the sweep</source>
-            <translation>Взять значения точки варьирования</translation>
+            <translation>Применить значения точки варьирования</translation>
         </message>
         <message>
             <source>Input of the sweep</source>
@@ -11759,7 +11759,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The inputs are refused; the batch is that of the last accepted ones.</source>
-            <translation>Исходные данные отвергнуты; показана партия последних принятых.</translation>
+            <translation>Исходные данные не приняты; партия — по последним верным.</translation>
         </message>
         <message>
             <source>The batch cannot be run:</source>
@@ -11859,7 +11859,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>End the batch; what was done is kept and shown</source>
@@ -11964,7 +11964,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Take values from the catalogue; what changes is shown first</source>
-            <translation>Взять значения из каталога; сначала показано, что изменится</translation>
+            <translation>Применить значения из каталога; сначала показано, что изменится</translation>
         </message>
         <message>
             <source>Save as mine…</source>
@@ -12003,7 +12003,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>&amp;Apply</source>
-            <translation>&amp;Взять</translation>
+            <translation>П&amp;рименить</translation>
         </message>
         <message>
             <source>&amp;Cancel</source>
@@ -12015,7 +12015,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Why the inputs would be refused</source>
-            <translation>Почему исходные данные были бы отклонены</translation>
+            <translation>Почему исходные данные не будут приняты</translation>
         </message>
         <message>
             <source>Name, grade, marking, use or source</source>
@@ -12107,7 +12107,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>With it the inputs would be refused: %1</source>
-            <translation>С этой записью исходные данные были бы отклонены: %1</translation>
+            <translation>С этой записью исходные данные не будут приняты: %1</translation>
         </message>
         <message>
             <source>Your own entries cannot be read and are left as they are in %1: %2</source>
@@ -12253,7 +12253,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The inputs are refused; the present run is that of the last accepted ones.</source>
-            <translation>Исходные данные отклонены; текущий расчёт — по последним принятым.</translation>
+            <translation>Исходные данные не приняты; текущий расчёт — по последним верным.</translation>
         </message>
         <message>
             <source>The cycle is too long to be recorded: its curves are not drawn. Fewer radii or sections help.</source>
@@ -13767,7 +13767,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The inputs are refused; the layers are those of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; показаны слои по последним принятым.</translation>
+            <translation>Исходные данные не приняты; слои — по последним верным.</translation>
         </message>
         <message>
             <source>The cycle is too long to be recorded: its layers are not drawn. Fewer radii or sections help.</source>
@@ -14094,9 +14094,9 @@ target, µm</source>
         <message numerus="yes">
             <source>Saved; %n fields hold a refused text, their last good values were saved.</source>
             <translation>
-                <numerusform>Сохранено; %n поле содержит непринятый текст, записано его последнее принятое значение.</numerusform>
-                <numerusform>Сохранено; %n поля содержат непринятый текст, записаны их последние принятые значения.</numerusform>
-                <numerusform>Сохранено; %n полей содержат непринятый текст, записаны их последние принятые значения.</numerusform>
+                <numerusform>Сохранено; %n поле содержит непринятый текст, записано его последнее верное значение.</numerusform>
+                <numerusform>Сохранено; %n поля содержат непринятый текст, записаны их последние верные значения.</numerusform>
+                <numerusform>Сохранено; %n полей содержат непринятый текст, записаны их последние верные значения.</numerusform>
             </translation>
         </message>
         <message>
@@ -14316,7 +14316,7 @@ target, µm</source>
         </message>
         <message>
             <source>Take grain, grain share and sizes as far as the marking gives them</source>
-            <translation>Взять зерно, долю зерна и размеры, насколько они указаны в маркировке</translation>
+            <translation>Задать зерно, долю зерна и размеры по маркировке</translation>
         </message>
     </context>
     <context>
@@ -14342,7 +14342,7 @@ target, µm</source>
         <name>sparkout::MessagesPanel</name>
         <message>
             <source>%1; the last good value is used</source>
-            <translation>%1; используется последнее принятое значение</translation>
+            <translation>%1; используется последнее верное значение</translation>
         </message>
         <message>
             <source>No messages: all inputs are in order.</source>
@@ -14517,7 +14517,7 @@ target, µm</source>
         </message>
         <message>
             <source>Take the estimate</source>
-            <translation>Принять оценку</translation>
+            <translation>Применить оценку</translation>
         </message>
         <message>
             <source>Without chamfers, keyways and bores; the drawing&apos;s mass goes before it</source>
@@ -14537,7 +14537,7 @@ target, µm</source>
         </message>
         <message>
             <source>Take it as the machine&apos;s form</source>
-            <translation>Принять за форму от станка</translation>
+            <translation>Задать форму от станка</translation>
         </message>
         <message>
             <source>What the process alone leaves is small beside it where the cycle sparks out; the number of lobes is to be given</source>
@@ -14568,7 +14568,7 @@ target, µm</source>
         </message>
         <message>
             <source>The inputs are refused; the search is that of the last accepted ones.</source>
-            <translation>Данные не приняты; поиск — по последним принятым.</translation>
+            <translation>Данные не приняты; поиск — по последним верным.</translation>
         </message>
         <message>
             <source>This project does not say what may be changed. A search takes every listed feed and stock of the stages and finds the quickest cycle that holds every requirement. Choose them on the page Search of the inputs, or start with usual ones.</source>
@@ -14636,7 +14636,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>End the search; the best so far is kept and shown</source>
@@ -14644,7 +14644,7 @@ target, µm</source>
         </message>
         <message>
             <source>Take this cycle</source>
-            <translation>Взять этот цикл</translation>
+            <translation>Применить этот цикл</translation>
         </message>
         <message>
             <source>Put the chosen cycle in the place of the present one; undo brings yours back</source>
@@ -14672,7 +14672,7 @@ target, µm</source>
         </message>
         <message>
             <source>The inputs are refused; the grid is that of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; сетка — по последним принятым.</translation>
+            <translation>Исходные данные не приняты; сетка — по последним верным.</translation>
         </message>
         <message>
             <source>Grid of dynamic programming</source>
@@ -14696,7 +14696,7 @@ target, µm</source>
         </message>
         <message>
             <source>A click or the arrow keys choose a cycle, “Take this cycle” or Enter takes it.</source>
-            <translation>Щелчок или стрелки выбирают цикл, «Взять этот цикл» или Enter берёт его.</translation>
+            <translation>Щелчок или стрелки выбирают цикл, «Применить этот цикл» или Enter применяет его.</translation>
         </message>
         <message>
             <source>Method of the search</source>
@@ -15157,7 +15157,7 @@ target, µm</source>
         </message>
         <message>
             <source>The inputs are refused; the profiles are those of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; показаны профили для последних принятых.</translation>
+            <translation>Исходные данные не приняты; профили — по последним верным.</translation>
         </message>
         <message>
             <source>The cycle is too long to be recorded: only its end is shown.</source>
@@ -15550,7 +15550,7 @@ target, µm</source>
         </message>
         <message>
             <source>The run was not kept: the inputs are refused, so there is none.</source>
-            <translation>Расчёт не запомнен: исходные данные отклонены, поэтому его нет.</translation>
+            <translation>Расчёт не запомнен: исходные данные не приняты, поэтому его нет.</translation>
         </message>
         <message numerus="yes">
             <source>%n kept runs come out differently with this version of the program than they were kept: %1.</source>
@@ -15574,7 +15574,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>Stopped; nothing was kept.</source>
@@ -15641,7 +15641,7 @@ target, µm</source>
         </message>
         <message>
             <source>Take the inputs of the selected run in place of the present ones; the kept runs stay</source>
-            <translation>Взять исходные данные выбранного расчёта вместо текущих; запомненные расчёты остаются</translation>
+            <translation>Применить исходные данные выбранного расчёта вместо текущих; запомненные расчёты остаются</translation>
         </message>
         <message>
             <source>Rename</source>
@@ -16155,7 +16155,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>End the run; what was decided before is kept</source>
@@ -16362,7 +16362,7 @@ target, µm</source>
         </message>
         <message>
             <source>The inputs are refused; the phases of the stock are those of the last accepted ones.</source>
-            <translation>Исходные данные отклонены; фазы припуска — по последним принятым.</translation>
+            <translation>Исходные данные не приняты; проверка припусков — по последним верным.</translation>
         </message>
         <message>
             <source>Size against stock</source>
@@ -16398,7 +16398,7 @@ target, µm</source>
         </message>
         <message>
             <source>The inputs are refused; the sweep is that of the last accepted ones.</source>
-            <translation>Исходные данные отклонены; показано варьирование последних принятых.</translation>
+            <translation>Исходные данные не приняты; варьирование — по последним верным.</translation>
         </message>
         <message>
             <source>What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input above, and see every result over a range of it: one input gives curves, two give a map. Or start with the wheel&apos;s dullness.</source>
@@ -16474,7 +16474,7 @@ target, µm</source>
         </message>
         <message>
             <source>The point whose values can be taken; a click in the plot chooses one, too</source>
-            <translation>Точка, значения которой можно взять; её выбирает и щелчок по графику</translation>
+            <translation>Точка, значения которой можно применить; её выбирает и щелчок по графику</translation>
         </message>
         <message>
             <source>Run</source>
@@ -16486,7 +16486,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>End the sweep; what was done is kept and shown</source>
@@ -16502,7 +16502,7 @@ target, µm</source>
         </message>
         <message>
             <source>Take these values</source>
-            <translation>Взять эти значения</translation>
+            <translation>Применить эти значения</translation>
         </message>
         <message>
             <source>Put the inputs of the chosen point into this project; undo brings yours back</source>
@@ -16841,7 +16841,7 @@ target, µm</source>
         <name>sparkout::RemedySection</name>
         <message>
             <source>Take the change</source>
-            <translation>Принять изменение</translation>
+            <translation>Применить изменение</translation>
         </message>
         <message>
             <source>Change that helps</source>
@@ -16857,11 +16857,11 @@ target, µm</source>
         </message>
         <message>
             <source>Take</source>
-            <translation>Принять</translation>
+            <translation>Применить</translation>
         </message>
         <message>
             <source>Take the change: %1</source>
-            <translation>Принять изменение: %1</translation>
+            <translation>Применить изменение: %1</translation>
         </message>
         <message>
             <source>%1 of %2 settings tried.</source>
@@ -16877,7 +16877,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>Stop looking for changes that help</source>
@@ -16888,7 +16888,7 @@ target, µm</source>
         <name>sparkout::VerdictPanel</name>
         <message>
             <source>The inputs are refused; the numbers are those of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; показаны числа последних принятых.</translation>
+            <translation>Исходные данные не приняты; числа — по последним верным.</translation>
         </message>
         <message>
             <source>The inputs are refused:</source>
@@ -17172,7 +17172,7 @@ target, µm</source>
         <name>sparkout::PlotView</name>
         <message>
             <source>The inputs are refused; the curves are those of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; показаны кривые последних принятых.</translation>
+            <translation>Исходные данные не приняты; кривые — по последним верным.</translation>
         </message>
         <message>
             <source>The inputs are refused:</source>
@@ -17863,7 +17863,7 @@ good</source>
         </message>
         <message>
             <source>Take its &amp;stiffness</source>
-            <translation>Взять её &amp;жёсткость</translation>
+            <translation>Применить её &amp;жёсткость</translation>
         </message>
     </context>
     <context>
@@ -17915,7 +17915,7 @@ good</source>
         </message>
         <message>
             <source>inputs refused</source>
-            <translation>данные отклонены</translation>
+            <translation>данные не приняты</translation>
         </message>
         <message>
             <source>cannot reach size</source>
@@ -18111,11 +18111,11 @@ good</source>
         </message>
         <message>
             <source>&amp;Apply the cycles found</source>
-            <translation>П&amp;ринять найденные циклы</translation>
+            <translation>П&amp;рименить найденные циклы</translation>
         </message>
         <message>
             <source>&amp;Stop</source>
-            <translation>&amp;Стоп</translation>
+            <translation>О&amp;становить</translation>
         </message>
         <message>
             <source>Progress</source>
@@ -18224,7 +18224,7 @@ good</source>
         </message>
         <message>
             <source>&amp;Apply</source>
-            <translation>&amp;Принять</translation>
+            <translation>&amp;Применить</translation>
         </message>
         <message>
             <source>&amp;Cancel</source>
@@ -18565,7 +18565,7 @@ good</source>
         </message>
         <message>
             <source>Offsets of the traces are no inputs of the project: there is nothing to take.</source>
-            <translation>Сдвиги записей не входят в исходные данные проекта: принимать нечего.</translation>
+            <translation>Сдвиги записей не входят в исходные данные проекта: применять нечего.</translation>
         </message>
         <message>
             <source>No values: %1.</source>
@@ -18645,7 +18645,7 @@ good</source>
         </message>
         <message>
             <source>&amp;Stop</source>
-            <translation>&amp;Стоп</translation>
+            <translation>О&amp;становить</translation>
         </message>
         <message>
             <source>&amp;Leave these out</source>
@@ -18653,7 +18653,7 @@ good</source>
         </message>
         <message>
             <source>&amp;Apply</source>
-            <translation>&amp;Принять</translation>
+            <translation>&amp;Применить</translation>
         </message>
         <message>
             <source>all values alike</source>
@@ -18701,11 +18701,11 @@ good</source>
         </message>
         <message>
             <source>These values cannot be taken over. %1. %2</source>
-            <translation>Эти значения принять нельзя. %1. %2</translation>
+            <translation>Эти значения применить нельзя. %1. %2</translation>
         </message>
         <message>
             <source>These values cannot be taken over: the model does not fit. %1</source>
-            <translation>Эти значения принять нельзя: модель не подходит. %1</translation>
+            <translation>Эти значения применить нельзя: модель не подходит. %1</translation>
         </message>
         <message>
             <source>Unusual: %1. %2</source>
@@ -18728,7 +18728,7 @@ good</source>
         <name>sparkout::WheelPage</name>
         <message>
             <source>Apply the s&amp;trengths</source>
-            <translation>Принять про&amp;чность</translation>
+            <translation>Применить про&amp;чность</translation>
         </message>
         <message>
             <source>Roughness Ra</source>
@@ -18736,7 +18736,7 @@ good</source>
         </message>
         <message>
             <source>Apply the &amp;Ra factor</source>
-            <translation>Принять &amp;поправку Ra</translation>
+            <translation>Применить &amp;поправку Ra</translation>
         </message>
         <message>
             <source>No Ra is measured, or the cycle does not end at size. Measured Ra comes into the project with the parts: Import measurements…</source>
@@ -19562,7 +19562,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>The inputs are refused; the prediction is that of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; прогноз — по последним принятым.</translation>
+            <translation>Исходные данные не приняты; прогноз — по последним верным.</translation>
         </message>
         <message>
             <source>No part is measured yet. Here measured diameters, runout, roundness, cylindricity and roughness will stand beside those that the batch predicts, with a verdict on the model. Import a table of a measuring machine, paste one from a spreadsheet (Ctrl+V), or type the statistics of a printed table under “Statistics”.</source>
@@ -19646,7 +19646,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>End the batch; what was done is kept and shown</source>
@@ -19816,7 +19816,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>&amp;Apply the stiffness</source>
-            <translation>&amp;Принять жёсткости</translation>
+            <translation>&amp;Применить жёсткости</translation>
         </message>
         <message>
             <source>&amp;Print the sheet…</source>
