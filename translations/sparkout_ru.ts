@@ -3844,7 +3844,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>present place</source>
-            <translation>нынешнее место</translation>
+            <translation>текущее место</translation>
         </message>
         <message>
             <source>all diameters</source>
@@ -10145,7 +10145,7 @@ With another name both versions stay as they are.</source>
         <name>StudiesShown</name>
         <message>
             <source>These results are for the inputs before the last edit. Compute them for the present inputs in the view “%1”.</source>
-            <translation>Это результаты для исходных данных до последней правки. Рассчитайте для нынешних в виде «%1».</translation>
+            <translation>Это результаты для исходных данных до последней правки. Повторите расчёт в виде «%1».</translation>
         </message>
         <message>
             <source>It is being run: wait for it, or stop it.</source>
@@ -10156,11 +10156,11 @@ With another name both versions stay as they are.</source>
         <name>sparkout::StudyView</name>
         <message>
             <source>These results are for the inputs before the last edit; those for the present inputs are being computed.</source>
-            <translation>Это результаты для исходных данных до последней правки; для нынешних расчёт идёт.</translation>
+            <translation>Исходные данные изменены; расчёт идёт заново.</translation>
         </message>
         <message>
             <source>These results are for the inputs before the last edit. Press “%1” to compute them for the present inputs.</source>
-            <translation>Это результаты для исходных данных до последней правки. Нажмите «%1», чтобы рассчитать для нынешних.</translation>
+            <translation>Исходные данные изменены. Нажмите «%1».</translation>
         </message>
     </context>
     <context>
@@ -11879,7 +11879,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>50 parts whose stock, runout and dullness scatter about the present inputs; can be undone and changed on the page Batch</source>
-            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений; можно отменить и изменить на странице «Партия»</translation>
+            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг текущих значений; можно отменить и изменить на странице «Партия»</translation>
         </message>
         <message>
             <source>No part of this batch fails a requirement.</source>
@@ -14493,7 +14493,7 @@ target, µm</source>
         </message>
         <message>
             <source>50 parts whose stock, runout and dullness scatter about the present inputs</source>
-            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений</translation>
+            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг текущих значений</translation>
         </message>
         <message>
             <source>What a search is for</source>
@@ -16706,7 +16706,7 @@ target, µm</source>
         </message>
         <message>
             <source>With {value}, one step nearer to the present {before}, it is not so yet.</source>
-            <translation>При {value}, на шаг ближе к нынешнему значению {before}, этого ещё нет.</translation>
+            <translation>При {value}, на шаг ближе к текущему значению {before}, этого мало.</translation>
         </message>
         <message>
             <source>Found among the values that were tried; between them others may hold, too.</source>
@@ -16790,11 +16790,11 @@ target, µm</source>
         </message>
         <message>
             <source>The next value towards the present one does it, too, but brings a warning.</source>
-            <translation>Следующее значение в сторону нынешнего тоже годится, но вызывает предупреждение.</translation>
+            <translation>Следующее значение в сторону текущего тоже годится, но вызывает предупреждение.</translation>
         </message>
         <message>
             <source>With the present feed the added stage does not help.</source>
-            <translation>С нынешней подачей дополнительная ступень не помогает.</translation>
+            <translation>С текущей подачей дополнительная ступень не помогает.</translation>
         </message>
         <message>
             <source>Without this stage there is too little room.</source>
@@ -16806,11 +16806,11 @@ target, µm</source>
         </message>
         <message>
             <source>The present value leaves too little room.</source>
-            <translation>При нынешнем значении запас слишком мал.</translation>
+            <translation>При текущем значении запас слишком мал.</translation>
         </message>
         <message>
             <source>The present value fails.</source>
-            <translation>Нынешнее значение не годится.</translation>
+            <translation>Текущего значения недостаточно.</translation>
         </message>
         <message>
             <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit, but the change brings a warning.</source>
@@ -18510,7 +18510,7 @@ good</source>
         </message>
         <message>
             <source>A value known from elsewhere, with its standard deviation, takes part like one more measurement. Factors are of the present inputs: 1 ± 0.1 means known within some 20 %. Left empty: nothing is known.</source>
-            <translation>Значение, известное заранее, со стандартным отклонением участвует как ещё одно измерение. Множители относятся к нынешним исходным данным: 1 ± 0,1 значит, что величина известна в пределах примерно 20 %. Пусто: ничего не известно.</translation>
+            <translation>Значение, известное заранее, со стандартным отклонением участвует как ещё одно измерение. Множители относятся к текущим исходным данным: 1 ± 0,1 значит, что величина известна в пределах примерно 20 %. Пусто: ничего не известно.</translation>
         </message>
         <message>
             <source>%1: mean known before</source>
@@ -20024,7 +20024,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>The intervals are those expected at 95 % about the present inputs, for %1 values a second with a scatter of %2 µm, %3 kW or %4 % of the maximum force. Then import the trace and calibrate on the page Cycle.</source>
-            <translation>Интервалы — ожидаемые 95 %-е около нынешних исходных данных, при %1 отсчётах в секунду с разбросом %2 мкм, %3 кВт или %4 % наибольшей силы. Затем импортируйте запись и калибруйте на странице «Цикл».</translation>
+            <translation>Интервалы — ожидаемые 95 %-е около текущих исходных данных, при %1 отсчётах в секунду с разбросом %2 мкм, %3 кВт или %4 % наибольшей силы. Затем импортируйте запись и калибруйте на странице «Цикл».</translation>
         </message>
         <message numerus="yes">
             <source>then %n double stroke(s) of spark-out</source>
