@@ -77,7 +77,7 @@
         <message>
             <source>%1, seed %2</source>
             <comment>Latin hypercube, seed 1</comment>
-            <translation>%1, начальное число %2</translation>
+            <translation>%1, номер выборки %2</translation>
         </message>
         <message>
             <source>Stopped after %1 of %2 parts, %3.</source>
@@ -5028,7 +5028,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Seed</source>
-            <translation>Начальное число</translation>
+            <translation>Номер выборки</translation>
         </message>
         <message>
             <source>The same seed gives the same batch.</source>
@@ -7748,7 +7748,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Cost and wheel life are searched for the part as it stands, without the phases of the stock and the batch.</source>
-            <translation>Стоимость и стойкость круга ищутся для детали, как она задана: без фаз припуска и партии.</translation>
+            <translation>Стоимость и стойкость круга ищутся для детали, как она задана: только для её припуска и без партии.</translation>
         </message>
         <message>
             <source>What is to be searched is not given.</source>
@@ -7972,7 +7972,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are and at each of the %3 corners of the batch&apos;s other factors: decided, not sampled.</source>
-            <translation>Годен при любом припуске %1…%2 мм на сторону, как при заданных остальных исходных данных, так и в каждом из %3 сочетаний крайних значений остальных факторов партии: решено точно, а не по выборке.</translation>
+            <translation>Годен при любом припуске %1…%2 мм на сторону, как при заданных остальных исходных данных, так и в каждом из %3 крайних сочетаний остальных факторов партии: решено точно, а не по выборке.</translation>
         </message>
         <message>
             <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are: decided, not sampled.</source>
@@ -7980,7 +7980,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that was tried so: with 95 % confidence at most %3 % of the phases fail.</source>
-            <translation>Цикл годен при всех %1 заново выбранных фазах припуска, это %2-й из циклов, проверенных так: с доверительной вероятностью 95 % он не годен не более чем при %3 % фаз.</translation>
+            <translation>Цикл годен для всех %1 заново выбранных припусков в пределах подачи на шаг, это %2-й из циклов, проверенных так: с доверительной вероятностью 95 % он не годен не более чем для %3 % таких припусков.</translation>
         </message>
         <message>
             <source>The nominal part alone, of the same levels, would take %1 min: robustness costs %2 % of time.</source>
@@ -8000,7 +8000,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Margins by time over all phases of the stock are searched under gauge control alone.</source>
-            <translation>Запас по времени по всем фазам припуска ищется только при управлении от прибора.</translation>
+            <translation>Запас по времени для всех припусков в пределах подачи на шаг ищется только при управлении от прибора.</translation>
         </message>
         <message>
             <source>No margins by time: the search was stopped before, or no cycle holds.</source>
@@ -8249,7 +8249,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Corners are no sample: they tell extremes and counts, no mean and no capability.</source>
-            <translation>Угловые сценарии — не выборка: они дают крайние значения и число деталей, но не среднее и не показатели пригодности процесса.</translation>
+            <translation>Крайние сочетания — не выборка: они дают крайние значения и число деталей, но не среднее и не показатели пригодности процесса.</translation>
         </message>
         <message>
             <source>Capability and share out of tolerance</source>
@@ -8618,7 +8618,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Seed</source>
-            <translation>Начальное число</translation>
+            <translation>Номер выборки</translation>
         </message>
         <message>
             <source>none is drawn</source>
@@ -8690,7 +8690,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The same inputs and the same seed give the same numbers, with any number of threads. All that the computation reads is in the appendix, each number with all its digits.</source>
-            <translation>Те же исходные данные и то же начальное число дают те же результаты при любом числе потоков. Всё, что читает расчёт, приведено в приложении, каждое число — со всеми знаками.</translation>
+            <translation>Те же исходные данные и тот же номер выборки дают те же результаты при любом числе потоков. Всё, что читает расчёт, приведено в приложении, каждое число — со всеми знаками.</translation>
         </message>
         <message>
             <source>The same inputs give the same numbers. All that the computation reads is in the appendix, each number with all its digits.</source>
@@ -10199,7 +10199,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Seed</source>
-            <translation>Начальное число</translation>
+            <translation>Номер выборки</translation>
         </message>
         <message>
             <source>What was run</source>
@@ -10387,7 +10387,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The phases of the stock are being decided</source>
-            <translation>Рассчитываются фазы припуска</translation>
+            <translation>Проверяются припуски диапазона</translation>
         </message>
         <message>
             <source>Pieces: %1</source>
@@ -10395,7 +10395,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Under position control the phases of the stock cannot be decided: the first step meets the part somewhere within its infeed. Vary the stock in a sweep, or let it scatter in a batch.</source>
-            <translation>При управлении по положению о фазах припуска решить нельзя: первый шаг встречает деталь где-то в пределах своей подачи. Варьируйте припуск или задайте его рассеяние в партии.</translation>
+            <translation>При управлении по положению проверить все припуски нельзя: первый шаг встречает деталь где-то в пределах подачи на шаг. Варьируйте припуск или задайте его рассеяние в партии.</translation>
         </message>
         <message>
             <source>Holds for every stock per side from %1 to %2 mm.</source>
@@ -11739,7 +11739,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Corners are no sample: rank regression takes parts at random.</source>
-            <translation>Углы — не выборка: для ранговой регрессии нужны случайные детали.</translation>
+            <translation>Крайние сочетания — не выборка: для ранговой регрессии нужны случайные детали.</translation>
         </message>
         <message>
             <source>Sobol indices have no meaning for correlated factors.</source>
@@ -14234,7 +14234,7 @@ target, µm</source>
         </message>
         <message>
             <source>One infeed is larger than the part: it is ground away.</source>
-            <translation>Подача за один проход больше детали: она сошлифована полностью.</translation>
+            <translation>Подача на шаг больше размера детали: уменьшите подачу.</translation>
         </message>
     </context>
     <context>
@@ -14652,11 +14652,11 @@ target, µm</source>
         </message>
         <message>
             <source>In every phase of the stock</source>
-            <translation>При любой фазе припуска</translation>
+            <translation>Для всех припусков</translation>
         </message>
         <message>
             <source>The cycle must hold for stocks spread over one feed step of every stage too: where the last step falls decides on the size</source>
-            <translation>Цикл должен быть годен и для припусков, распределённых по одному шагу подачи каждой ступени: размер зависит от того, куда пришёлся последний шаг</translation>
+            <translation>Цикл должен быть годен для всех припусков в пределах подачи на шаг каждой ступени: размер зависит от того, куда пришёлся последний шаг</translation>
         </message>
         <message>
             <source>Add a typical search</source>
@@ -16139,11 +16139,11 @@ target, µm</source>
         </message>
         <message>
             <source>Minimum stock per side decided; empty: half the maximum infeed below</source>
-            <translation>Наименьший припуск на сторону; пусто: на половину наибольшей подачи за шаг ниже</translation>
+            <translation>Наименьший припуск на сторону; пусто: на половину наибольшей подачи на шаг ниже</translation>
         </message>
         <message>
             <source>Maximum stock per side decided; empty: half the maximum infeed above</source>
-            <translation>Наибольший припуск на сторону; пусто: на половину наибольшей подачи за шаг выше</translation>
+            <translation>Наибольший припуск на сторону; пусто: на половину наибольшей подачи на шаг выше</translation>
         </message>
         <message>
             <source>Run</source>
@@ -16151,7 +16151,7 @@ target, µm</source>
         </message>
         <message>
             <source>Decide the phases of the range; that runs by itself after an edit</source>
-            <translation>Рассчитать фазы диапазона; после правки это делается само</translation>
+            <translation>Проверить все припуски диапазона; после правки проверка идёт сама</translation>
         </message>
         <message>
             <source>Stop</source>
@@ -16167,7 +16167,7 @@ target, µm</source>
         </message>
         <message>
             <source>Progress of the decision</source>
-            <translation>Ход расчёта фаз</translation>
+            <translation>Ход проверки</translation>
         </message>
     </context>
     <context>
@@ -16718,7 +16718,7 @@ target, µm</source>
         </message>
         <message>
             <source>It holds for all of {phases} stocks drawn at random within one infeed: with 95 % confidence at most {share} % of them fail.</source>
-            <translation>Цикл годен для всех {phases} случайных припусков в пределах одной подачи: с вероятностью 95 % не годен не более чем для {share} % из них.</translation>
+            <translation>Цикл годен для всех {phases} случайных припусков в пределах подачи на шаг: с вероятностью 95 % не годен не более чем для {share} % из них.</translation>
         </message>
         <message>
             <source>Each holds for every stock within half an infeed of the stated one.</source>
@@ -17371,7 +17371,7 @@ mm/min</source>
         </message>
         <message>
             <source>The batch is of corners: they are no sample and have no quartiles.</source>
-            <translation>Партия состоит из предельных сочетаний: это не выборка, квартилей у неё нет.</translation>
+            <translation>Партия — крайние сочетания: это не выборка, квартилей у неё нет.</translation>
         </message>
         <message>
             <source>To the batch…</source>

@@ -181,7 +181,7 @@ std::vector<Option> batchOptions() {
          "S",
          Kind::anything,
          "",
-         {"seed, instead of the file's", "начальное число вместо заданного в файле"}},
+         {"seed, instead of the file's", "номер выборки вместо заданного в файле"}},
         {"--scenarios",
          "HOW",
          Kind::choice,
@@ -290,7 +290,7 @@ Command phasesCommand() {
           {"minimum stock per side in mm, instead of the file's less half the maximum infeed of a "
            "stage",
            "наименьший припуск на сторону в мм вместо припуска файла за вычетом половины "
-           "наибольшей подачи за шаг"}},
+           "наибольшей подачи на шаг"}},
          {"--to",
           "MM",
           Kind::anything,
@@ -298,7 +298,7 @@ Command phasesCommand() {
           {"maximum stock per side in mm, instead of the file's plus half the maximum infeed of "
            "a stage",
            "наибольший припуск на сторону в мм вместо припуска файла с прибавлением половины "
-           "наибольшей подачи за шаг"}},
+           "наибольшей подачи на шаг"}},
          json,
          check({"exit status 4 when it fails for a stock",
                 "код завершения 4, если цикл не годен хотя бы при одном припуске"})}};
