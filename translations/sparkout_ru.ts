@@ -513,7 +513,7 @@
         </message>
         <message>
             <source>by the in-process gauge</source>
-            <translation>по прибору (ПАК)</translation>
+            <translation>от прибора (ПАК)</translation>
         </message>
         <message>
             <source>by wheel head position</source>
@@ -629,7 +629,7 @@
         </message>
         <message>
             <source>size at the gauge</source>
-            <translation>размер на приборе</translation>
+            <translation>размер по прибору</translation>
         </message>
         <message>
             <source>wheel power</source>
@@ -976,7 +976,7 @@
         </message>
         <message>
             <source>gauge control</source>
-            <translation>управление по прибору</translation>
+            <translation>управление от прибора</translation>
         </message>
         <message>
             <source>position control</source>
@@ -1196,7 +1196,7 @@
         </message>
         <message>
             <source>record the wheel&apos;s power over the same cycle</source>
-            <translation>запишите мощность круга за тот же цикл</translation>
+            <translation>запишите мощность привода круга за тот же цикл</translation>
         </message>
         <message>
             <source>record the normal force over the same cycle</source>
@@ -1204,7 +1204,7 @@
         </message>
         <message>
             <source>record the size at the gauge over a cycle</source>
-            <translation>запишите размер на приборе за цикл</translation>
+            <translation>запишите размер по прибору за цикл</translation>
         </message>
         <message>
             <source>record a cycle with a stage at another feed, or with a spark-out</source>
@@ -1304,11 +1304,11 @@
         </message>
         <message>
             <source>size at the gauge</source>
-            <translation>размер на приборе</translation>
+            <translation>размер по прибору</translation>
         </message>
         <message>
             <source>power of the wheel</source>
-            <translation>мощность круга</translation>
+            <translation>мощность привода круга</translation>
         </message>
         <message>
             <source>normal force</source>
@@ -1360,7 +1360,7 @@
         </message>
         <message>
             <source>mean wheel power over the feeds</source>
-            <translation>средняя мощность круга при рабочих подачах</translation>
+            <translation>средняя мощность привода круга при рабочих подачах</translation>
         </message>
         <message>
             <source>time from the middle of the first feed to the end of the last one, between the same two sizes</source>
@@ -1673,7 +1673,7 @@
         </message>
         <message>
             <source>Maximum wheel power P_z·V_k of any pass of the stage.</source>
-            <translation>Наибольшая мощность P_z·V_k на круге по проходам ступени.</translation>
+            <translation>Наибольшая мощность шлифования P_z·V_k по проходам ступени.</translation>
         </message>
         <message>
             <source>Mean power</source>
@@ -2246,7 +2246,7 @@
         </message>
         <message>
             <source>m: radial feed, mm per double stroke · axial feed, mm/min</source>
-            <translation>m: радиальная подача, мм на дв. ход· продольная подача, мм/мин</translation>
+            <translation>m: радиальная подача, мм на дв. ход · продольная подача, мм/мин</translation>
         </message>
         <message>
             <source>m: radial feed, mm/min</source>
@@ -2304,7 +2304,7 @@
         </message>
         <message>
             <source>The levels of stock are gauged: the grid is of cycles under gauge control. This project is under position control; the page Gauge changes that.</source>
-            <translation>Уровни припуска контролирует прибор: сетка состоит из циклов с управлением по прибору. В этом проекте управление по положению; оно меняется на странице «Прибор».</translation>
+            <translation>Уровни припуска контролирует прибор: сетка состоит из циклов с управлением от прибора. В этом проекте управление по положению; оно меняется на странице «ПАК».</translation>
         </message>
         <message>
             <source>Levels: %1, feeds: %2, stages at most: %3</source>
@@ -2518,7 +2518,7 @@
         <name>ExerciseSheet</name>
         <message>
             <source>Computed by the engine: it has run the whole cycle with that one input changed.</source>
-            <translation>Ответы вычислены программой: весь цикл просчитан с одним изменённым исходным данным.</translation>
+            <translation>Ответы вычислены программой: весь цикл просчитан с одной изменённой исходной величиной.</translation>
         </message>
         <message>
             <source>Asked for</source>
@@ -2782,7 +2782,7 @@
         </message>
         <message>
             <source>Radial feed, mm/dbl stroke</source>
-            <translation>Подача радиальная, мм/дв.ход</translation>
+            <translation>Подача радиальная, мм/дв. ход</translation>
         </message>
         <message>
             <source>Axial feed, mm/min</source>
@@ -2940,7 +2940,7 @@
         </message>
         <message>
             <source>Input of the sweep</source>
-            <translation>Величина варьирования</translation>
+            <translation>Варьируемая величина</translation>
         </message>
         <message>
             <source>Range of the sweep</source>
@@ -3966,7 +3966,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Its inputs are those of %1.</source>
-            <translation>Его величины те же, что у %1.</translation>
+            <translation>Его исходные величины те же, что у %1.</translation>
         </message>
         <message>
             <source>In the project file: %1</source>
@@ -4384,7 +4384,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Power of the wheel drive.</source>
-            <translation>Мощность привода шлифовального круга.</translation>
+            <translation>Мощность привода круга.</translation>
         </message>
         <message>
             <source>Work drive power</source>
@@ -4548,7 +4548,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gauge commands</source>
-            <translation>Число команд ПАК</translation>
+            <translation>Число команд прибора</translation>
         </message>
         <message>
             <source>How many stages the gauge can switch.</source>
@@ -5992,11 +5992,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Calibrated input</source>
-            <translation>Откалиброванный параметр</translation>
+            <translation>Откалиброванная величина</translation>
         </message>
         <message>
             <source>Path of the input whose value was found.</source>
-            <translation>Путь параметра, значение которого найдено.</translation>
+            <translation>Путь исходной величины, значение которой найдено.</translation>
         </message>
         <message>
             <source>Value found</source>
@@ -6004,7 +6004,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Value that was found, in the unit of the input.</source>
-            <translation>Найденное значение в единицах параметра.</translation>
+            <translation>Найденное значение в единицах этой величины.</translation>
         </message>
         <message>
             <source>Lower end</source>
@@ -6076,7 +6076,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Inputs whose values were found from measurements.</source>
-            <translation>Параметры, значения которых найдены по измерениям.</translation>
+            <translation>Исходные величины, значения которых найдены по измерениям.</translation>
         </message>
         <message>
             <source>nothing is measured</source>
@@ -6496,11 +6496,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Figure</source>
-            <translation>Величина</translation>
+            <translation>Показатель</translation>
         </message>
         <message>
             <source>In the unit of the figure.</source>
-            <translation>В единице величины.</translation>
+            <translation>В единице показателя.</translation>
         </message>
         <message>
             <source>Tolerance</source>
@@ -6512,7 +6512,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Either way, in the unit of the figure.</source>
-            <translation>В обе стороны, в единице величины.</translation>
+            <translation>±, в единице показателя.</translation>
         </message>
         <message>
             <source>Tolerance, relative</source>
@@ -6600,7 +6600,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>A figure of the run has a value, within a tolerance.</source>
-            <translation>Величина, найденная расчётом, равна заданной в пределах допуска.</translation>
+            <translation>Показатель расчёта равен заданному в пределах допуска.</translation>
         </message>
         <message>
             <source>Number predicted</source>
@@ -6608,7 +6608,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>A figure is said before the run.</source>
-            <translation>Величина называется до расчёта.</translation>
+            <translation>Показатель предсказывают до расчёта.</translation>
         </message>
         <message>
             <source>Curve predicted</source>
@@ -6816,7 +6816,7 @@ With another name both versions stay as they are.</source>
     </message>
     <message>
         <source>The figure is that of the project as the step begins; from 1.</source>
-        <translation>Величина берётся у проекта в начале этого шага; счёт от 1.</translation>
+        <translation>Показатель — у проекта в начале этого шага; счёт от 1.</translation>
     </message>
     <message>
         <source>Minimum</source>
@@ -6844,7 +6844,7 @@ With another name both versions stay as they are.</source>
     </message>
     <message>
         <source>Figures</source>
-        <translation>Величины</translation>
+        <translation>Показатели</translation>
     </message>
     <message>
         <source>What every variant has within bounds as given, so that the questions are true of it.</source>
@@ -7633,11 +7633,11 @@ With another name both versions stay as they are.</source>
         <message>
             <source>double stroke %1</source>
             <comment>short</comment>
-            <translation>дв.ход %1</translation>
+            <translation>дв. ход %1</translation>
         </message>
         <message>
             <source>Strips stay uncut (overlap B/s %1, below 1): this is not the whole surface, and its size, form and roughness are those of the cut part alone.</source>
-            <translation>Остаются непрошлифованные полосы (перекрытие B/s %1, меньше 1): это не вся поверхность, её размер, форма и шероховатость относятся только к прошлифованной части.</translation>
+            <translation>Остаются непрошлифованные полосы (коэффициент перекрытия B/s %1, меньше 1): это не вся поверхность, её размер, форма и шероховатость относятся только к прошлифованной части.</translation>
         </message>
         <message>
             <source>The part is ground away</source>
@@ -8035,7 +8035,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Of every stage: radial feed, mm per double stroke; axial feed, mm/min; stock per side, mm</source>
-            <translation>Для каждой ступени: радиальная подача, мм/дв.ход; продольная подача, мм/мин; припуск на сторону, мм</translation>
+            <translation>Для каждой ступени: радиальная подача, мм/дв. ход; продольная подача, мм/мин; припуск на сторону, мм</translation>
         </message>
         <message>
             <source>Of every stage: radial feed, mm/min; stock per side, mm</source>
@@ -9147,7 +9147,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gauge commands</source>
-            <translation>Число команд ПАК</translation>
+            <translation>Число команд прибора</translation>
         </message>
         <message>
             <source>the stages need %2 more gauge commands than there are</source>
@@ -9159,7 +9159,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>overlap B/s in %1 is %3, below 1: strips stay uncut, so size, form and roughness are not known of the whole surface</source>
-            <translation>перекрытие B/s (%1) равно %3, меньше 1: остаются непрошлифованные полосы, поэтому размер, форма и шероховатость всей поверхности неизвестны</translation>
+            <translation>коэффициент перекрытия B/s (%1) равен %3, меньше 1: остаются непрошлифованные полосы, поэтому размер, форма и шероховатость всей поверхности неизвестны</translation>
         </message>
         <message>
             <source>Required overlap of a stage</source>
@@ -9471,7 +9471,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Input</source>
-            <translation>Параметр</translation>
+            <translation>Величина</translation>
         </message>
         <message>
             <source>Symbol</source>
@@ -9491,7 +9491,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Quantity</source>
-            <translation>Величина</translation>
+            <translation>Показатель</translation>
         </message>
         <message>
             <source>Inputs</source>
@@ -9950,7 +9950,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Source of a value</source>
-            <translation>Источник величины</translation>
+            <translation>Источник значения</translation>
         </message>
         <message>
             <source>Heat data</source>
@@ -10062,7 +10062,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Figure has a value</source>
-            <translation>Величина равна заданной</translation>
+            <translation>Показатель равен заданному</translation>
         </message>
         <message>
             <source>Number predicted</source>
@@ -10094,7 +10094,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Figure</source>
-            <translation>Величина</translation>
+            <translation>Показатель</translation>
         </message>
         <message>
             <source>Value of an input</source>
@@ -10130,7 +10130,7 @@ With another name both versions stay as they are.</source>
     </message>
     <message>
         <source>Bounds of a figure</source>
-        <translation>Границы величины</translation>
+        <translation>Границы показателя</translation>
     </message>
     <message>
         <source>Variants</source>
@@ -10360,7 +10360,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The inputs varied and every point; over two inputs every quantity on a sheet of its own, too.</source>
-            <translation>Варьируемые данные и все точки; по двум данным — ещё и каждая величина на отдельном листе.</translation>
+            <translation>Варьируемые величины и все точки; по двум величинам — ещё и каждый показатель на отдельном листе.</translation>
         </message>
         <message>
             <source>not known, it was stopped</source>
@@ -11093,7 +11093,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>mm/dbl stroke</source>
-            <translation>мм/дв.ход</translation>
+            <translation>мм/дв. ход</translation>
         </message>
         <message>
             <source>min</source>
@@ -11815,7 +11815,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Parts, one quantity over another</source>
-            <translation>Детали: одна величина в зависимости от другой</translation>
+            <translation>Детали: один показатель в зависимости от другого</translation>
         </message>
         <message>
             <source>Rank regression</source>
@@ -11835,11 +11835,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Quantity across</source>
-            <translation>Величина по горизонтали</translation>
+            <translation>Показатель по горизонтали</translation>
         </message>
         <message>
             <source>Quantity upwards</source>
-            <translation>Величина по вертикали</translation>
+            <translation>Показатель по вертикали</translation>
         </message>
         <message>
             <source>What is shown of the batch</source>
@@ -11903,7 +11903,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Run the batch again and save a row for every part: its factors, every quantity, every requirement held or not</source>
-            <translation>Рассчитать партию ещё раз и сохранить по строке на деталь: её факторы, все величины и выполнение каждого требования</translation>
+            <translation>Рассчитать партию ещё раз и сохранить по строке на деталь: её факторы, все показатели и выполнение каждого требования</translation>
         </message>
     </context>
     <context>
@@ -12193,7 +12193,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Legend of quantities and runs</source>
-            <translation>Обозначения величин и расчётов</translation>
+            <translation>Обозначения показателей и расчётов</translation>
         </message>
         <message>
             <source>State of the comparison</source>
@@ -14304,7 +14304,7 @@ target, µm</source>
         </message>
         <message>
             <source>Not understood as a marking; written like 500×50×203 25А F60 L 6 V 35 it fills the wheel&apos;s values.</source>
-            <translation>Не понято как маркировка; записанная как 500×50×203 25А F60 L 6 V 35, она заполняет величины круга.</translation>
+            <translation>Не понято как маркировка; записанная как 500×50×203 25А F60 L 6 V 35, она заполняет данные круга.</translation>
         </message>
         <message>
             <source>What the marking means</source>
@@ -14525,7 +14525,7 @@ target, µm</source>
         </message>
         <message>
             <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual minimum overlap and steps of a stage where none are given</source>
-            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие перекрытие и число шагов ступени</translation>
+            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени</translation>
         </message>
         <message>
             <source>The machine&apos;s form by the measured parts</source>
@@ -14692,7 +14692,7 @@ target, µm</source>
         </message>
         <message>
             <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual minimum overlap and steps of a stage where none are given; can be undone and changed on the pages Search and Cycle</source>
-            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие перекрытие и число шагов ступени; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
+            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
         </message>
         <message>
             <source>A click or the arrow keys choose a cycle, “Take this cycle” or Enter takes it.</source>
@@ -16374,7 +16374,7 @@ target, µm</source>
         </message>
         <message>
             <source>Results over one or two inputs, or, exactly, the size over the stock of the blank</source>
-            <translation>Результаты от одной или двух величин или, точно, размер от припуска заготовки</translation>
+            <translation>Результаты в зависимости от одной или двух исходных величин или, точно, размер в зависимости от припуска заготовки</translation>
         </message>
         <message>
             <source>Inputs varied</source>
@@ -16567,7 +16567,7 @@ target, µm</source>
         </message>
         <message>
             <source>How far the value is from its limit; below 0 it is beyond</source>
-            <translation>Насколько величина отстоит от предела; меньше 0 — предел превышен</translation>
+            <translation>Насколько значение отстоит от предела; меньше 0 — предел превышен</translation>
         </message>
         <message>
             <source>not known: strips uncut</source>
@@ -17272,7 +17272,7 @@ per revolution</source>
             <source>Feed, µm per
 double stroke</source>
             <translation>Подача,
-мкм/дв.ход</translation>
+мкм/дв. ход</translation>
         </message>
         <message>
             <source>Feed, µm
@@ -18278,7 +18278,7 @@ good</source>
         </message>
         <message>
             <source>power of the wheel</source>
-            <translation>мощность круга</translation>
+            <translation>мощность привода круга</translation>
         </message>
         <message>
             <source>size and power</source>
@@ -18780,7 +18780,7 @@ good</source>
         </message>
         <message>
             <source>power of the wheel, without idle power</source>
-            <translation>мощность круга без холостого хода</translation>
+            <translation>мощность привода круга без холостого хода</translation>
         </message>
         <message>
             <source>Readin&amp;g:</source>
@@ -18841,7 +18841,7 @@ Import measurements… reads them from tables: the size at the gauge, the power 
 The size alone gives α and β, that is the compliance with the force together; the power adds its two shares; with the normal force compliance, flow stress and dullness are told apart.</source>
             <translation>Пока не к чему подбирать цикл: нет ни записей, ни диаметров готовых деталей.
 
-Команда «Импорт измерений…» читает их из таблиц: размер на приборе активного контроля, мощность круга, ток его шпинделя или нормальную силу за время одного цикла либо диаметры готовых деталей по зонам или сечениям.
+Команда «Импорт измерений…» читает их из таблиц: размер по прибору активного контроля, мощность привода круга, ток его шпинделя или нормальную силу за время одного цикла либо диаметры готовых деталей по зонам или сечениям.
 
 Один размер даёт α и β, то есть податливость вместе с силой; мощность добавляет две свои составляющие; вместе с нормальной силой различаются податливость, интенсивность напряжений и степень затупления.</translation>
         </message>
@@ -19014,11 +19014,11 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Size at the gauge</source>
-            <translation>Размер на приборе</translation>
+            <translation>Размер по прибору</translation>
         </message>
         <message>
             <source>Wheel power</source>
-            <translation>Мощность круга</translation>
+            <translation>Мощность привода круга</translation>
         </message>
         <message>
             <source>Spindle current</source>
@@ -19195,7 +19195,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         <name>AdequacyTable</name>
         <message>
             <source>Quantity</source>
-            <translation>Величина</translation>
+            <translation>Показатель</translation>
         </message>
         <message>
             <source>n</source>
@@ -20506,7 +20506,7 @@ s</source>
         </message>
         <message>
             <source>the run has no such figure</source>
-            <translation>в расчёте нет такой величины</translation>
+            <translation>в расчёте нет такого показателя</translation>
         </message>
     </context>
     <context>
@@ -20588,7 +20588,7 @@ s</source>
         </message>
         <message>
             <source>the run has no figure that a step asks for</source>
-            <translation>в расчёте нет величины, о которой спрашивает шаг</translation>
+            <translation>в расчёте нет показателя, о котором спрашивает шаг</translation>
         </message>
         <message>
             <source>a step is solved as given</source>
@@ -20604,7 +20604,7 @@ s</source>
         </message>
         <message>
             <source>no value of a free input was found at which a figure is as asked</source>
-            <translation>не найдено значение, при котором величина такова, как задано</translation>
+            <translation>не найдено значение, дающее заданный показатель</translation>
         </message>
         <message>
             <source>the best answer is too quick beside the lesson&apos;s</source>
@@ -20628,7 +20628,7 @@ s</source>
         </message>
         <message>
             <source>a figure is outside the bounds that the lesson sets</source>
-            <translation>величина вне границ, заданных в работе</translation>
+            <translation>показатель вне границ, заданных в работе</translation>
         </message>
     </context>
     <context>
@@ -20732,7 +20732,7 @@ s</source>
         </message>
         <message>
             <source>Input</source>
-            <translation>Параметр</translation>
+            <translation>Величина</translation>
         </message>
         <message>
             <source>Yours</source>
@@ -21154,7 +21154,7 @@ s</source>
         </message>
         <message>
             <source>Quantity</source>
-            <translation>Величина</translation>
+            <translation>Показатель</translation>
         </message>
         <message>
             <source>Predicted</source>
@@ -21400,7 +21400,7 @@ s</source>
         </message>
         <message>
             <source>Quantity</source>
-            <translation>Величина</translation>
+            <translation>Показатель</translation>
         </message>
         <message>
             <source>Predicted</source>
