@@ -6820,19 +6820,19 @@ With another name both versions stay as they are.</source>
     </message>
     <message>
         <source>Minimum</source>
-        <translation>Минимум</translation>
+        <translation>Наименьшее</translation>
     </message>
     <message>
         <source>Maximum</source>
-        <translation>Максимум</translation>
+        <translation>Наибольшее</translation>
     </message>
     <message>
         <source>no minimum</source>
-        <translation>без минимума</translation>
+        <translation>не ограничено снизу</translation>
     </message>
     <message>
         <source>no maximum</source>
-        <translation>без максимума</translation>
+        <translation>не ограничено сверху</translation>
     </message>
     <message>
         <source>Every value of each goes with every value of the others.</source>
@@ -7616,11 +7616,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>%1× min</source>
-            <translation>%1×мин.</translation>
+            <translation>%1×наим.</translation>
         </message>
         <message>
             <source>%1× max</source>
-            <translation>%1×макс.</translation>
+            <translation>%1×наиб.</translation>
         </message>
         <message>
             <source>%1 × the lower limit</source>
@@ -7820,7 +7820,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>%1 min: of %2 the quickest that holds for the part and the scenarios added; proved for these.</source>
-            <translation>%1 мин: самый быстрый (%2) из годных для детали и добавленных условий; для них доказано.</translation>
+            <translation>%1 мин: самый быстрый (%2) из годных для детали и добавленных сценариев; для них доказано.</translation>
         </message>
         <message>
             <source>%1 min: the quickest of %2, proved.</source>
@@ -9043,7 +9043,7 @@ With another name both versions stay as they are.</source>
         <name>Requirement</name>
         <message>
             <source>Minimum diameter</source>
-            <translation>Мин. диаметр</translation>
+            <translation>Наим. диаметр</translation>
         </message>
         <message>
             <source>diameter in %1 is %2 µm below the lower limit</source>
@@ -9051,7 +9051,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Maximum diameter</source>
-            <translation>Макс. диаметр</translation>
+            <translation>Наиб. диаметр</translation>
         </message>
         <message>
             <source>diameter in %1 is %2 µm above the upper limit</source>
@@ -9190,11 +9190,11 @@ With another name both versions stay as they are.</source>
         <name>RequirementBrief</name>
         <message>
             <source>Min. diameter</source>
-            <translation>d мин.</translation>
+            <translation>d наим.</translation>
         </message>
         <message>
             <source>Max. diameter</source>
-            <translation>d макс.</translation>
+            <translation>d наиб.</translation>
         </message>
         <message>
             <source>Radial runout</source>
@@ -15340,11 +15340,11 @@ target, µm</source>
         </message>
         <message>
             <source>minimum</source>
-            <translation>мин.</translation>
+            <translation>наим.</translation>
         </message>
         <message>
             <source>maximum</source>
-            <translation>макс.</translation>
+            <translation>наиб.</translation>
         </message>
         <message>
             <source>step</source>
@@ -16802,7 +16802,7 @@ target, µm</source>
         </message>
         <message>
             <source>Without this stage the cycle fails.</source>
-            <translation>Без этой ступени цикл не годится.</translation>
+            <translation>Без этой ступени цикл не годен.</translation>
         </message>
         <message>
             <source>The present value leaves too little room.</source>
