@@ -15340,15 +15340,15 @@ target, µm</source>
         </message>
         <message>
             <source>minimum</source>
-            <translation>наим.</translation>
+            <translation>наименьшее</translation>
         </message>
         <message>
             <source>maximum</source>
-            <translation>наиб.</translation>
+            <translation>наибольшее</translation>
         </message>
         <message>
             <source>step</source>
-            <translation>этап</translation>
+            <translation>шаг</translation>
         </message>
         <message>
             <source>%1: %2, %3</source>
