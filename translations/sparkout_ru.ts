@@ -3466,7 +3466,7 @@
         <name>FileError</name>
         <message>
             <source>the path cannot be reached</source>
-            <translation>путь недоступен</translation>
+            <translation>файл или папка недоступны</translation>
         </message>
         <message>
             <source>what stands there is not a file</source>
@@ -3490,7 +3490,7 @@
         </message>
         <message>
             <source>the disk did not take the data</source>
-            <translation>диск не принял данные</translation>
+            <translation>данные не удалось записать</translation>
         </message>
         <message>
             <source>the previous version cannot be kept</source>
@@ -3643,7 +3643,7 @@ Since: %5</source>
         </message>
         <message>
             <source>&amp;Take over</source>
-            <translation>&amp;Забрать себе</translation>
+            <translation>&amp;Всё равно открыть</translation>
         </message>
         <message>
             <source>Changed outside</source>
@@ -3719,7 +3719,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Refused texts, which no file will hold:</source>
-            <translation>Непринятый текст, который не попадёт в файл:</translation>
+            <translation>Неверные значения (не сохранены):</translation>
         </message>
         <message>
             <source>Refused texts</source>
@@ -5032,7 +5032,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The same seed gives the same batch.</source>
-            <translation>Одно и то же число даёт одну и ту же партию.</translation>
+            <translation>Один и тот же номер выборки даёт одну и ту же партию.</translation>
         </message>
         <message>
             <source>Scenarios</source>
@@ -5152,7 +5152,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>What the entry is looked up by.</source>
-            <translation>По чему запись находят.</translation>
+            <translation>Название для поиска.</translation>
         </message>
         <message>
             <source>Note</source>
@@ -6480,7 +6480,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Within so much of the best</source>
-            <translation>Не дольше лучшего более чем на</translation>
+            <translation>Превышение лучшего, не более</translation>
         </message>
         <message>
             <source>a time is given</source>
@@ -6508,7 +6508,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Either way.</source>
-            <translation>В обе стороны.</translation>
+            <translation>±.</translation>
         </message>
         <message>
             <source>Either way, in the unit of the figure.</source>
@@ -7007,7 +7007,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>this value is required; allowed: {limit}</source>
-            <translation>это значение обязательно; допускается: {limit}</translation>
+            <translation>значение не задано; допускается: {limit}</translation>
         </message>
         <message>
             <source>{value} is of the wrong type; expected: {limit}</source>
@@ -7115,7 +7115,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>{value} is no number that this project reads; needed: {limit}</source>
-            <translation>{value} — не число, от которого зависит этот проект; нужно: {limit}</translation>
+            <translation>{value} — не число проекта; нужно: {limit}</translation>
         </message>
         <message>
             <source>{value} is varied twice; needed: {limit}</source>
@@ -7924,7 +7924,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>What keeps it from being quicker is not known: the search was stopped before.</source>
-            <translation>Что не даёт быстрее, не известно: поиск был остановлен раньше.</translation>
+            <translation>Что ограничивает время, не известно: поиск был остановлен раньше.</translation>
         </message>
         <message>
             <source>The minimum margin is that of: %1.</source>
@@ -7932,7 +7932,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>What keeps it from being quicker: %1.</source>
-            <translation>Быстрее не даёт: %1.</translation>
+            <translation>Время ограничивает: %1.</translation>
         </message>
         <message>
             <source>No cycle of the grid that differs in one setting is quicker.</source>
@@ -10145,7 +10145,7 @@ With another name both versions stay as they are.</source>
         <name>StudiesShown</name>
         <message>
             <source>These results are for the inputs before the last edit. Compute them for the present inputs in the view “%1”.</source>
-            <translation>Это результаты для исходных данных до последней правки. Повторите расчёт в виде «%1».</translation>
+            <translation>Исходные данные изменены. Повторите расчёт в виде «%1».</translation>
         </message>
         <message>
             <source>It is being run: wait for it, or stop it.</source>
@@ -10379,7 +10379,7 @@ With another name both versions stay as they are.</source>
         <name>PhaseText</name>
         <message>
             <source>Of the parts of the batch %1 fail by their stock alone.</source>
-            <translation>Из деталей партии только из-за припуска не годны %1.</translation>
+            <translation>Деталей партии, не годных из-за припуска: %1.</translation>
         </message>
         <message>
             <source>The stock of %1 lies outside the range.</source>
@@ -11204,7 +11204,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The drawing requires nothing</source>
-            <translation>Чертёж ничего не требует</translation>
+            <translation>Требования не заданы</translation>
         </message>
         <message>
             <source>Meets the drawing, but close to the limit: %1 in %2</source>
@@ -11979,7 +11979,7 @@ With another name both versions stay as they are.</source>
         <name>sparkout::CatalogueDialog</name>
         <message>
             <source>Put it a&amp;side and begin a new one</source>
-            <translation>Отло&amp;жить его и начать новый</translation>
+            <translation>Переименовать, со&amp;здать новый</translation>
         </message>
         <message>
             <source>&amp;Rename…</source>
@@ -12375,7 +12375,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Stages end by the position of the wheel head: the gauge has no say, and all its places are alike.</source>
-            <translation>Ступени заканчиваются по положению шлифовальной бабки: прибор не участвует, и все его места равноценны.</translation>
+            <translation>Ступени заканчиваются по положению шлифовальной бабки: прибор не действует, и все его места равноценны.</translation>
         </message>
         <message>
             <source>In traverse grinding the gauge stands in the middle of %1. The curves say what it would do in another zone.</source>
@@ -12681,7 +12681,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>What becomes of it</source>
-            <translation>Что из этого выйдет</translation>
+            <translation>Что произойдёт</translation>
         </message>
         <message>
             <source>&amp;Keep</source>
@@ -14770,7 +14770,7 @@ target, µm</source>
         </message>
         <message>
             <source>Let the cycle run, from the blank if it is at its end</source>
-            <translation>Показать ход цикла; с конца — заново с заготовки</translation>
+            <translation>Показать ход цикла; с конца — заново от заготовки</translation>
         </message>
         <message>
             <source>by stage</source>
@@ -15274,7 +15274,7 @@ target, µm</source>
         </message>
         <message>
             <source>&amp;Take it away</source>
-            <translation>&amp;Убрать его</translation>
+            <translation>&amp;Убрать профиль</translation>
         </message>
         <message>
             <source>Reference circles of the roundness (ISO 12181): LSCI, the least-squares circle; MZCI, the two circles of the minimum zone; MICI, the maximum inscribed, or MCCI, the minimum circumscribed circle</source>
@@ -16025,7 +16025,7 @@ target, µm</source>
         </message>
         <message>
             <source>“%1” is no spark-out; allowed: %2, “%3”, “%4”</source>
-            <translation>«%1» — не выхаживание; допускается: %2, «%3», «%4»</translation>
+            <translation>выхаживание «%1» недопустимо; допускается: %2, «%3», «%4»</translation>
         </message>
         <message>
             <source>“%1”: only the last stage may spark out</source>
@@ -16088,7 +16088,7 @@ target, µm</source>
         </message>
         <message>
             <source>The part is the blank still. Step on or press Play below the views: the formulas of each step stand here, with its numbers.</source>
-            <translation>Деталь ещё заготовка. Сделайте шаг вперёд или нажмите «Пуск» под графиками: здесь появятся формулы каждого этапа с числами.</translation>
+            <translation>Шлифование не начато: деталь — заготовка. Сделайте шаг вперёд или нажмите «Пуск» под графиками: здесь появятся формулы каждого этапа с числами.</translation>
         </message>
         <message>
             <source>No cycle has been recorded.</source>
@@ -16559,7 +16559,7 @@ target, µm</source>
         </message>
         <message>
             <source>What the cycle comes to, at its worst</source>
-            <translation>Что получается в цикле, в наихудшем месте</translation>
+            <translation>Наихудшее значение</translation>
         </message>
         <message>
             <source>What is allowed</source>
@@ -17404,7 +17404,7 @@ mm/min</source>
         </message>
         <message>
             <source>The batch is of the inputs before the last edit.</source>
-            <translation>Партия рассчитана по исходным данным до последней правки.</translation>
+            <translation>Исходные данные изменены после расчёта партии.</translation>
         </message>
         <message>
             <source>%1: %2</source>
@@ -17798,7 +17798,7 @@ good</source>
         </message>
         <message>
             <source>The system names no program that opens %1</source>
-            <translation>Система не называет программы, которая открывает %1</translation>
+            <translation>Нет программы для %1; назначьте её</translation>
         </message>
         <message>
             <source>%1 is no longer there</source>
@@ -18075,7 +18075,7 @@ good</source>
         </message>
         <message>
             <source>Batch and search are of the inputs before the last edit.</source>
-            <translation>Партия и поиск относятся к данным до последней правки.</translation>
+            <translation>Исходные данные изменены после расчёта партии и поиска.</translation>
         </message>
         <message>
             <source>Stopped; what was done until then is shown.</source>
@@ -18673,7 +18673,7 @@ good</source>
         </message>
         <message>
             <source>Unchecks what the data cannot tell</source>
-            <translation>Снимает отметки с того, что по данным не определить</translation>
+            <translation>Снимает отметки с неопределимых параметров</translation>
         </message>
         <message>
             <source>Gives the inputs the values found, as one edit that can be undone, and marks them as calibrated</source>
@@ -19083,7 +19083,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>These measurements say nothing of the model.</source>
-            <translation>Эти измерения ничего не говорят о модели.</translation>
+            <translation>Эти измерения не проверяют модель.</translation>
         </message>
         <message numerus="yes">
             <source>and %n more</source>
@@ -19285,7 +19285,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>“%1” is no number out of %2; several are parted by semicolons</source>
-            <translation>«%1» — не число из диапазона %2; несколько чисел разделяются точкой с запятой</translation>
+            <translation>«%1» — не число из диапазона %2; разделяйте точкой с запятой</translation>
         </message>
     </context>
     <context>
@@ -19296,7 +19296,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>A row for each zone or section of a part. Double click or F2 edits a cell; several diameters are parted by semicolons.</source>
-            <translation>Строка на каждую зону или сечение детали. Двойной щелчок или F2 правит ячейку; несколько диаметров разделяются точкой с запятой.</translation>
+            <translation>Строка на каждую зону или сечение детали. Двойной щелчок или F2 правит ячейку; диаметры разделяйте точкой с запятой.</translation>
         </message>
         <message>
             <source>Measured statistics</source>
@@ -19546,7 +19546,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Nothing speaks against the model; %1 of %2 comparisons agree.</source>
-            <translation>Ничто не противоречит модели; согласуется сравнений: %1 из %2.</translation>
+            <translation>Противоречий с моделью нет; согласуется сравнений: %1 из %2.</translation>
         </message>
         <message>
             <source>The model does not agree with the parts; %1 of %2 comparisons agree.</source>
@@ -19856,7 +19856,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Enter the deflections: what they tell stands here at once.</source>
-            <translation>Введите отжатия: что из них следует, сразу появится здесь.</translation>
+            <translation>Введите отжатия: результат сразу появится здесь.</translation>
         </message>
         <message>
             <source>Nothing can be found: %1.</source>
@@ -20724,7 +20724,7 @@ s</source>
         </message>
         <message>
             <source>What becomes of it</source>
-            <translation>Что с этим сделать</translation>
+            <translation>Действие</translation>
         </message>
         <message>
             <source>The chosen line in detail</source>
@@ -21772,7 +21772,7 @@ s</source>
         </message>
         <message>
             <source>This work was changed outside of the program. Whoever marks it will be told.</source>
-            <translation>Файл работы изменён вне программы. Проверяющий об этом узнает.</translation>
+            <translation>Файл работы изменён вне программы. Преподаватель это увидит.</translation>
         </message>
         <message>
             <source>Opened: %1</source>
@@ -22729,7 +22729,7 @@ s</source>
         </message>
         <message>
             <source>The printer or the file did not take the pages.</source>
-            <translation>Принтер или файл не принял страницы.</translation>
+            <translation>Вывод не удался. Проверьте принтер и диск.</translation>
         </message>
         <message>
             <source>Export: %1</source>
