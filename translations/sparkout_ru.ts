@@ -2652,7 +2652,7 @@
         </message>
         <message>
             <source>The numbers are predictions of a model and are to be confirmed at the machine. The card follows the layout of an operation card and claims no conformity with the form of any standard.</source>
-            <translation>Числа предсказаны моделью и подлежат проверке на станке. Карта следует расположению операционной карты и не претендует на соответствие форме какого-либо стандарта.</translation>
+            <translation>Числа предсказаны моделью и подлежат проверке на станке. Карта составлена по образцу операционной карты и не претендует на соответствие форме какого-либо стандарта.</translation>
         </message>
         <message>
             <source>Zone</source>
@@ -3627,7 +3627,7 @@ Since: %5</source>
         </message>
         <message>
             <source>Take it over only if nobody works in it any more.</source>
-            <translation>Забирайте его себе, только если с ним больше никто не работает.</translation>
+            <translation>Открывайте его, только если с ним больше никто не работает.</translation>
         </message>
         <message>
             <source>The file is in use</source>
@@ -5248,7 +5248,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Minimum overlap of a stage</source>
-            <translation>Перекрытие ступени, не менее</translation>
+            <translation>Коэф. перекрытия ступени, не менее</translation>
         </message>
         <message>
             <source>Wheel widths to the table&apos;s advance in one revolution, at least; usually 1.05. Below 1 strips stay uncut.</source>
@@ -5256,7 +5256,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Minimum overlap of the last stage</source>
-            <translation>Перекрытие последней ступени, не менее</translation>
+            <translation>Коэф. перекрытия последней ступени, не менее</translation>
         </message>
         <message>
             <source>same as for every stage</source>
@@ -6528,7 +6528,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Else it is said before the run, and nothing is shown until then.</source>
-            <translation>Иначе называется до расчёта, и до тех пор ничего не показано.</translation>
+            <translation>Иначе предсказывается до расчёта, и до тех пор ничего не показано.</translation>
         </message>
         <message>
             <source>Along</source>
@@ -7155,7 +7155,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>{value} is no input of this project; needed: {limit}</source>
-            <translation>{value} — не исходные данные этого проекта; нужно: {limit}</translation>
+            <translation>{value} — не исходная величина этого проекта; нужно: {limit}</translation>
         </message>
         <message>
             <source>{value} is named twice</source>
@@ -7700,7 +7700,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>rounds of levels: %1</source>
-            <translation>кругов с новыми уровнями: %1</translation>
+            <translation>проходов с новыми уровнями: %1</translation>
         </message>
         <message>
             <source>best %1 min</source>
@@ -7976,7 +7976,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are: decided, not sampled.</source>
-            <translation>Цикл выдерживает требования при любом припуске на сторону от %1 до %2 мм, если прочие данные не меняются: это решено точно, а не по выборке.</translation>
+            <translation>Цикл выдерживает требования при любом припуске на сторону от %1 до %2 мм, если прочие исходные данные не меняются: это решено точно, а не по выборке.</translation>
         </message>
         <message>
             <source>It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that was tried so: with 95 % confidence at most %3 % of the phases fail.</source>
@@ -9581,7 +9581,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Overlap below 1 (stage %1): the table advances more than the wheel&apos;s width in a revolution, strips stay unground.</source>
-            <translation>Перекрытие меньше 1 (ступень %1): стол за оборот проходит больше высоты круга, остаются непрошлифованные полосы.</translation>
+            <translation>Коэффициент перекрытия меньше 1 (ступень %1): стол за оборот проходит больше высоты круга, остаются непрошлифованные полосы.</translation>
         </message>
         <message>
             <source>Wheel and work turn %1 : 1, near a whole number: waves of the wheel print onto one another. Change the work speed a little.</source>
@@ -9659,7 +9659,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>model page, section 12: several surfaces in one set-up</source>
-            <translation>страница модели, раздел 12: несколько поверхностей за один установ</translation>
+            <translation>описание модели, раздел 12: несколько поверхностей за один установ</translation>
         </message>
         <message>
             <source>M. K. Alsigar, thesis abstract, Penza, 2021</source>
@@ -13415,7 +13415,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>By how much a stepless cycle might at most be quicker</source>
-            <translation>На сколько самое большее мог бы быть быстрее бесступенчатый цикл</translation>
+            <translation>На сколько, самое большее, может быть быстрее бесступенчатый цикл</translation>
         </message>
         <message>
             <source>The minimum margin of all requirements, of its limit</source>
@@ -16722,11 +16722,11 @@ target, µm</source>
         </message>
         <message>
             <source>Each holds for every stock within half an infeed of the stated one.</source>
-            <translation>С каждым изменением цикл годен для всех припусков в пределах половины подачи от заданного.</translation>
+            <translation>С каждым изменением цикл годен для всех припусков в пределах половины подачи на шаг от заданного.</translation>
         </message>
         <message>
             <source>Each holds for the stocks tried within half an infeed of the stated one; under position control that is sampled, not decided.</source>
-            <translation>С каждым изменением цикл годен для проверенных припусков в пределах половины подачи от заданного; при управлении по положению это проверено выборкой, а не решено.</translation>
+            <translation>С каждым изменением цикл годен для проверенных припусков в пределах половины подачи на шаг от заданного; при управлении по положению это проверено выборкой, а не решено.</translation>
         </message>
         <message>
             <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit for the stated stock, but with a stock of {stock} mm the cycle does not end by itself.</source>
@@ -17851,7 +17851,7 @@ good</source>
         </message>
         <message>
             <source>Without it the stiffness of the project stays as it is; the other values of the machine are taken.</source>
-            <translation>Без отметки жёсткость в проекте остаётся прежней; остальные значения станка берутся.</translation>
+            <translation>Без отметки жёсткость в проекте остаётся прежней; остальные значения станка применяются.</translation>
         </message>
         <message>
             <source>The compliance is given on the page of the machine, which does not read a stiffness. With this the given compliance goes, and γ follows from the stiffness of the machine and from the shaft.</source>
@@ -17890,7 +17890,7 @@ good</source>
         </message>
         <message>
             <source>Beside the usual inputs those are shown that are calibrated, refused or warned of, or that are neither the default nor the catalogue's</source>
-            <translation>Кроме обычных данных показаны калиброванные, отклонённые, с предупреждением и те, что отличаются от значений по умолчанию и от каталога</translation>
+            <translation>Кроме обычных данных показаны откалиброванные, непринятые, с предупреждением и те, что отличаются от значений по умолчанию и от каталога</translation>
         </message>
     </context>
     <context>
@@ -20756,7 +20756,7 @@ s</source>
         </message>
         <message>
             <source>The logo of the pack is left out. %1</source>
-            <translation>Логотип из набора не берётся. %1</translation>
+            <translation>Логотип из набора не импортируется. %1</translation>
         </message>
         <message>
             <source>Nothing of yours is replaced unless you choose it here. A pack holds data alone: nothing in it is run.</source>
@@ -20812,7 +20812,7 @@ s</source>
         </message>
         <message>
             <source>Take</source>
-            <translation>Взять</translation>
+            <translation>Импортировать</translation>
         </message>
         <message>
             <source>Keep both</source>
@@ -22535,7 +22535,7 @@ s</source>
         </message>
         <message>
             <source>Take the &amp;project</source>
-            <translation>&amp;Взять проект</translation>
+            <translation>&amp;Включить проект</translation>
         </message>
         <message>
             <source>The project in the window becomes that of the laboratory work</source>
