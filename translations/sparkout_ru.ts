@@ -1649,7 +1649,7 @@
         </message>
         <message>
             <source>Overlap B/s</source>
-            <translation>Перекрытие B/s</translation>
+            <translation>Коэф. перекрытия B/s</translation>
         </message>
         <message>
             <source>Overlap ratio B/s_ax, s_ax = S_ax/n: how many revolutions a place of the surface is under the wheel in one stroke. Below 1 strips stay unground. For the cycle: the least of its stages.</source>
@@ -3781,7 +3781,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Tangential force</source>
-            <translation>Тангенциальная составляющая силы резания</translation>
+            <translation>Касательная составляющая силы резания</translation>
         </message>
         <message>
             <source>Limiting depth of cut, burn</source>
@@ -5180,7 +5180,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Value</source>
-            <translation>Величина</translation>
+            <translation>Значение</translation>
         </message>
         <message>
             <source>Key of the number.</source>
@@ -10565,7 +10565,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>tangential force of shear, per width and depth</source>
-            <translation>тангенциальная сила сдвига на единицу ширины и подачи</translation>
+            <translation>касательная сила сдвига на единицу ширины и подачи</translation>
         </message>
         <message>
             <source>normal force</source>
@@ -10573,7 +10573,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>tangential force</source>
-            <translation>тангенциальная составляющая силы резания</translation>
+            <translation>касательная составляющая силы резания</translation>
         </message>
         <message>
             <source>limiting depth of cut</source>
@@ -10733,7 +10733,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>tangential force that the drive allows, per width</source>
-            <translation>тангенциальная сила, которую допускает привод, на единицу ширины</translation>
+            <translation>касательная сила, которую допускает привод, на единицу ширины</translation>
         </message>
         <message>
             <source>cutting grains on a square millimetre of the contact</source>
@@ -16583,7 +16583,7 @@ target, µm</source>
         </message>
         <message>
             <source>fails</source>
-            <translation>нарушено</translation>
+            <translation>не выполнено</translation>
         </message>
         <message>
             <source>Value</source>
@@ -17563,7 +17563,7 @@ mm/min</source>
         <message>
             <source>max</source>
             <comment>diameter</comment>
-            <translation>макс</translation>
+            <translation>наиб.</translation>
         </message>
         <message>
             <source>Requirement</source>
@@ -17985,7 +17985,7 @@ good</source>
         </message>
         <message>
             <source>%1 of %2 bad</source>
-            <translation>брак %1 из %2</translation>
+            <translation>не годны %1 из %2</translation>
         </message>
         <message>
             <source>Surface</source>
@@ -19948,7 +19948,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>&amp;Stop</source>
-            <translation>С&amp;топ</translation>
+            <translation>Ос&amp;тановить</translation>
         </message>
         <message>
             <source>What the trial is for</source>
@@ -20804,7 +20804,7 @@ s</source>
         </message>
         <message>
             <source>Do not take</source>
-            <translation>Не брать</translation>
+            <translation>Не импортировать</translation>
         </message>
         <message>
             <source>Replace yours</source>
