@@ -11831,7 +11831,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Rank regression: standardised coefficients, of the parts of the batch; sign and weight as far as the dependence is monotone, which R² says. Sobol indices: share of the variance, of parts of their own.</source>
-            <translation>Ранговая регрессия: стандартизованные коэффициенты по деталям партии; знак и вес настолько, насколько зависимость монотонна, о чём говорит R². Индексы Соболя: доля дисперсии, по собственным деталям.</translation>
+            <translation>Ранговая регрессия: стандартизованные коэффициенты по деталям партии; знак и вес настолько, насколько зависимость монотонна, что показывает R². Индексы Соболя: доля дисперсии, по собственным деталям.</translation>
         </message>
         <message>
             <source>Quantity across</source>
@@ -11940,7 +11940,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Your own catalogue cannot be read. “From catalogue…” says why.</source>
-            <translation>Ваш каталог не читается. Почему — сказано в окне «Из каталога…».</translation>
+            <translation>Ваш каталог не читается. Причина указана в окне «Из каталога…».</translation>
         </message>
         <message>
             <source>Your entry of this name will be replaced.</source>
