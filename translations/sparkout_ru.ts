@@ -40,7 +40,7 @@
         <name>BatchText</name>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>Mean diameter</source>
@@ -77,7 +77,7 @@
         <message>
             <source>%1, seed %2</source>
             <comment>Latin hypercube, seed 1</comment>
-            <translation>%1, начальное число %2</translation>
+            <translation>%1, номер выборки %2</translation>
         </message>
         <message>
             <source>Stopped after %1 of %2 parts, %3.</source>
@@ -477,7 +477,7 @@
         </message>
         <message>
             <source>traverse grinding</source>
-            <translation>с осевой подачей</translation>
+            <translation>с продольной подачей</translation>
         </message>
         <message>
             <source>plunge grinding</source>
@@ -513,7 +513,7 @@
         </message>
         <message>
             <source>by the in-process gauge</source>
-            <translation>по прибору (ПАК)</translation>
+            <translation>от прибора (ПАК)</translation>
         </message>
         <message>
             <source>by wheel head position</source>
@@ -629,7 +629,7 @@
         </message>
         <message>
             <source>size at the gauge</source>
-            <translation>размер на приборе</translation>
+            <translation>размер по прибору</translation>
         </message>
         <message>
             <source>wheel power</source>
@@ -875,7 +875,7 @@
         </message>
         <message>
             <source>Axial, mm/min</source>
-            <translation>Осевая, мм/мин</translation>
+            <translation>Продольная, мм/мин</translation>
         </message>
         <message>
             <source>Radius before, µm</source>
@@ -928,7 +928,7 @@
         <name>Condition</name>
         <message>
             <source>traverse</source>
-            <translation>с осевой подачей</translation>
+            <translation>с продольной подачей</translation>
         </message>
         <message>
             <source>plunge</source>
@@ -976,7 +976,7 @@
         </message>
         <message>
             <source>gauge control</source>
-            <translation>управление по прибору</translation>
+            <translation>управление от прибора</translation>
         </message>
         <message>
             <source>position control</source>
@@ -1196,7 +1196,7 @@
         </message>
         <message>
             <source>record the wheel&apos;s power over the same cycle</source>
-            <translation>запишите мощность круга за тот же цикл</translation>
+            <translation>запишите мощность привода круга за тот же цикл</translation>
         </message>
         <message>
             <source>record the normal force over the same cycle</source>
@@ -1204,7 +1204,7 @@
         </message>
         <message>
             <source>record the size at the gauge over a cycle</source>
-            <translation>запишите размер на приборе за цикл</translation>
+            <translation>запишите размер по прибору за цикл</translation>
         </message>
         <message>
             <source>record a cycle with a stage at another feed, or with a spark-out</source>
@@ -1304,11 +1304,11 @@
         </message>
         <message>
             <source>size at the gauge</source>
-            <translation>размер на приборе</translation>
+            <translation>размер по прибору</translation>
         </message>
         <message>
             <source>power of the wheel</source>
-            <translation>мощность круга</translation>
+            <translation>мощность привода круга</translation>
         </message>
         <message>
             <source>normal force</source>
@@ -1360,7 +1360,7 @@
         </message>
         <message>
             <source>mean wheel power over the feeds</source>
-            <translation>средняя мощность круга при рабочих подачах</translation>
+            <translation>средняя мощность привода круга при рабочих подачах</translation>
         </message>
         <message>
             <source>time from the middle of the first feed to the end of the last one, between the same two sizes</source>
@@ -1411,7 +1411,7 @@
         </message>
         <message>
             <source>Grind surface %1 by traverse grinding to %2</source>
-            <translation>Шлифовать поверхность %1 с осевой подачей в размер %2</translation>
+            <translation>Шлифовать поверхность %1 с продольной подачей в размер %2</translation>
         </message>
         <message>
             <source>Grind surface %1 by plunge grinding to %2</source>
@@ -1451,7 +1451,7 @@
         </message>
         <message>
             <source>dwell at the entry %1, at the exit %2 s</source>
-            <translation>задержка на входе %1, на выходе %2 с</translation>
+            <translation>выстой на входе %1, на выходе %2 с</translation>
         </message>
         <message>
             <source>plunge-in at a reversal %1 mm/min</source>
@@ -1503,7 +1503,7 @@
         </message>
         <message>
             <source> / axial, mm/min</source>
-            <translation> / осевая, мм/мин</translation>
+            <translation> / продольная, мм/мин</translation>
         </message>
         <message>
             <source>; continuous %1 mm/min</source>
@@ -1605,7 +1605,7 @@
         </message>
         <message>
             <source>Machining time of the stage.</source>
-            <translation>Время обработки на ступени.</translation>
+            <translation>Основное время ступени.</translation>
         </message>
         <message>
             <source>Maximum actual feed</source>
@@ -1649,7 +1649,7 @@
         </message>
         <message>
             <source>Overlap B/s</source>
-            <translation>Перекрытие B/s</translation>
+            <translation>Коэф. перекрытия B/s</translation>
         </message>
         <message>
             <source>Overlap ratio B/s_ax, s_ax = S_ax/n: how many revolutions a place of the surface is under the wheel in one stroke. Below 1 strips stay unground. For the cycle: the least of its stages.</source>
@@ -1673,7 +1673,7 @@
         </message>
         <message>
             <source>Maximum wheel power P_z·V_k of any pass of the stage.</source>
-            <translation>Наибольшая мощность P_z·V_k на круге по проходам ступени.</translation>
+            <translation>Наибольшая мощность шлифования P_z·V_k по проходам ступени.</translation>
         </message>
         <message>
             <source>Mean power</source>
@@ -1681,7 +1681,7 @@
         </message>
         <message>
             <source>Mean wheel power: the energy over the machining time of the stage, in all of which the wheel grinds: plunging, dwells and strokes of the table.</source>
-            <translation>Средняя мощность на круге: энергия, делённая на время обработки на ступени; круг шлифует всё это время — при врезании, задержках и ходах стола.</translation>
+            <translation>Средняя мощность шлифования: энергия, делённая на основное время ступени; круг шлифует всё это время — при врезании, выстоях и ходах стола.</translation>
         </message>
         <message>
             <source>Maximum force Py</source>
@@ -1865,7 +1865,7 @@
         </message>
         <message>
             <source>Gap to the stepless limit</source>
-            <translation>Разрыв до предела бесступенчатого цикла</translation>
+            <translation>Превышение предела бесступенчатого цикла</translation>
         </message>
         <message>
             <source>No cycle of the grid is quicker than</source>
@@ -2206,7 +2206,7 @@
         </message>
         <message>
             <source>Axial feed, mm/min</source>
-            <translation>Осевая подача, мм/мин</translation>
+            <translation>Продольная подача, мм/мин</translation>
         </message>
         <message>
             <source>T, min</source>
@@ -2246,7 +2246,7 @@
         </message>
         <message>
             <source>m: radial feed, mm per double stroke · axial feed, mm/min</source>
-            <translation>m: радиальная подача, мм на дв. ход · осевая подача, мм/мин</translation>
+            <translation>m: радиальная подача, мм на дв. ход · продольная подача, мм/мин</translation>
         </message>
         <message>
             <source>m: radial feed, mm/min</source>
@@ -2327,7 +2327,7 @@
         </message>
         <message>
             <source>The levels of stock are gauged: the grid is of cycles under gauge control. This project is under position control; the page Gauge changes that.</source>
-            <translation>Уровни припуска контролирует прибор: сетка состоит из циклов с управлением по прибору. В этом проекте управление по положению; оно меняется на странице «Прибор».</translation>
+            <translation>Уровни припуска контролирует прибор: сетка состоит из циклов с управлением от прибора. В этом проекте управление по положению; оно меняется на странице «ПАК».</translation>
         </message>
         <message>
             <source>Levels: %1, feeds: %2, stages at most: %3</source>
@@ -2541,7 +2541,7 @@
         <name>ExerciseSheet</name>
         <message>
             <source>Computed by the engine: it has run the whole cycle with that one input changed.</source>
-            <translation>Ответы вычислены программой: весь цикл просчитан с одним изменённым исходным данным.</translation>
+            <translation>Ответы вычислены программой: весь цикл просчитан с одной изменённой исходной величиной.</translation>
         </message>
         <message>
             <source>Asked for</source>
@@ -2675,7 +2675,7 @@
         </message>
         <message>
             <source>The numbers are predictions of a model and are to be confirmed at the machine. The card follows the layout of an operation card and claims no conformity with the form of any standard.</source>
-            <translation>Числа предсказаны моделью и подлежат проверке на станке. Карта следует расположению операционной карты и не претендует на соответствие форме какого-либо стандарта.</translation>
+            <translation>Числа предсказаны моделью и подлежат проверке на станке. Карта составлена по образцу операционной карты и не претендует на соответствие форме какого-либо стандарта.</translation>
         </message>
         <message>
             <source>Zone</source>
@@ -2717,11 +2717,11 @@
         <name>OperationSetup</name>
         <message>
             <source>Cylindrical traverse grinding</source>
-            <translation>Круглое наружное шлифование с осевой подачей</translation>
+            <translation>Круглое наружное шлифование с продольной подачей</translation>
         </message>
         <message>
             <source>Internal traverse grinding</source>
-            <translation>Внутреннее шлифование с осевой подачей</translation>
+            <translation>Внутреннее шлифование с продольной подачей</translation>
         </message>
         <message>
             <source>Internal plunge grinding</source>
@@ -2805,11 +2805,11 @@
         </message>
         <message>
             <source>Radial feed, mm/dbl stroke</source>
-            <translation>Подача радиальная, мм/дв.ход</translation>
+            <translation>Подача радиальная, мм/дв. ход</translation>
         </message>
         <message>
             <source>Axial feed, mm/min</source>
-            <translation>Подача осевая, мм/мин</translation>
+            <translation>Подача продольная, мм/мин</translation>
         </message>
         <message>
             <source>Continuous infeed, mm/min</source>
@@ -2866,9 +2866,9 @@
         <message numerus="yes">
             <source>%n gap(s), %1 % of the turn is ground</source>
             <translation>
-                <numerusform>%n разрыв, шлифуется %1 % оборота</numerusform>
-                <numerusform>%n разрыва, шлифуется %1 % оборота</numerusform>
-                <numerusform>%n разрывов, шлифуется %1 % оборота</numerusform>
+                <numerusform>%n паз, шлифуется %1 % оборота</numerusform>
+                <numerusform>%n паза, шлифуется %1 % оборота</numerusform>
+                <numerusform>%n пазов, шлифуется %1 % оборота</numerusform>
             </translation>
         </message>
     </context>
@@ -2955,15 +2955,15 @@
         </message>
         <message>
             <source>Take the cycle found</source>
-            <translation>Взять найденный цикл</translation>
+            <translation>Применить найденный цикл</translation>
         </message>
         <message>
             <source>Take the values of a point of the sweep</source>
-            <translation>Взять значения точки варьирования</translation>
+            <translation>Применить значения точки варьирования</translation>
         </message>
         <message>
             <source>Input of the sweep</source>
-            <translation>Величина варьирования</translation>
+            <translation>Варьируемая величина</translation>
         </message>
         <message>
             <source>Range of the sweep</source>
@@ -3093,7 +3093,7 @@
         </message>
         <message>
             <source>Bushing with a bore, internal traverse</source>
-            <translation>Втулка 50H7, внутреннее шлифование с осевой подачей</translation>
+            <translation>Втулка 50H7, внутреннее шлифование с продольной подачей</translation>
         </message>
         <message>
             <source>Shaft 30h6, measured batch of 50</source>
@@ -3288,7 +3288,7 @@
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Машинное время</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>Number of double strokes</source>
@@ -3405,7 +3405,7 @@
         </message>
         <message>
             <source>axial feed</source>
-            <translation>осевая подача</translation>
+            <translation>продольная подача</translation>
         </message>
         <message>
             <source>normal force</source>
@@ -3437,7 +3437,7 @@
         </message>
         <message>
             <source>axial feed %1 mm/min</source>
-            <translation>осевая подача %1 мм/мин</translation>
+            <translation>продольная подача %1 мм/мин</translation>
         </message>
         <message>
             <source>%1, mm/min</source>
@@ -3493,7 +3493,7 @@
         <name>FileError</name>
         <message>
             <source>the path cannot be reached</source>
-            <translation>путь недоступен</translation>
+            <translation>файл или папка недоступны</translation>
         </message>
         <message>
             <source>what stands there is not a file</source>
@@ -3517,7 +3517,7 @@
         </message>
         <message>
             <source>the disk did not take the data</source>
-            <translation>диск не принял данные</translation>
+            <translation>данные не удалось записать</translation>
         </message>
         <message>
             <source>the previous version cannot be kept</source>
@@ -3654,7 +3654,7 @@ Since: %5</source>
         </message>
         <message>
             <source>Take it over only if nobody works in it any more.</source>
-            <translation>Забирайте его себе, только если с ним больше никто не работает.</translation>
+            <translation>Открывайте его, только если с ним больше никто не работает.</translation>
         </message>
         <message>
             <source>The file is in use</source>
@@ -3670,7 +3670,7 @@ Since: %5</source>
         </message>
         <message>
             <source>&amp;Take over</source>
-            <translation>&amp;Забрать себе</translation>
+            <translation>&amp;Всё равно открыть</translation>
         </message>
         <message>
             <source>Changed outside</source>
@@ -3746,7 +3746,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Refused texts, which no file will hold:</source>
-            <translation>Непринятый текст, который не попадёт в файл:</translation>
+            <translation>Неверные значения (не сохранены):</translation>
         </message>
         <message>
             <source>Refused texts</source>
@@ -3808,7 +3808,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Tangential force</source>
-            <translation>Тангенциальная составляющая силы резания</translation>
+            <translation>Касательная составляющая силы резания</translation>
         </message>
         <message>
             <source>Limiting depth of cut, burn</source>
@@ -3852,7 +3852,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>In the sources K_1 = b·k_s and K_2 = b·k_r with axial feed, K_3 and K_4 in plunge.</source>
-            <translation>В источниках К_1 = b·k_s и К_2 = b·k_r с осевой подачей, К_3 и К_4 — при врезании.</translation>
+            <translation>В источниках К_1 = b·k_s и К_2 = b·k_r с продольной подачей, К_3 и К_4 — при врезании.</translation>
         </message>
         <message>
             <source>In the sources K_3 = b·k_s and K_4 = b·k_r.</source>
@@ -3871,7 +3871,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>present place</source>
-            <translation>нынешнее место</translation>
+            <translation>текущее место</translation>
         </message>
         <message>
             <source>all diameters</source>
@@ -3993,7 +3993,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Its inputs are those of %1.</source>
-            <translation>Его величины те же, что у %1.</translation>
+            <translation>Его исходные величины те же, что у %1.</translation>
         </message>
         <message>
             <source>In the project file: %1</source>
@@ -4087,7 +4087,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Levels of the axial feed</source>
-            <translation>Уровни осевой подачи</translation>
+            <translation>Уровни продольной подачи</translation>
         </message>
         <message>
             <source>A list, or from, to and step.</source>
@@ -4167,7 +4167,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Traverse: the table strokes along the part. Plunge: the wheel covers the ground length and is fed radially.</source>
-            <translation>С осевой подачей: стол ходит вдоль детали. Врезное: круг перекрывает длину шлифования и подаётся радиально.</translation>
+            <translation>С продольной подачей: стол ходит вдоль детали. Врезное: круг перекрывает длину шлифования и подаётся радиально.</translation>
         </message>
         <message>
             <source>Part</source>
@@ -4275,7 +4275,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Range of the axial feed</source>
-            <translation>Диапазон осевой подачи</translation>
+            <translation>Диапазон продольной подачи</translation>
         </message>
         <message>
             <source>Minimum, maximum and step.</source>
@@ -4359,7 +4359,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Dwell at the entry</source>
-            <translation>Задержка на входе</translation>
+            <translation>Выстой на входе</translation>
         </message>
         <message>
             <source>Spark-out at the entry reversal, twice a double stroke, in whole revolutions of the part.</source>
@@ -4367,7 +4367,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Dwell at the exit</source>
-            <translation>Задержка на выходе</translation>
+            <translation>Выстой на выходе</translation>
         </message>
         <message>
             <source>Spark-out at the exit reversal, once a double stroke, in whole revolutions of the part.</source>
@@ -4383,7 +4383,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Deflection of the technological system for one newton at the wheel: one value a zone (traverse) or a section (plunge).</source>
-            <translation>Отжатие технологической системы на один ньютон у круга: по значению на зону (с осевой подачей) или на сечение (врезное).</translation>
+            <translation>Отжатие технологической системы на один ньютон у круга: по значению на зону (с продольной подачей) или на сечение (врезное).</translation>
         </message>
         <message>
             <source>Stiffness of the units</source>
@@ -4411,7 +4411,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Power of the wheel drive.</source>
-            <translation>Мощность привода шлифовального круга.</translation>
+            <translation>Мощность привода круга.</translation>
         </message>
         <message>
             <source>Work drive power</source>
@@ -4479,11 +4479,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Radial infeed that goes on all the time while the table travels and dwells, beside the radial feed at the reversals, which may then be 0.</source>
-            <translation>Радиальная подача, которая идёт всё время, пока стол движется и стоит на задержках, дополнительно к подаче на реверсах, которая тогда может быть равна 0.</translation>
+            <translation>Радиальная подача, которая идёт всё время, при ходах стола и на выстоях, дополнительно к подаче на реверсах, которая тогда может быть равна 0.</translation>
         </message>
         <message>
             <source>Axial feed</source>
-            <translation>Осевая подача</translation>
+            <translation>Продольная подача</translation>
         </message>
         <message>
             <source>Table speed; S_ax/n per revolution is the effective width of cut, at most the wheel width.</source>
@@ -4547,7 +4547,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Section the gauge watches, counted from the headstock: from 1 in the window and in reports, from 0 in files and on the command line. In traverse grinding the gauge is in the middle of the zone between the reversals.</source>
-            <translation>Номер сечения, за которым следит прибор, считая от передней бабки: в окне и отчётах с 1, в файлах и командной строке с 0. При шлифовании с осевой подачей прибор стоит посередине нереверсной зоны.</translation>
+            <translation>Номер сечения, за которым следит прибор, считая от передней бабки: в окне и отчётах с 1, в файлах и командной строке с 0. При шлифовании с продольной подачей прибор стоит посередине нереверсной зоны.</translation>
         </message>
         <message>
             <source>Gauge at a free position</source>
@@ -4575,7 +4575,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gauge commands</source>
-            <translation>Число команд ПАК</translation>
+            <translation>Число команд прибора</translation>
         </message>
         <message>
             <source>How many stages the gauge can switch.</source>
@@ -5055,11 +5055,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Seed</source>
-            <translation>Начальное число</translation>
+            <translation>Номер выборки</translation>
         </message>
         <message>
             <source>The same seed gives the same batch.</source>
-            <translation>Одно и то же число даёт одну и ту же партию.</translation>
+            <translation>Один и тот же номер выборки даёт одну и ту же партию.</translation>
         </message>
         <message>
             <source>Scenarios</source>
@@ -5179,7 +5179,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>What the entry is looked up by.</source>
-            <translation>По чему запись находят.</translation>
+            <translation>Название для поиска.</translation>
         </message>
         <message>
             <source>Note</source>
@@ -5207,7 +5207,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Value</source>
-            <translation>Величина</translation>
+            <translation>Значение</translation>
         </message>
         <message>
             <source>Key of the number.</source>
@@ -5275,7 +5275,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Minimum overlap of a stage</source>
-            <translation>Перекрытие ступени, не менее</translation>
+            <translation>Коэф. перекрытия ступени, не менее</translation>
         </message>
         <message>
             <source>Wheel widths to the table&apos;s advance in one revolution, at least; usually 1.05. Below 1 strips stay uncut.</source>
@@ -5283,7 +5283,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Minimum overlap of the last stage</source>
-            <translation>Перекрытие последней ступени, не менее</translation>
+            <translation>Коэф. перекрытия последней ступени, не менее</translation>
         </message>
         <message>
             <source>same as for every stage</source>
@@ -5347,7 +5347,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Traverse: the wheel&apos;s width, from which the widths of cut follow. Plunge: the ground length.</source>
-            <translation>С осевой подачей: высота круга, от которой зависит ширина контакта. Врезное: длина обработки.</translation>
+            <translation>С продольной подачей: высота круга, от которой зависит ширина контакта. Врезное: длина обработки.</translation>
         </message>
         <message>
             <source>Stock per side of the last stage</source>
@@ -5535,11 +5535,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Levels of the entry dwell</source>
-            <translation>Уровни задержки на входе</translation>
+            <translation>Уровни выстоя на входе</translation>
         </message>
         <message>
             <source>Levels of the exit dwell</source>
-            <translation>Уровни задержки на выходе</translation>
+            <translation>Уровни выстоя на выходе</translation>
         </message>
         <message>
             <source>Spark-outs at the end</source>
@@ -5559,7 +5559,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Axial feed by stage</source>
-            <translation>Осевая подача по ступеням</translation>
+            <translation>Продольная подача по ступеням</translation>
         </message>
         <message>
             <source>Plunge feed by stage</source>
@@ -5763,15 +5763,15 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gap begins at</source>
-            <translation>Разрыв начинается под углом</translation>
+            <translation>Паз начинается под углом</translation>
         </message>
         <message>
             <source>Angle of the gap's first edge, counted as the radii are, from radius 0 on.</source>
-            <translation>Угол первой кромки разрыва; отсчитывается, как и радиусы, от радиуса 0.</translation>
+            <translation>Угол первой кромки паза; отсчитывается, как и радиусы, от радиуса 0.</translation>
         </message>
         <message>
             <source>Gap width</source>
-            <translation>Ширина разрыва</translation>
+            <translation>Ширина паза</translation>
         </message>
         <message>
             <source>Width</source>
@@ -5783,7 +5783,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gaps of the surface</source>
-            <translation>Разрывы поверхности</translation>
+            <translation>Пазы поверхности</translation>
         </message>
         <message>
             <source>Keyways, splines, flats: ranges of angle without a surface, the same all along the ground length. Their radii are not ground, gauged or judged.</source>
@@ -5791,11 +5791,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gauge spans the gaps</source>
-            <translation>Прибор перекрывает разрывы</translation>
+            <translation>Прибор перекрывает пазы</translation>
         </message>
         <message>
             <source>A gauge for interrupted surfaces, with wide contacts or a reading held over the gaps. Any other drops into them, so that only the maximum diameter (in a bore the smallest) is of use.</source>
-            <translation>Прибор для прерывистых поверхностей: с широкими наконечниками или с удержанием показания над разрывом. Любой другой проваливается в них, и пригоден только наибольший диаметр (в отверстии — наименьший).</translation>
+            <translation>Прибор для прерывистых поверхностей: с широкими наконечниками или с удержанием показания над пазами. Любой другой проваливается в пазы, и пригоден только наибольший диаметр (в отверстии — наименьший).</translation>
         </message>
         <message>
             <source>Out-of-roundness of the blank: ellipse R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, or a measured profile.</source>
@@ -6019,11 +6019,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Calibrated input</source>
-            <translation>Откалиброванный параметр</translation>
+            <translation>Откалиброванная величина</translation>
         </message>
         <message>
             <source>Path of the input whose value was found.</source>
-            <translation>Путь параметра, значение которого найдено.</translation>
+            <translation>Путь исходной величины, значение которой найдено.</translation>
         </message>
         <message>
             <source>Value found</source>
@@ -6031,7 +6031,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Value that was found, in the unit of the input.</source>
-            <translation>Найденное значение в единицах параметра.</translation>
+            <translation>Найденное значение в единицах этой величины.</translation>
         </message>
         <message>
             <source>Lower end</source>
@@ -6103,7 +6103,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Inputs whose values were found from measurements.</source>
-            <translation>Параметры, значения которых найдены по измерениям.</translation>
+            <translation>Исходные величины, значения которых найдены по измерениям.</translation>
         </message>
         <message>
             <source>nothing is measured</source>
@@ -6507,7 +6507,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Within so much of the best</source>
-            <translation>Не дольше лучшего более чем на</translation>
+            <translation>Превышение лучшего, не более</translation>
         </message>
         <message>
             <source>a time is given</source>
@@ -6523,11 +6523,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Figure</source>
-            <translation>Величина</translation>
+            <translation>Показатель</translation>
         </message>
         <message>
             <source>In the unit of the figure.</source>
-            <translation>В единице величины.</translation>
+            <translation>В единице показателя.</translation>
         </message>
         <message>
             <source>Tolerance</source>
@@ -6535,11 +6535,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Either way.</source>
-            <translation>В обе стороны.</translation>
+            <translation>±.</translation>
         </message>
         <message>
             <source>Either way, in the unit of the figure.</source>
-            <translation>В обе стороны, в единице величины.</translation>
+            <translation>±, в единице показателя.</translation>
         </message>
         <message>
             <source>Tolerance, relative</source>
@@ -6555,7 +6555,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Else it is said before the run, and nothing is shown until then.</source>
-            <translation>Иначе называется до расчёта, и до тех пор ничего не показано.</translation>
+            <translation>Иначе предсказывается до расчёта, и до тех пор ничего не показано.</translation>
         </message>
         <message>
             <source>Along</source>
@@ -6627,7 +6627,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>A figure of the run has a value, within a tolerance.</source>
-            <translation>Величина, найденная расчётом, равна заданной в пределах допуска.</translation>
+            <translation>Показатель расчёта равен заданному в пределах допуска.</translation>
         </message>
         <message>
             <source>Number predicted</source>
@@ -6635,7 +6635,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>A figure is said before the run.</source>
-            <translation>Величина называется до расчёта.</translation>
+            <translation>Показатель предсказывают до расчёта.</translation>
         </message>
         <message>
             <source>Curve predicted</source>
@@ -6699,7 +6699,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>In a traverse cycle.</source>
-            <translation>При продольном шлифовании.</translation>
+            <translation>При шлифовании с продольной подачей.</translation>
         </message>
         <message>
             <source>Its path in a project file, as `/wheel/dullness` or `/cycle/stages/0/stock_mm`.</source>
@@ -6843,23 +6843,23 @@ With another name both versions stay as they are.</source>
     </message>
     <message>
         <source>The figure is that of the project as the step begins; from 1.</source>
-        <translation>Величина берётся у проекта в начале этого шага; счёт от 1.</translation>
+        <translation>Показатель — у проекта в начале этого шага; счёт от 1.</translation>
     </message>
     <message>
         <source>Minimum</source>
-        <translation>Минимум</translation>
+        <translation>Наименьшее</translation>
     </message>
     <message>
         <source>Maximum</source>
-        <translation>Максимум</translation>
+        <translation>Наибольшее</translation>
     </message>
     <message>
         <source>no minimum</source>
-        <translation>без минимума</translation>
+        <translation>не ограничено снизу</translation>
     </message>
     <message>
         <source>no maximum</source>
-        <translation>без максимума</translation>
+        <translation>не ограничено сверху</translation>
     </message>
     <message>
         <source>Every value of each goes with every value of the others.</source>
@@ -6871,7 +6871,7 @@ With another name both versions stay as they are.</source>
     </message>
     <message>
         <source>Figures</source>
-        <translation>Величины</translation>
+        <translation>Показатели</translation>
     </message>
     <message>
         <source>What every variant has within bounds as given, so that the questions are true of it.</source>
@@ -7034,7 +7034,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>this value is required; allowed: {limit}</source>
-            <translation>это значение обязательно; допускается: {limit}</translation>
+            <translation>значение не задано; допускается: {limit}</translation>
         </message>
         <message>
             <source>{value} is of the wrong type; expected: {limit}</source>
@@ -7142,7 +7142,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>{value} is no number that this project reads; needed: {limit}</source>
-            <translation>{value} — не число, от которого зависит этот проект; нужно: {limit}</translation>
+            <translation>{value} — не число проекта; нужно: {limit}</translation>
         </message>
         <message>
             <source>{value} is varied twice; needed: {limit}</source>
@@ -7154,7 +7154,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>a dwell of {value} is rounded to {limit}, whole revolutions</source>
-            <translation>задержка {value} округлена до {limit}, до целых оборотов</translation>
+            <translation>выстой {value} округлён до {limit}, до целых оборотов</translation>
         </message>
         <message>
             <source>a file of version {value} holds several surfaces of a part; the window and sparkout-cli take it</source>
@@ -7170,19 +7170,19 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>the gaps leave too little of the surface: {value} radii stand outside them; needed: {limit}, two of them opposite each other</source>
-            <translation>разрывы оставляют слишком мало поверхности: вне их радиусов {value}; нужно: {limit}, из них два напротив друг друга</translation>
+            <translation>пазы оставляют слишком мало поверхности: вне их радиусов {value}; нужно: {limit}, из них два напротив друг друга</translation>
         </message>
         <message>
             <source>a gap of {value} lies between two radii, which stand {limit} apart: it leaves nothing out</source>
-            <translation>разрыв {value} лежит между двумя радиусами, шаг которых {limit}: он ничего не исключает</translation>
+            <translation>паз {value} лежит между двумя радиусами, шаг которых {limit}: он ничего не исключает</translation>
         </message>
         <message>
             <source>a gauge that does not span the gaps drops into them; needed: {limit}</source>
-            <translation>прибор, не перекрывающий разрывы, проваливается в них; нужно: {limit}</translation>
+            <translation>прибор проваливается в пазы; нужно: {limit}</translation>
         </message>
         <message>
             <source>{value} is no input of this project; needed: {limit}</source>
-            <translation>{value} — не исходные данные этого проекта; нужно: {limit}</translation>
+            <translation>{value} — не исходная величина этого проекта; нужно: {limit}</translation>
         </message>
         <message>
             <source>{value} is named twice</source>
@@ -7543,7 +7543,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>entry dwell</source>
-            <translation>задержка на входе</translation>
+            <translation>выстой на входе</translation>
         </message>
         <message>
             <source>working stroke</source>
@@ -7551,7 +7551,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>exit dwell</source>
-            <translation>задержка на выходе</translation>
+            <translation>выстой на выходе</translation>
         </message>
         <message>
             <source>plunge-in at the exit</source>
@@ -7611,7 +7611,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>dwell after return</source>
-            <translation>2-я задержка</translation>
+            <translation>2-й выстой</translation>
         </message>
         <message>
             <source>Before the first touch</source>
@@ -7643,11 +7643,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>%1× min</source>
-            <translation>%1×мин.</translation>
+            <translation>%1×наим.</translation>
         </message>
         <message>
             <source>%1× max</source>
-            <translation>%1×макс.</translation>
+            <translation>%1×наиб.</translation>
         </message>
         <message>
             <source>%1 × the lower limit</source>
@@ -7660,11 +7660,11 @@ With another name both versions stay as they are.</source>
         <message>
             <source>double stroke %1</source>
             <comment>short</comment>
-            <translation>дв.ход %1</translation>
+            <translation>дв. ход %1</translation>
         </message>
         <message>
             <source>Strips stay uncut (overlap B/s %1, below 1): this is not the whole surface, and its size, form and roughness are those of the cut part alone.</source>
-            <translation>Остаются непрошлифованные полосы (перекрытие B/s %1, меньше 1): это не вся поверхность, её размер, форма и шероховатость относятся только к прошлифованной части.</translation>
+            <translation>Остаются непрошлифованные полосы (коэффициент перекрытия B/s %1, меньше 1): это не вся поверхность, её размер, форма и шероховатость относятся только к прошлифованной части.</translation>
         </message>
         <message>
             <source>The part is ground away</source>
@@ -7727,7 +7727,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>rounds of levels: %1</source>
-            <translation>кругов с новыми уровнями: %1</translation>
+            <translation>проходов с новыми уровнями: %1</translation>
         </message>
         <message>
             <source>best %1 min</source>
@@ -7775,7 +7775,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Cost and wheel life are searched for the part as it stands, without the phases of the stock and the batch.</source>
-            <translation>Стоимость и стойкость круга ищутся для детали, как она задана: без фаз припуска и партии.</translation>
+            <translation>Стоимость и стойкость круга ищутся для детали, как она задана: только для её припуска и без партии.</translation>
         </message>
         <message>
             <source>What is to be searched is not given.</source>
@@ -7799,7 +7799,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Work speed, dwells and spark-outs make more than %1 combinations: take fewer levels.</source>
-            <translation>Частота вращения, задержки и выхаживания дают более %1 сочетаний: возьмите меньше уровней.</translation>
+            <translation>Частота вращения, выстои и выхаживания дают более %1 сочетаний: возьмите меньше уровней.</translation>
         </message>
         <message>
             <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the stages&apos; feeds and stocks.</source>
@@ -7847,7 +7847,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>%1 min: of %2 the quickest that holds for the part and the scenarios added; proved for these.</source>
-            <translation>%1 мин: самый быстрый (%2) из годных для детали и добавленных условий; для них доказано.</translation>
+            <translation>%1 мин: самый быстрый (%2) из годных для детали и добавленных сценариев; для них доказано.</translation>
         </message>
         <message>
             <source>%1 min: the quickest of %2, proved.</source>
@@ -7927,7 +7927,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The stepless limit is %1 min, %2 % below it.</source>
-            <translation>Бесступенчатый предел %1 мин, на %2 % меньше.</translation>
+            <translation>Предел бесступенчатого цикла %1 мин, на %2 % меньше.</translation>
         </message>
         <message>
             <source>The limit holds for cycles with a continuous infeed of up to %1 mm/min.</source>
@@ -7951,7 +7951,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>What keeps it from being quicker is not known: the search was stopped before.</source>
-            <translation>Что не даёт быстрее, не известно: поиск был остановлен раньше.</translation>
+            <translation>Что ограничивает время, не известно: поиск был остановлен раньше.</translation>
         </message>
         <message>
             <source>The minimum margin is that of: %1.</source>
@@ -7959,7 +7959,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>What keeps it from being quicker: %1.</source>
-            <translation>Быстрее не даёт: %1.</translation>
+            <translation>Время ограничивает: %1.</translation>
         </message>
         <message>
             <source>No cycle of the grid that differs in one setting is quicker.</source>
@@ -7999,15 +7999,15 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are and at each of the %3 corners of the batch&apos;s other factors: decided, not sampled.</source>
-            <translation>Годен при любом припуске %1…%2 мм на сторону, как при заданных остальных исходных данных, так и в каждом из %3 сочетаний крайних значений остальных факторов партии: решено точно, а не по выборке.</translation>
+            <translation>Годен при любом припуске %1…%2 мм на сторону, как при заданных остальных исходных данных, так и в каждом из %3 крайних сочетаний остальных факторов партии: решено точно, а не по выборке.</translation>
         </message>
         <message>
             <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are: decided, not sampled.</source>
-            <translation>Цикл выдерживает требования при любом припуске на сторону от %1 до %2 мм, если прочие данные не меняются: это решено точно, а не по выборке.</translation>
+            <translation>Цикл выдерживает требования при любом припуске на сторону от %1 до %2 мм, если прочие исходные данные не меняются: это решено точно, а не по выборке.</translation>
         </message>
         <message>
             <source>It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that was tried so: with 95 % confidence at most %3 % of the phases fail.</source>
-            <translation>Цикл годен при всех %1 заново выбранных фазах припуска, это %2-й из циклов, проверенных так: с доверительной вероятностью 95 % он не годен не более чем при %3 % фаз.</translation>
+            <translation>Цикл годен для всех %1 заново выбранных припусков в пределах подачи на шаг, это %2-й из циклов, проверенных так: с доверительной вероятностью 95 % он не годен не более чем для %3 % таких припусков.</translation>
         </message>
         <message>
             <source>The nominal part alone, of the same levels, would take %1 min: robustness costs %2 % of time.</source>
@@ -8027,7 +8027,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Margins by time over all phases of the stock are searched under gauge control alone.</source>
-            <translation>Запас по времени по всем фазам припуска ищется только при управлении от прибора.</translation>
+            <translation>Запас по времени для всех припусков в пределах подачи на шаг ищется только при управлении от прибора.</translation>
         </message>
         <message>
             <source>No margins by time: the search was stopped before, or no cycle holds.</source>
@@ -8062,7 +8062,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Of every stage: radial feed, mm per double stroke; axial feed, mm/min; stock per side, mm</source>
-            <translation>Для каждой ступени: радиальная подача, мм/дв.ход; осевая подача, мм/мин; припуск на сторону, мм</translation>
+            <translation>Для каждой ступени: радиальная подача, мм/дв. ход; продольная подача, мм/мин; припуск на сторону, мм</translation>
         </message>
         <message>
             <source>Of every stage: radial feed, mm/min; stock per side, mm</source>
@@ -8082,7 +8082,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>dwells %1 and %2 s</source>
-            <translation>задержки %1 и %2 с</translation>
+            <translation>выстой %1 и %2 с</translation>
         </message>
         <message>
             <source>“Search” finds the cycle of the grid with the minimum cost of a part, together with the parts between dressings: it holds for all of them.</source>
@@ -8276,7 +8276,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Corners are no sample: they tell extremes and counts, no mean and no capability.</source>
-            <translation>Угловые сценарии — не выборка: они дают крайние значения и число деталей, но не среднее и не показатели пригодности процесса.</translation>
+            <translation>Крайние сочетания — не выборка: они дают крайние значения и число деталей, но не среднее и не показатели пригодности процесса.</translation>
         </message>
         <message>
             <source>Capability and share out of tolerance</source>
@@ -8466,7 +8466,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>This is the prediction of a model, to be confirmed at the machine; it is no assessment of conformity and replaces no measurement.</source>
@@ -8645,7 +8645,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Seed</source>
-            <translation>Начальное число</translation>
+            <translation>Номер выборки</translation>
         </message>
         <message>
             <source>none is drawn</source>
@@ -8717,7 +8717,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The same inputs and the same seed give the same numbers, with any number of threads. All that the computation reads is in the appendix, each number with all its digits.</source>
-            <translation>Те же исходные данные и то же начальное число дают те же результаты при любом числе потоков. Всё, что читает расчёт, приведено в приложении, каждое число — со всеми знаками.</translation>
+            <translation>Те же исходные данные и тот же номер выборки дают те же результаты при любом числе потоков. Всё, что читает расчёт, приведено в приложении, каждое число — со всеми знаками.</translation>
         </message>
         <message>
             <source>The same inputs give the same numbers. All that the computation reads is in the appendix, each number with all its digits.</source>
@@ -8997,11 +8997,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>%1, φ = %2° (k = %3): in a gap of the surface</source>
-            <translation>%1, φ = %2° (k = %3): в разрыве поверхности</translation>
+            <translation>%1, φ = %2° (k = %3): в пазу поверхности</translation>
         </message>
         <message>
             <source>%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its mean; opposite a gap</source>
-            <translation>%1, φ = %2° (k = %3): радиус %4 мкм от целевого, %5 мкм от среднего; напротив разрыва</translation>
+            <translation>%1, φ = %2° (k = %3): радиус %4 мкм от целевого, %5 мкм от среднего; напротив паза</translation>
         </message>
         <message>
             <source>; cylindricity %1 µm, total runout %2 µm, taper %3 µm</source>
@@ -9070,7 +9070,7 @@ With another name both versions stay as they are.</source>
         <name>Requirement</name>
         <message>
             <source>Minimum diameter</source>
-            <translation>Мин. диаметр</translation>
+            <translation>Наим. диаметр</translation>
         </message>
         <message>
             <source>diameter in %1 is %2 µm below the lower limit</source>
@@ -9078,7 +9078,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Maximum diameter</source>
-            <translation>Макс. диаметр</translation>
+            <translation>Наиб. диаметр</translation>
         </message>
         <message>
             <source>diameter in %1 is %2 µm above the upper limit</source>
@@ -9158,7 +9158,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Axial feed in range</source>
-            <translation>Осевая подача в диапазоне</translation>
+            <translation>Продольная подача в диапазоне</translation>
         </message>
         <message>
             <source>Plunge feed in range</source>
@@ -9174,7 +9174,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gauge commands</source>
-            <translation>Число команд ПАК</translation>
+            <translation>Число команд прибора</translation>
         </message>
         <message>
             <source>the stages need %2 more gauge commands than there are</source>
@@ -9186,7 +9186,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>overlap B/s in %1 is %3, below 1: strips stay uncut, so size, form and roughness are not known of the whole surface</source>
-            <translation>перекрытие B/s (%1) равно %3, меньше 1: остаются непрошлифованные полосы, поэтому размер, форма и шероховатость всей поверхности неизвестны</translation>
+            <translation>коэффициент перекрытия B/s (%1) равен %3, меньше 1: остаются непрошлифованные полосы, поэтому размер, форма и шероховатость всей поверхности неизвестны</translation>
         </message>
         <message>
             <source>Required overlap of a stage</source>
@@ -9217,11 +9217,11 @@ With another name both versions stay as they are.</source>
         <name>RequirementBrief</name>
         <message>
             <source>Min. diameter</source>
-            <translation>d мин.</translation>
+            <translation>d наим.</translation>
         </message>
         <message>
             <source>Max. diameter</source>
-            <translation>d макс.</translation>
+            <translation>d наиб.</translation>
         </message>
         <message>
             <source>Radial runout</source>
@@ -9265,7 +9265,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Axial feed</source>
-            <translation>Ос. подача</translation>
+            <translation>Прод. подача</translation>
         </message>
         <message>
             <source>Plunge feed</source>
@@ -9498,7 +9498,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Input</source>
-            <translation>Параметр</translation>
+            <translation>Величина</translation>
         </message>
         <message>
             <source>Symbol</source>
@@ -9518,7 +9518,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Quantity</source>
-            <translation>Величина</translation>
+            <translation>Показатель</translation>
         </message>
         <message>
             <source>Inputs</source>
@@ -9608,7 +9608,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Overlap below 1 (stage %1): the table advances more than the wheel&apos;s width in a revolution, strips stay unground.</source>
-            <translation>Перекрытие меньше 1 (ступень %1): стол за оборот проходит больше высоты круга, остаются непрошлифованные полосы.</translation>
+            <translation>Коэффициент перекрытия меньше 1 (ступень %1): стол за оборот проходит больше высоты круга, остаются непрошлифованные полосы.</translation>
         </message>
         <message>
             <source>Wheel and work turn %1 : 1, near a whole number: waves of the wheel print onto one another. Change the work speed a little.</source>
@@ -9658,7 +9658,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>model page, section 5: traverse cycle</source>
-            <translation>описание модели, раздел 5: цикл с осевой подачей</translation>
+            <translation>описание модели, раздел 5: цикл с продольной подачей</translation>
         </message>
         <message>
             <source>model page, section 6: plunge cycle and compliance along the shaft</source>
@@ -9686,7 +9686,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>model page, section 12: several surfaces in one set-up</source>
-            <translation>страница модели, раздел 12: несколько поверхностей за один установ</translation>
+            <translation>описание модели, раздел 12: несколько поверхностей за один установ</translation>
         </message>
         <message>
             <source>M. K. Alsigar, thesis abstract, Penza, 2021</source>
@@ -9981,7 +9981,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Source of a value</source>
-            <translation>Источник величины</translation>
+            <translation>Источник значения</translation>
         </message>
         <message>
             <source>Heat data</source>
@@ -10033,7 +10033,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gap of the surface</source>
-            <translation>Разрыв поверхности</translation>
+            <translation>Паз поверхности</translation>
         </message>
         <message>
             <source>Measured part</source>
@@ -10093,7 +10093,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Figure has a value</source>
-            <translation>Величина равна заданной</translation>
+            <translation>Показатель равен заданному</translation>
         </message>
         <message>
             <source>Number predicted</source>
@@ -10125,7 +10125,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Figure</source>
-            <translation>Величина</translation>
+            <translation>Показатель</translation>
         </message>
         <message>
             <source>Value of an input</source>
@@ -10161,7 +10161,7 @@ With another name both versions stay as they are.</source>
     </message>
     <message>
         <source>Bounds of a figure</source>
-        <translation>Границы величины</translation>
+        <translation>Границы показателя</translation>
     </message>
     <message>
         <source>Variants</source>
@@ -10176,7 +10176,7 @@ With another name both versions stay as they are.</source>
         <name>StudiesShown</name>
         <message>
             <source>These results are for the inputs before the last edit. Compute them for the present inputs in the view “%1”.</source>
-            <translation>Это результаты для исходных данных до последней правки. Рассчитайте для нынешних в виде «%1».</translation>
+            <translation>Исходные данные изменены. Повторите расчёт в виде «%1».</translation>
         </message>
         <message>
             <source>It is being run: wait for it, or stop it.</source>
@@ -10187,11 +10187,11 @@ With another name both versions stay as they are.</source>
         <name>sparkout::StudyView</name>
         <message>
             <source>These results are for the inputs before the last edit; those for the present inputs are being computed.</source>
-            <translation>Это результаты для исходных данных до последней правки; для нынешних расчёт идёт.</translation>
+            <translation>Исходные данные изменены; расчёт идёт заново.</translation>
         </message>
         <message>
             <source>These results are for the inputs before the last edit. Press “%1” to compute them for the present inputs.</source>
-            <translation>Это результаты для исходных данных до последней правки. Нажмите «%1», чтобы рассчитать для нынешних.</translation>
+            <translation>Исходные данные изменены. Нажмите «%1».</translation>
         </message>
     </context>
     <context>
@@ -10230,7 +10230,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Seed</source>
-            <translation>Начальное число</translation>
+            <translation>Номер выборки</translation>
         </message>
         <message>
             <source>What was run</source>
@@ -10391,7 +10391,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The inputs varied and every point; over two inputs every quantity on a sheet of its own, too.</source>
-            <translation>Варьируемые данные и все точки; по двум данным — ещё и каждая величина на отдельном листе.</translation>
+            <translation>Варьируемые величины и все точки; по двум величинам — ещё и каждый показатель на отдельном листе.</translation>
         </message>
         <message>
             <source>not known, it was stopped</source>
@@ -10410,7 +10410,7 @@ With another name both versions stay as they are.</source>
         <name>PhaseText</name>
         <message>
             <source>Of the parts of the batch %1 fail by their stock alone.</source>
-            <translation>Из деталей партии только из-за припуска не годны %1.</translation>
+            <translation>Деталей партии, не годных из-за припуска: %1.</translation>
         </message>
         <message>
             <source>The stock of %1 lies outside the range.</source>
@@ -10418,7 +10418,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The phases of the stock are being decided</source>
-            <translation>Рассчитываются фазы припуска</translation>
+            <translation>Проверяются припуски диапазона</translation>
         </message>
         <message>
             <source>Pieces: %1</source>
@@ -10426,7 +10426,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Under position control the phases of the stock cannot be decided: the first step meets the part somewhere within its infeed. Vary the stock in a sweep, or let it scatter in a batch.</source>
-            <translation>При управлении по положению о фазах припуска решить нельзя: первый шаг встречает деталь где-то в пределах своей подачи. Варьируйте припуск или задайте его рассеяние в партии.</translation>
+            <translation>При управлении по положению проверить все припуски нельзя: первый шаг встречает деталь где-то в пределах подачи на шаг. Варьируйте припуск или задайте его рассеяние в партии.</translation>
         </message>
         <message>
             <source>Holds for every stock per side from %1 to %2 mm.</source>
@@ -10481,7 +10481,7 @@ With another name both versions stay as they are.</source>
         <name>SweepText</name>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>Minimum margin of all requirements</source>
@@ -10596,7 +10596,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>tangential force of shear, per width and depth</source>
-            <translation>тангенциальная сила сдвига на единицу ширины и подачи</translation>
+            <translation>касательная сила сдвига на единицу ширины и подачи</translation>
         </message>
         <message>
             <source>normal force</source>
@@ -10604,7 +10604,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>tangential force</source>
-            <translation>тангенциальная составляющая силы резания</translation>
+            <translation>касательная составляющая силы резания</translation>
         </message>
         <message>
             <source>limiting depth of cut</source>
@@ -10764,7 +10764,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>tangential force that the drive allows, per width</source>
-            <translation>тангенциальная сила, которую допускает привод, на единицу ширины</translation>
+            <translation>касательная сила, которую допускает привод, на единицу ширины</translation>
         </message>
         <message>
             <source>cutting grains on a square millimetre of the contact</source>
@@ -10784,11 +10784,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>the sources&apos; name of b·k_s with axial feed</source>
-            <translation>b·k_s с осевой подачей, как в источниках</translation>
+            <translation>b·k_s с продольной подачей, как в источниках</translation>
         </message>
         <message>
             <source>the sources&apos; name of b·k_r with axial feed</source>
-            <translation>b·k_r с осевой подачей, как в источниках</translation>
+            <translation>b·k_r с продольной подачей, как в источниках</translation>
         </message>
         <message>
             <source>the sources&apos; name of b·k_s in plunge</source>
@@ -11124,7 +11124,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>mm/dbl stroke</source>
-            <translation>мм/дв.ход</translation>
+            <translation>мм/дв. ход</translation>
         </message>
         <message>
             <source>min</source>
@@ -11235,7 +11235,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The drawing requires nothing</source>
-            <translation>Чертёж ничего не требует</translation>
+            <translation>Требования не заданы</translation>
         </message>
         <message>
             <source>Meets the drawing, but close to the limit: %1 in %2</source>
@@ -11262,15 +11262,15 @@ With another name both versions stay as they are.</source>
         <name>VerdictWhy</name>
         <message>
             <source>%1: not known, since strips stay uncut; an axial feed of at most %2 mm/min leaves none.</source>
-            <translation>%1: не известно, так как остаются непрошлифованные полосы; при осевой подаче не более %2 мм/мин их нет.</translation>
+            <translation>%1: не известно, так как остаются непрошлифованные полосы; при продольной подаче не более %2 мм/мин их нет.</translation>
         </message>
         <message>
             <source>The wheel&apos;s width times the work speed over the axial feed; 1 is reached at %1 mm/min.</source>
-            <translation>Высота круга, умноженная на частоту вращения заготовки и делённая на осевую подачу; значение 1 достигается при %1 мм/мин.</translation>
+            <translation>Высота круга, умноженная на частоту вращения заготовки и делённая на продольную подачу; значение 1 достигается при %1 мм/мин.</translation>
         </message>
         <message>
             <source>The wheel&apos;s width times the work speed over the axial feed; %1 is reached at %2 mm/min.</source>
-            <translation>Высота круга, умноженная на частоту вращения заготовки и делённая на осевую подачу; значение %1 достигается при %2 мм/мин.</translation>
+            <translation>Высота круга, умноженная на частоту вращения заготовки и делённая на продольную подачу; значение %1 достигается при %2 мм/мин.</translation>
         </message>
         <message>
             <source>The fewest that a stage with stock makes; a smaller feed or more stock in stage %1 makes them more.</source>
@@ -11507,7 +11507,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>&amp;Traverse grinding</source>
-            <translation>Шлифование с &amp;осевой подачей</translation>
+            <translation>Шлифование с пр&amp;одольной подачей</translation>
         </message>
         <message>
             <source>&amp;Plunge grinding</source>
@@ -11770,7 +11770,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Corners are no sample: rank regression takes parts at random.</source>
-            <translation>Углы — не выборка: для ранговой регрессии нужны случайные детали.</translation>
+            <translation>Крайние сочетания — не выборка: для ранговой регрессии нужны случайные детали.</translation>
         </message>
         <message>
             <source>Sobol indices have no meaning for correlated factors.</source>
@@ -11790,7 +11790,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The inputs are refused; the batch is that of the last accepted ones.</source>
-            <translation>Исходные данные отвергнуты; показана партия последних принятых.</translation>
+            <translation>Исходные данные не приняты; партия — по последним верным.</translation>
         </message>
         <message>
             <source>The batch cannot be run:</source>
@@ -11846,7 +11846,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Parts, one quantity over another</source>
-            <translation>Детали: одна величина в зависимости от другой</translation>
+            <translation>Детали: один показатель в зависимости от другого</translation>
         </message>
         <message>
             <source>Rank regression</source>
@@ -11862,15 +11862,15 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Rank regression: standardised coefficients, of the parts of the batch; sign and weight as far as the dependence is monotone, which R² says. Sobol indices: share of the variance, of parts of their own.</source>
-            <translation>Ранговая регрессия: стандартизованные коэффициенты по деталям партии; знак и вес настолько, насколько зависимость монотонна, о чём говорит R². Индексы Соболя: доля дисперсии, по собственным деталям.</translation>
+            <translation>Ранговая регрессия: стандартизованные коэффициенты по деталям партии; знак и вес настолько, насколько зависимость монотонна, что показывает R². Индексы Соболя: доля дисперсии, по собственным деталям.</translation>
         </message>
         <message>
             <source>Quantity across</source>
-            <translation>Величина по горизонтали</translation>
+            <translation>Показатель по горизонтали</translation>
         </message>
         <message>
             <source>Quantity upwards</source>
-            <translation>Величина по вертикали</translation>
+            <translation>Показатель по вертикали</translation>
         </message>
         <message>
             <source>What is shown of the batch</source>
@@ -11890,7 +11890,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>End the batch; what was done is kept and shown</source>
@@ -11910,7 +11910,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>50 parts whose stock, runout and dullness scatter about the present inputs; can be undone and changed on the page Batch</source>
-            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений; можно отменить и изменить на странице «Партия»</translation>
+            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг текущих значений; можно отменить и изменить на странице «Партия»</translation>
         </message>
         <message>
             <source>No part of this batch fails a requirement.</source>
@@ -11934,7 +11934,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Run the batch again and save a row for every part: its factors, every quantity, every requirement held or not</source>
-            <translation>Рассчитать партию ещё раз и сохранить по строке на деталь: её факторы, все величины и выполнение каждого требования</translation>
+            <translation>Рассчитать партию ещё раз и сохранить по строке на деталь: её факторы, все показатели и выполнение каждого требования</translation>
         </message>
     </context>
     <context>
@@ -11971,7 +11971,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Your own catalogue cannot be read. “From catalogue…” says why.</source>
-            <translation>Ваш каталог не читается. Почему — сказано в окне «Из каталога…».</translation>
+            <translation>Ваш каталог не читается. Причина указана в окне «Из каталога…».</translation>
         </message>
         <message>
             <source>Your entry of this name will be replaced.</source>
@@ -11995,7 +11995,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Take values from the catalogue; what changes is shown first</source>
-            <translation>Взять значения из каталога; сначала показано, что изменится</translation>
+            <translation>Применить значения из каталога; сначала показано, что изменится</translation>
         </message>
         <message>
             <source>Save as mine…</source>
@@ -12010,7 +12010,7 @@ With another name both versions stay as they are.</source>
         <name>sparkout::CatalogueDialog</name>
         <message>
             <source>Put it a&amp;side and begin a new one</source>
-            <translation>Отло&amp;жить его и начать новый</translation>
+            <translation>Переименовать, со&amp;здать новый</translation>
         </message>
         <message>
             <source>&amp;Rename…</source>
@@ -12034,7 +12034,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>&amp;Apply</source>
-            <translation>&amp;Взять</translation>
+            <translation>П&amp;рименить</translation>
         </message>
         <message>
             <source>&amp;Cancel</source>
@@ -12046,7 +12046,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Why the inputs would be refused</source>
-            <translation>Почему исходные данные были бы отклонены</translation>
+            <translation>Почему исходные данные не будут приняты</translation>
         </message>
         <message>
             <source>Name, grade, marking, use or source</source>
@@ -12138,7 +12138,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>With it the inputs would be refused: %1</source>
-            <translation>С этой записью исходные данные были бы отклонены: %1</translation>
+            <translation>С этой записью исходные данные не будут приняты: %1</translation>
         </message>
         <message>
             <source>Your own entries cannot be read and are left as they are in %1: %2</source>
@@ -12224,7 +12224,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Legend of quantities and runs</source>
-            <translation>Обозначения величин и расчётов</translation>
+            <translation>Обозначения показателей и расчётов</translation>
         </message>
         <message>
             <source>State of the comparison</source>
@@ -12284,7 +12284,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The inputs are refused; the present run is that of the last accepted ones.</source>
-            <translation>Исходные данные отклонены; текущий расчёт — по последним принятым.</translation>
+            <translation>Исходные данные не приняты; текущий расчёт — по последним верным.</translation>
         </message>
         <message>
             <source>The cycle is too long to be recorded: its curves are not drawn. Fewer radii or sections help.</source>
@@ -12406,11 +12406,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Stages end by the position of the wheel head: the gauge has no say, and all its places are alike.</source>
-            <translation>Ступени заканчиваются по положению шлифовальной бабки: прибор не участвует, и все его места равноценны.</translation>
+            <translation>Ступени заканчиваются по положению шлифовальной бабки: прибор не действует, и все его места равноценны.</translation>
         </message>
         <message>
             <source>In traverse grinding the gauge stands in the middle of %1. The curves say what it would do in another zone.</source>
-            <translation>При шлифовании с осевой подачей прибор стоит посередине %1. Кривые показывают, что было бы в другой зоне.</translation>
+            <translation>При шлифовании с продольной подачей прибор стоит посередине %1. Кривые показывают, что было бы в другой зоне.</translation>
         </message>
         <message>
             <source>Sections are coupled in plunge grinding only: there the wheel touches all of them at once.</source>
@@ -12712,7 +12712,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>What becomes of it</source>
-            <translation>Что из этого выйдет</translation>
+            <translation>Что произойдёт</translation>
         </message>
         <message>
             <source>&amp;Keep</source>
@@ -13426,7 +13426,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gap, %</source>
-            <translation>Разрыв, %</translation>
+            <translation>Превышение, %</translation>
         </message>
         <message>
             <source>Margin, %</source>
@@ -13442,7 +13442,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>Against the time of your cycle: the present one, or the one that a cycle found took the place of</source>
@@ -13450,7 +13450,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>By how much a stepless cycle might at most be quicker</source>
-            <translation>На сколько бесступенчатый цикл мог бы быть самое большее быстрее</translation>
+            <translation>На сколько, самое большее, может быть быстрее бесступенчатый цикл</translation>
         </message>
         <message>
             <source>The minimum margin of all requirements, of its limit</source>
@@ -13802,7 +13802,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The inputs are refused; the layers are those of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; показаны слои по последним принятым.</translation>
+            <translation>Исходные данные не приняты; слои — по последним верным.</translation>
         </message>
         <message>
             <source>The cycle is too long to be recorded: its layers are not drawn. Fewer radii or sections help.</source>
@@ -14129,9 +14129,9 @@ target, µm</source>
         <message numerus="yes">
             <source>Saved; %n fields hold a refused text, their last good values were saved.</source>
             <translation>
-                <numerusform>Сохранено; %n поле содержит непринятый текст, записано его последнее принятое значение.</numerusform>
-                <numerusform>Сохранено; %n поля содержат непринятый текст, записаны их последние принятые значения.</numerusform>
-                <numerusform>Сохранено; %n полей содержат непринятый текст, записаны их последние принятые значения.</numerusform>
+                <numerusform>Сохранено; %n поле содержит непринятый текст, записано его последнее верное значение.</numerusform>
+                <numerusform>Сохранено; %n поля содержат непринятый текст, записаны их последние верные значения.</numerusform>
+                <numerusform>Сохранено; %n полей содержат непринятый текст, записаны их последние верные значения.</numerusform>
             </translation>
         </message>
         <message>
@@ -14269,7 +14269,7 @@ target, µm</source>
         </message>
         <message>
             <source>One infeed is larger than the part: it is ground away.</source>
-            <translation>Подача за один проход больше детали: она сошлифована полностью.</translation>
+            <translation>Подача на шаг больше размера детали: уменьшите подачу.</translation>
         </message>
     </context>
     <context>
@@ -14339,7 +14339,7 @@ target, µm</source>
         </message>
         <message>
             <source>Not understood as a marking; written like 500×50×203 25А F60 L 6 V 35 it fills the wheel&apos;s values.</source>
-            <translation>Не понято как маркировка; записанная как 500×50×203 25А F60 L 6 V 35, она заполняет величины круга.</translation>
+            <translation>Не понято как маркировка; записанная как 500×50×203 25А F60 L 6 V 35, она заполняет данные круга.</translation>
         </message>
         <message>
             <source>What the marking means</source>
@@ -14351,7 +14351,7 @@ target, µm</source>
         </message>
         <message>
             <source>Take grain, grain share and sizes as far as the marking gives them</source>
-            <translation>Взять зерно, долю зерна и размеры, насколько они указаны в маркировке</translation>
+            <translation>Задать зерно, долю зерна и размеры по маркировке</translation>
         </message>
     </context>
     <context>
@@ -14377,7 +14377,7 @@ target, µm</source>
         <name>sparkout::MessagesPanel</name>
         <message>
             <source>%1; the last good value is used</source>
-            <translation>%1; используется последнее принятое значение</translation>
+            <translation>%1; используется последнее верное значение</translation>
         </message>
         <message>
             <source>No messages: all inputs are in order.</source>
@@ -14528,7 +14528,7 @@ target, µm</source>
         </message>
         <message>
             <source>50 parts whose stock, runout and dullness scatter about the present inputs</source>
-            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений</translation>
+            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг текущих значений</translation>
         </message>
         <message>
             <source>What a search is for</source>
@@ -14552,7 +14552,7 @@ target, µm</source>
         </message>
         <message>
             <source>Take the estimate</source>
-            <translation>Принять оценку</translation>
+            <translation>Применить оценку</translation>
         </message>
         <message>
             <source>Without chamfers, keyways and bores; the drawing&apos;s mass goes before it</source>
@@ -14560,7 +14560,7 @@ target, µm</source>
         </message>
         <message>
             <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual minimum overlap and steps of a stage where none are given</source>
-            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие перекрытие и число шагов ступени</translation>
+            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени</translation>
         </message>
         <message>
             <source>The machine&apos;s form by the measured parts</source>
@@ -14572,7 +14572,7 @@ target, µm</source>
         </message>
         <message>
             <source>Take it as the machine&apos;s form</source>
-            <translation>Принять за форму от станка</translation>
+            <translation>Задать форму от станка</translation>
         </message>
         <message>
             <source>What the process alone leaves is small beside it where the cycle sparks out; the number of lobes is to be given</source>
@@ -14603,7 +14603,7 @@ target, µm</source>
         </message>
         <message>
             <source>The inputs are refused; the search is that of the last accepted ones.</source>
-            <translation>Данные не приняты; поиск — по последним принятым.</translation>
+            <translation>Данные не приняты; поиск — по последним верным.</translation>
         </message>
         <message>
             <source>This project does not say what may be changed. A search takes every listed feed and stock of the stages and finds the quickest cycle that holds every requirement. Choose them on the page Search of the inputs, or start with usual ones.</source>
@@ -14619,7 +14619,7 @@ target, µm</source>
         </message>
         <message>
             <source>Machining time over the number of stages</source>
-            <translation>Время обработки в зависимости от числа ступеней</translation>
+            <translation>Основное время в зависимости от числа ступеней</translation>
         </message>
         <message>
             <source>Legend of the search</source>
@@ -14671,7 +14671,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>End the search; the best so far is kept and shown</source>
@@ -14679,7 +14679,7 @@ target, µm</source>
         </message>
         <message>
             <source>Take this cycle</source>
-            <translation>Взять этот цикл</translation>
+            <translation>Применить этот цикл</translation>
         </message>
         <message>
             <source>Put the chosen cycle in the place of the present one; undo brings yours back</source>
@@ -14687,11 +14687,11 @@ target, µm</source>
         </message>
         <message>
             <source>In every phase of the stock</source>
-            <translation>При любой фазе припуска</translation>
+            <translation>Для всех припусков</translation>
         </message>
         <message>
             <source>The cycle must hold for stocks spread over one feed step of every stage too: where the last step falls decides on the size</source>
-            <translation>Цикл должен быть годен и для припусков, распределённых по одному шагу подачи каждой ступени: размер зависит от того, куда пришёлся последний шаг</translation>
+            <translation>Цикл должен быть годен для всех припусков в пределах подачи на шаг каждой ступени: размер зависит от того, куда пришёлся последний шаг</translation>
         </message>
         <message>
             <source>Add a typical search</source>
@@ -14707,7 +14707,7 @@ target, µm</source>
         </message>
         <message>
             <source>The inputs are refused; the grid is that of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; сетка — по последним принятым.</translation>
+            <translation>Исходные данные не приняты; сетка — по последним верным.</translation>
         </message>
         <message>
             <source>Grid of dynamic programming</source>
@@ -14727,11 +14727,11 @@ target, µm</source>
         </message>
         <message>
             <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual minimum overlap and steps of a stage where none are given; can be undone and changed on the pages Search and Cycle</source>
-            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие перекрытие и число шагов ступени; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
+            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
         </message>
         <message>
             <source>A click or the arrow keys choose a cycle, “Take this cycle” or Enter takes it.</source>
-            <translation>Щелчок или стрелки выбирают цикл, «Взять этот цикл» или Enter берёт его.</translation>
+            <translation>Щелчок или стрелки выбирают цикл, «Применить этот цикл» или Enter применяет его.</translation>
         </message>
         <message>
             <source>Method of the search</source>
@@ -14805,7 +14805,7 @@ target, µm</source>
         </message>
         <message>
             <source>Let the cycle run, from the blank if it is at its end</source>
-            <translation>Показать ход цикла; с конца — заново с заготовки</translation>
+            <translation>Показать ход цикла; с конца — заново от заготовки</translation>
         </message>
         <message>
             <source>by stage</source>
@@ -15192,7 +15192,7 @@ target, µm</source>
         </message>
         <message>
             <source>The inputs are refused; the profiles are those of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; показаны профили для последних принятых.</translation>
+            <translation>Исходные данные не приняты; профили — по последним верным.</translation>
         </message>
         <message>
             <source>The cycle is too long to be recorded: only its end is shown.</source>
@@ -15309,7 +15309,7 @@ target, µm</source>
         </message>
         <message>
             <source>&amp;Take it away</source>
-            <translation>&amp;Убрать его</translation>
+            <translation>&amp;Убрать профиль</translation>
         </message>
         <message>
             <source>Reference circles of the roundness (ISO 12181): LSCI, the least-squares circle; MZCI, the two circles of the minimum zone; MICI, the maximum inscribed, or MCCI, the minimum circumscribed circle</source>
@@ -15375,15 +15375,15 @@ target, µm</source>
         </message>
         <message>
             <source>minimum</source>
-            <translation>мин.</translation>
+            <translation>наименьшее</translation>
         </message>
         <message>
             <source>maximum</source>
-            <translation>макс.</translation>
+            <translation>наибольшее</translation>
         </message>
         <message>
             <source>step</source>
-            <translation>этап</translation>
+            <translation>шаг</translation>
         </message>
         <message>
             <source>%1: %2, %3</source>
@@ -15585,7 +15585,7 @@ target, µm</source>
         </message>
         <message>
             <source>The run was not kept: the inputs are refused, so there is none.</source>
-            <translation>Расчёт не запомнен: исходные данные отклонены, поэтому его нет.</translation>
+            <translation>Расчёт не запомнен: исходные данные не приняты, поэтому его нет.</translation>
         </message>
         <message numerus="yes">
             <source>%n kept runs come out differently with this version of the program than they were kept: %1.</source>
@@ -15609,7 +15609,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>Stopped; nothing was kept.</source>
@@ -15676,7 +15676,7 @@ target, µm</source>
         </message>
         <message>
             <source>Take the inputs of the selected run in place of the present ones; the kept runs stay</source>
-            <translation>Взять исходные данные выбранного расчёта вместо текущих; запомненные расчёты остаются</translation>
+            <translation>Применить исходные данные выбранного расчёта вместо текущих; запомненные расчёты остаются</translation>
         </message>
         <message>
             <source>Rename</source>
@@ -15981,7 +15981,7 @@ target, µm</source>
         </message>
         <message>
             <source>stepless limit</source>
-            <translation>бесступенчатый предел</translation>
+            <translation>предел бесступенчатого цикла</translation>
         </message>
         <message>
             <source>Stages</source>
@@ -15997,7 +15997,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stepless limit, min</source>
-            <translation>Бесступенчатый предел, мин</translation>
+            <translation>Предел бесступенчатого цикла, мин</translation>
         </message>
         <message numerus="yes">
             <source>%n stage(s)</source>
@@ -16013,7 +16013,7 @@ target, µm</source>
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>cycle with the maximum margin</source>
@@ -16048,7 +16048,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stage %1: %2 s, %3 of the machining time</source>
-            <translation>Ступень %1: %2 с, %3 машинного времени</translation>
+            <translation>Ступень %1: %2 с, %3 основного времени</translation>
         </message>
         <message>
             <source>Time, s</source>
@@ -16056,11 +16056,11 @@ target, µm</source>
         </message>
         <message>
             <source>Machining time of the stage and its share of the cycle&apos;s.</source>
-            <translation>Машинное время ступени и его доля в цикле.</translation>
+            <translation>Основное время ступени и его доля в цикле.</translation>
         </message>
         <message>
             <source>“%1” is no spark-out; allowed: %2, “%3”, “%4”</source>
-            <translation>«%1» — не выхаживание; допускается: %2, «%3», «%4»</translation>
+            <translation>выхаживание «%1» недопустимо; допускается: %2, «%3», «%4»</translation>
         </message>
         <message>
             <source>“%1”: only the last stage may spark out</source>
@@ -16131,7 +16131,7 @@ target, µm</source>
         </message>
         <message>
             <source>The part is the blank still. Step on or press Play below the views: the formulas of each step stand here, with its numbers.</source>
-            <translation>Деталь ещё заготовка. Сделайте шаг вперёд или нажмите «Пуск» под графиками: здесь появятся формулы каждого этапа с числами.</translation>
+            <translation>Шлифование не начато: деталь — заготовка. Сделайте шаг вперёд или нажмите «Пуск» под графиками: здесь появятся формулы каждого этапа с числами.</translation>
         </message>
         <message>
             <source>No cycle has been recorded.</source>
@@ -16182,11 +16182,11 @@ target, µm</source>
         </message>
         <message>
             <source>Minimum stock per side decided; empty: half the maximum infeed below</source>
-            <translation>Наименьший припуск на сторону; пусто: на половину наибольшей подачи за шаг ниже</translation>
+            <translation>Наименьший припуск на сторону; пусто: на половину наибольшей подачи на шаг ниже</translation>
         </message>
         <message>
             <source>Maximum stock per side decided; empty: half the maximum infeed above</source>
-            <translation>Наибольший припуск на сторону; пусто: на половину наибольшей подачи за шаг выше</translation>
+            <translation>Наибольший припуск на сторону; пусто: на половину наибольшей подачи на шаг выше</translation>
         </message>
         <message>
             <source>Run</source>
@@ -16194,11 +16194,11 @@ target, µm</source>
         </message>
         <message>
             <source>Decide the phases of the range; that runs by itself after an edit</source>
-            <translation>Рассчитать фазы диапазона; после правки это делается само</translation>
+            <translation>Проверить все припуски диапазона; после правки проверка идёт сама</translation>
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>End the run; what was decided before is kept</source>
@@ -16210,7 +16210,7 @@ target, µm</source>
         </message>
         <message>
             <source>Progress of the decision</source>
-            <translation>Ход расчёта фаз</translation>
+            <translation>Ход проверки</translation>
         </message>
     </context>
     <context>
@@ -16405,7 +16405,7 @@ target, µm</source>
         </message>
         <message>
             <source>The inputs are refused; the phases of the stock are those of the last accepted ones.</source>
-            <translation>Исходные данные отклонены; фазы припуска — по последним принятым.</translation>
+            <translation>Исходные данные не приняты; проверка припусков — по последним верным.</translation>
         </message>
         <message>
             <source>Size against stock</source>
@@ -16417,7 +16417,7 @@ target, µm</source>
         </message>
         <message>
             <source>Results over one or two inputs, or, exactly, the size over the stock of the blank</source>
-            <translation>Результаты от одной или двух величин или, точно, размер от припуска заготовки</translation>
+            <translation>Результаты в зависимости от одной или двух исходных величин или, точно, размер в зависимости от припуска заготовки</translation>
         </message>
         <message>
             <source>Inputs varied</source>
@@ -16441,11 +16441,11 @@ target, µm</source>
         </message>
         <message>
             <source>The inputs are refused; the sweep is that of the last accepted ones.</source>
-            <translation>Исходные данные отклонены; показано варьирование последних принятых.</translation>
+            <translation>Исходные данные не приняты; варьирование — по последним верным.</translation>
         </message>
         <message>
             <source>What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input above, and see every result over a range of it: one input gives curves, two give a map. Or start with the wheel&apos;s dullness.</source>
-            <translation>Что даёт затупленный круг, податливая задняя бабка, более долгая задержка? Выберите выше исходную величину — и увидите любой результат в зависимости от неё: одна величина даёт кривые, две — карту. Или начните с затупления круга.</translation>
+            <translation>Что даёт затупленный круг, податливая задняя бабка, более долгий выстой? Выберите выше исходную величину — и увидите любой результат в зависимости от неё: одна величина даёт кривые, две — карту. Или начните с затупления круга.</translation>
         </message>
         <message>
             <source>The sweep cannot be run:</source>
@@ -16517,7 +16517,7 @@ target, µm</source>
         </message>
         <message>
             <source>The point whose values can be taken; a click in the plot chooses one, too</source>
-            <translation>Точка, значения которой можно взять; её выбирает и щелчок по графику</translation>
+            <translation>Точка, значения которой можно применить; её выбирает и щелчок по графику</translation>
         </message>
         <message>
             <source>Run</source>
@@ -16529,7 +16529,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>End the sweep; what was done is kept and shown</source>
@@ -16545,7 +16545,7 @@ target, µm</source>
         </message>
         <message>
             <source>Take these values</source>
-            <translation>Взять эти значения</translation>
+            <translation>Применить эти значения</translation>
         </message>
         <message>
             <source>Put the inputs of the chosen point into this project; undo brings yours back</source>
@@ -16602,7 +16602,7 @@ target, µm</source>
         </message>
         <message>
             <source>What the cycle comes to, at its worst</source>
-            <translation>Что получается в цикле, в наихудшем месте</translation>
+            <translation>Наихудшее значение</translation>
         </message>
         <message>
             <source>What is allowed</source>
@@ -16610,7 +16610,7 @@ target, µm</source>
         </message>
         <message>
             <source>How far the value is from its limit; below 0 it is beyond</source>
-            <translation>Насколько величина отстоит от предела; меньше 0 — предел превышен</translation>
+            <translation>Насколько значение отстоит от предела; меньше 0 — предел превышен</translation>
         </message>
         <message>
             <source>not known: strips uncut</source>
@@ -16626,7 +16626,7 @@ target, µm</source>
         </message>
         <message>
             <source>fails</source>
-            <translation>нарушено</translation>
+            <translation>не выполнено</translation>
         </message>
         <message>
             <source>Value</source>
@@ -16749,7 +16749,7 @@ target, µm</source>
         </message>
         <message>
             <source>With {value}, one step nearer to the present {before}, it is not so yet.</source>
-            <translation>При {value}, на шаг ближе к нынешнему значению {before}, этого ещё нет.</translation>
+            <translation>При {value}, на шаг ближе к текущему значению {before}, этого мало.</translation>
         </message>
         <message>
             <source>Found among the values that were tried; between them others may hold, too.</source>
@@ -16761,15 +16761,15 @@ target, µm</source>
         </message>
         <message>
             <source>It holds for all of {phases} stocks drawn at random within one infeed: with 95 % confidence at most {share} % of them fail.</source>
-            <translation>Цикл годен для всех {phases} случайных припусков в пределах одной подачи: с вероятностью 95 % не годен не более чем для {share} % из них.</translation>
+            <translation>Цикл годен для всех {phases} случайных припусков в пределах подачи на шаг: с вероятностью 95 % не годен не более чем для {share} % из них.</translation>
         </message>
         <message>
             <source>Each holds for every stock within half an infeed of the stated one.</source>
-            <translation>С каждым изменением цикл годен для всех припусков в пределах половины подачи от заданного.</translation>
+            <translation>С каждым изменением цикл годен для всех припусков в пределах половины подачи на шаг от заданного.</translation>
         </message>
         <message>
             <source>Each holds for the stocks tried within half an infeed of the stated one; under position control that is sampled, not decided.</source>
-            <translation>С каждым изменением цикл годен для проверенных припусков в пределах половины подачи от заданного; при управлении по положению это проверено выборкой, а не решено.</translation>
+            <translation>С каждым изменением цикл годен для проверенных припусков в пределах половины подачи на шаг от заданного; при управлении по положению это проверено выборкой, а не решено.</translation>
         </message>
         <message>
             <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit for the stated stock, but with a stock of {stock} mm the cycle does not end by itself.</source>
@@ -16833,11 +16833,11 @@ target, µm</source>
         </message>
         <message>
             <source>The next value towards the present one does it, too, but brings a warning.</source>
-            <translation>Следующее значение в сторону нынешнего тоже годится, но вызывает предупреждение.</translation>
+            <translation>Следующее значение в сторону текущего тоже годится, но вызывает предупреждение.</translation>
         </message>
         <message>
             <source>With the present feed the added stage does not help.</source>
-            <translation>С нынешней подачей дополнительная ступень не помогает.</translation>
+            <translation>С текущей подачей дополнительная ступень не помогает.</translation>
         </message>
         <message>
             <source>Without this stage there is too little room.</source>
@@ -16845,15 +16845,15 @@ target, µm</source>
         </message>
         <message>
             <source>Without this stage the cycle fails.</source>
-            <translation>Без этой ступени цикл не годится.</translation>
+            <translation>Без этой ступени цикл не годен.</translation>
         </message>
         <message>
             <source>The present value leaves too little room.</source>
-            <translation>При нынешнем значении запас слишком мал.</translation>
+            <translation>При текущем значении запас слишком мал.</translation>
         </message>
         <message>
             <source>The present value fails.</source>
-            <translation>Нынешнее значение не годится.</translation>
+            <translation>Текущего значения недостаточно.</translation>
         </message>
         <message>
             <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit, but the change brings a warning.</source>
@@ -16884,7 +16884,7 @@ target, µm</source>
         <name>sparkout::RemedySection</name>
         <message>
             <source>Take the change</source>
-            <translation>Принять изменение</translation>
+            <translation>Применить изменение</translation>
         </message>
         <message>
             <source>Change that helps</source>
@@ -16900,11 +16900,11 @@ target, µm</source>
         </message>
         <message>
             <source>Take</source>
-            <translation>Принять</translation>
+            <translation>Применить</translation>
         </message>
         <message>
             <source>Take the change: %1</source>
-            <translation>Принять изменение: %1</translation>
+            <translation>Применить изменение: %1</translation>
         </message>
         <message>
             <source>%1 of %2 settings tried.</source>
@@ -16920,7 +16920,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>Stop looking for changes that help</source>
@@ -16931,7 +16931,7 @@ target, µm</source>
         <name>sparkout::VerdictPanel</name>
         <message>
             <source>The inputs are refused; the numbers are those of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; показаны числа последних принятых.</translation>
+            <translation>Исходные данные не приняты; числа — по последним верным.</translation>
         </message>
         <message>
             <source>The inputs are refused:</source>
@@ -16951,7 +16951,7 @@ target, µm</source>
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>End of the cycle</source>
@@ -17215,7 +17215,7 @@ target, µm</source>
         <name>sparkout::PlotView</name>
         <message>
             <source>The inputs are refused; the curves are those of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; показаны кривые последних принятых.</translation>
+            <translation>Исходные данные не приняты; кривые — по последним верным.</translation>
         </message>
         <message>
             <source>The inputs are refused:</source>
@@ -17315,7 +17315,7 @@ per revolution</source>
             <source>Feed, µm per
 double stroke</source>
             <translation>Подача,
-мкм/дв.ход</translation>
+мкм/дв. ход</translation>
         </message>
         <message>
             <source>Feed, µm
@@ -17332,7 +17332,7 @@ force, N</source>
         <message>
             <source>Axial feed,
 mm/min</source>
-            <translation>Осевая подача,
+            <translation>Продольная подача,
 мм/мин</translation>
         </message>
         <message>
@@ -17364,7 +17364,7 @@ target, µm</source>
         <message>
             <source>Axial,
 mm/min</source>
-            <translation>Осевая,
+            <translation>Продольная,
 мм/мин</translation>
         </message>
         <message>
@@ -17414,7 +17414,7 @@ mm/min</source>
         </message>
         <message>
             <source>The batch is of corners: they are no sample and have no quartiles.</source>
-            <translation>Партия состоит из предельных сочетаний: это не выборка, квартилей у неё нет.</translation>
+            <translation>Партия — крайние сочетания: это не выборка, квартилей у неё нет.</translation>
         </message>
         <message>
             <source>To the batch…</source>
@@ -17447,7 +17447,7 @@ mm/min</source>
         </message>
         <message>
             <source>The batch is of the inputs before the last edit.</source>
-            <translation>Партия рассчитана по исходным данным до последней правки.</translation>
+            <translation>Исходные данные изменены после расчёта партии.</translation>
         </message>
         <message>
             <source>%1: %2</source>
@@ -17606,7 +17606,7 @@ mm/min</source>
         <message>
             <source>max</source>
             <comment>diameter</comment>
-            <translation>макс</translation>
+            <translation>наиб.</translation>
         </message>
         <message>
             <source>Requirement</source>
@@ -17677,7 +17677,7 @@ good</source>
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Время обработки</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>Minimum margin</source>
@@ -17685,7 +17685,7 @@ good</source>
         </message>
         <message>
             <source>machining time</source>
-            <translation>время обработки</translation>
+            <translation>основное время</translation>
         </message>
         <message>
             <source>minimum margin</source>
@@ -17841,7 +17841,7 @@ good</source>
         </message>
         <message>
             <source>The system names no program that opens %1</source>
-            <translation>Система не называет программы, которая открывает %1</translation>
+            <translation>Нет программы для %1; назначьте её</translation>
         </message>
         <message>
             <source>%1 is no longer there</source>
@@ -17878,7 +17878,7 @@ good</source>
         <name>sparkout::StiffnessOffer</name>
         <message>
             <source>Its effect: γ %1 nm/N; machining time %2 min; diameter deviations %3 µm; requirements that fail %4.</source>
-            <translation>Её влияние: γ %1 нм/Н; машинное время %2 мин; отклонения диаметра %3 мкм; невыполненных требований %4.</translation>
+            <translation>Её влияние: γ %1 нм/Н; основное время %2 мин; отклонения диаметра %3 мкм; невыполненных требований %4.</translation>
         </message>
         <message>
             <source>With it the cycle cannot be run: %1</source>
@@ -17894,7 +17894,7 @@ good</source>
         </message>
         <message>
             <source>Without it the stiffness of the project stays as it is; the other values of the machine are taken.</source>
-            <translation>Без отметки жёсткость в проекте остаётся прежней; остальные значения станка берутся.</translation>
+            <translation>Без отметки жёсткость в проекте остаётся прежней; остальные значения станка применяются.</translation>
         </message>
         <message>
             <source>The compliance is given on the page of the machine, which does not read a stiffness. With this the given compliance goes, and γ follows from the stiffness of the machine and from the shaft.</source>
@@ -17906,7 +17906,7 @@ good</source>
         </message>
         <message>
             <source>Take its &amp;stiffness</source>
-            <translation>Взять её &amp;жёсткость</translation>
+            <translation>Применить её &amp;жёсткость</translation>
         </message>
     </context>
     <context>
@@ -17933,7 +17933,7 @@ good</source>
         </message>
         <message>
             <source>Beside the usual inputs those are shown that are calibrated, refused or warned of, or that are neither the default nor the catalogue's</source>
-            <translation>Кроме обычных данных показаны калиброванные, отклонённые, с предупреждением и те, что отличаются от значений по умолчанию и от каталога</translation>
+            <translation>Кроме обычных данных показаны откалиброванные, непринятые, с предупреждением и те, что отличаются от значений по умолчанию и от каталога</translation>
         </message>
     </context>
     <context>
@@ -17958,7 +17958,7 @@ good</source>
         </message>
         <message>
             <source>inputs refused</source>
-            <translation>данные отклонены</translation>
+            <translation>данные не приняты</translation>
         </message>
         <message>
             <source>cannot reach size</source>
@@ -18028,7 +18028,7 @@ good</source>
         </message>
         <message>
             <source>%1 of %2 bad</source>
-            <translation>брак %1 из %2</translation>
+            <translation>не годны %1 из %2</translation>
         </message>
         <message>
             <source>Surface</source>
@@ -18118,7 +18118,7 @@ good</source>
         </message>
         <message>
             <source>Batch and search are of the inputs before the last edit.</source>
-            <translation>Партия и поиск относятся к данным до последней правки.</translation>
+            <translation>Исходные данные изменены после расчёта партии и поиска.</translation>
         </message>
         <message>
             <source>Stopped; what was done until then is shown.</source>
@@ -18154,11 +18154,11 @@ good</source>
         </message>
         <message>
             <source>&amp;Apply the cycles found</source>
-            <translation>П&amp;ринять найденные циклы</translation>
+            <translation>П&amp;рименить найденные циклы</translation>
         </message>
         <message>
             <source>&amp;Stop</source>
-            <translation>&amp;Стоп</translation>
+            <translation>О&amp;становить</translation>
         </message>
         <message>
             <source>Progress</source>
@@ -18267,7 +18267,7 @@ good</source>
         </message>
         <message>
             <source>&amp;Apply</source>
-            <translation>&amp;Принять</translation>
+            <translation>&amp;Применить</translation>
         </message>
         <message>
             <source>&amp;Cancel</source>
@@ -18321,7 +18321,7 @@ good</source>
         </message>
         <message>
             <source>power of the wheel</source>
-            <translation>мощность круга</translation>
+            <translation>мощность привода круга</translation>
         </message>
         <message>
             <source>size and power</source>
@@ -18553,7 +18553,7 @@ good</source>
         </message>
         <message>
             <source>A value known from elsewhere, with its standard deviation, takes part like one more measurement. Factors are of the present inputs: 1 ± 0.1 means known within some 20 %. Left empty: nothing is known.</source>
-            <translation>Значение, известное заранее, со стандартным отклонением участвует как ещё одно измерение. Множители относятся к нынешним исходным данным: 1 ± 0,1 значит, что величина известна в пределах примерно 20 %. Пусто: ничего не известно.</translation>
+            <translation>Значение, известное заранее, со стандартным отклонением участвует как ещё одно измерение. Множители относятся к текущим исходным данным: 1 ± 0,1 значит, что величина известна в пределах примерно 20 %. Пусто: ничего не известно.</translation>
         </message>
         <message>
             <source>%1: mean known before</source>
@@ -18608,7 +18608,7 @@ good</source>
         </message>
         <message>
             <source>Offsets of the traces are no inputs of the project: there is nothing to take.</source>
-            <translation>Сдвиги записей не входят в исходные данные проекта: принимать нечего.</translation>
+            <translation>Сдвиги записей не входят в исходные данные проекта: применять нечего.</translation>
         </message>
         <message>
             <source>No values: %1.</source>
@@ -18688,7 +18688,7 @@ good</source>
         </message>
         <message>
             <source>&amp;Stop</source>
-            <translation>&amp;Стоп</translation>
+            <translation>О&amp;становить</translation>
         </message>
         <message>
             <source>&amp;Leave these out</source>
@@ -18696,7 +18696,7 @@ good</source>
         </message>
         <message>
             <source>&amp;Apply</source>
-            <translation>&amp;Принять</translation>
+            <translation>&amp;Применить</translation>
         </message>
         <message>
             <source>all values alike</source>
@@ -18716,7 +18716,7 @@ good</source>
         </message>
         <message>
             <source>Unchecks what the data cannot tell</source>
-            <translation>Снимает отметки с того, что по данным не определить</translation>
+            <translation>Снимает отметки с неопределимых параметров</translation>
         </message>
         <message>
             <source>Gives the inputs the values found, as one edit that can be undone, and marks them as calibrated</source>
@@ -18744,11 +18744,11 @@ good</source>
         </message>
         <message>
             <source>These values cannot be taken over. %1. %2</source>
-            <translation>Эти значения принять нельзя. %1. %2</translation>
+            <translation>Эти значения применить нельзя. %1. %2</translation>
         </message>
         <message>
             <source>These values cannot be taken over: the model does not fit. %1</source>
-            <translation>Эти значения принять нельзя: модель не подходит. %1</translation>
+            <translation>Эти значения применить нельзя: модель не подходит. %1</translation>
         </message>
         <message>
             <source>Unusual: %1. %2</source>
@@ -18771,7 +18771,7 @@ good</source>
         <name>sparkout::WheelPage</name>
         <message>
             <source>Apply the s&amp;trengths</source>
-            <translation>Принять про&amp;чность</translation>
+            <translation>Применить про&amp;чность</translation>
         </message>
         <message>
             <source>Roughness Ra</source>
@@ -18779,7 +18779,7 @@ good</source>
         </message>
         <message>
             <source>Apply the &amp;Ra factor</source>
-            <translation>Принять &amp;поправку Ra</translation>
+            <translation>Применить &amp;поправку Ra</translation>
         </message>
         <message>
             <source>No Ra is measured, or the cycle does not end at size. Measured Ra comes into the project with the parts: Import measurements…</source>
@@ -18823,7 +18823,7 @@ good</source>
         </message>
         <message>
             <source>power of the wheel, without idle power</source>
-            <translation>мощность круга без холостого хода</translation>
+            <translation>мощность привода круга без холостого хода</translation>
         </message>
         <message>
             <source>Readin&amp;g:</source>
@@ -18884,7 +18884,7 @@ Import measurements… reads them from tables: the size at the gauge, the power 
 The size alone gives α and β, that is the compliance with the force together; the power adds its two shares; with the normal force compliance, flow stress and dullness are told apart.</source>
             <translation>Пока не к чему подбирать цикл: нет ни записей, ни диаметров готовых деталей.
 
-Команда «Импорт измерений…» читает их из таблиц: размер на приборе активного контроля, мощность круга, ток его шпинделя или нормальную силу за время одного цикла либо диаметры готовых деталей по зонам или сечениям.
+Команда «Импорт измерений…» читает их из таблиц: размер по прибору активного контроля, мощность привода круга, ток его шпинделя или нормальную силу за время одного цикла либо диаметры готовых деталей по зонам или сечениям.
 
 Один размер даёт α и β, то есть податливость вместе с силой; мощность добавляет две свои составляющие; вместе с нормальной силой различаются податливость, интенсивность напряжений и степень затупления.</translation>
         </message>
@@ -19057,11 +19057,11 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Size at the gauge</source>
-            <translation>Размер на приборе</translation>
+            <translation>Размер по прибору</translation>
         </message>
         <message>
             <source>Wheel power</source>
-            <translation>Мощность круга</translation>
+            <translation>Мощность привода круга</translation>
         </message>
         <message>
             <source>Spindle current</source>
@@ -19126,7 +19126,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>These measurements say nothing of the model.</source>
-            <translation>Эти измерения ничего не говорят о модели.</translation>
+            <translation>Эти измерения не проверяют модель.</translation>
         </message>
         <message numerus="yes">
             <source>and %n more</source>
@@ -19238,7 +19238,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         <name>AdequacyTable</name>
         <message>
             <source>Quantity</source>
-            <translation>Величина</translation>
+            <translation>Показатель</translation>
         </message>
         <message>
             <source>n</source>
@@ -19328,7 +19328,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>“%1” is no number out of %2; several are parted by semicolons</source>
-            <translation>«%1» — не число из диапазона %2; несколько чисел разделяются точкой с запятой</translation>
+            <translation>«%1» — не число из диапазона %2; разделяйте точкой с запятой</translation>
         </message>
     </context>
     <context>
@@ -19339,7 +19339,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>A row for each zone or section of a part. Double click or F2 edits a cell; several diameters are parted by semicolons.</source>
-            <translation>Строка на каждую зону или сечение детали. Двойной щелчок или F2 правит ячейку; несколько диаметров разделяются точкой с запятой.</translation>
+            <translation>Строка на каждую зону или сечение детали. Двойной щелчок или F2 правит ячейку; диаметры разделяйте точкой с запятой.</translation>
         </message>
         <message>
             <source>Measured statistics</source>
@@ -19589,7 +19589,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Nothing speaks against the model; %1 of %2 comparisons agree.</source>
-            <translation>Ничто не противоречит модели; согласуется сравнений: %1 из %2.</translation>
+            <translation>Противоречий с моделью нет; согласуется сравнений: %1 из %2.</translation>
         </message>
         <message>
             <source>The model does not agree with the parts; %1 of %2 comparisons agree.</source>
@@ -19605,7 +19605,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>The inputs are refused; the prediction is that of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; прогноз — по последним принятым.</translation>
+            <translation>Исходные данные не приняты; прогноз — по последним верным.</translation>
         </message>
         <message>
             <source>No part is measured yet. Here measured diameters, runout, roundness, cylindricity and roughness will stand beside those that the batch predicts, with a verdict on the model. Import a table of a measuring machine, paste one from a spreadsheet (Ctrl+V), or type the statistics of a printed table under “Statistics”.</source>
@@ -19689,7 +19689,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Stop</source>
-            <translation>Стоп</translation>
+            <translation>Остановить</translation>
         </message>
         <message>
             <source>End the batch; what was done is kept and shown</source>
@@ -19859,7 +19859,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>&amp;Apply the stiffness</source>
-            <translation>&amp;Принять жёсткости</translation>
+            <translation>&amp;Применить жёсткости</translation>
         </message>
         <message>
             <source>&amp;Print the sheet…</source>
@@ -19899,7 +19899,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Enter the deflections: what they tell stands here at once.</source>
-            <translation>Введите отжатия: что из них следует, сразу появится здесь.</translation>
+            <translation>Введите отжатия: результат сразу появится здесь.</translation>
         </message>
         <message>
             <source>Nothing can be found: %1.</source>
@@ -19991,7 +19991,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>&amp;Stop</source>
-            <translation>С&amp;топ</translation>
+            <translation>Ос&amp;тановить</translation>
         </message>
         <message>
             <source>What the trial is for</source>
@@ -20067,7 +20067,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>The intervals are those expected at 95 % about the present inputs, for %1 values a second with a scatter of %2 µm, %3 kW or %4 % of the maximum force. Then import the trace and calibrate on the page Cycle.</source>
-            <translation>Интервалы — ожидаемые 95 %-е около нынешних исходных данных, при %1 отсчётах в секунду с разбросом %2 мкм, %3 кВт или %4 % наибольшей силы. Затем импортируйте запись и калибруйте на странице «Цикл».</translation>
+            <translation>Интервалы — ожидаемые 95 %-е около текущих исходных данных, при %1 отсчётах в секунду с разбросом %2 мкм, %3 кВт или %4 % наибольшей силы. Затем импортируйте запись и калибруйте на странице «Цикл».</translation>
         </message>
         <message numerus="yes">
             <source>then %n double stroke(s) of spark-out</source>
@@ -20549,7 +20549,7 @@ s</source>
         </message>
         <message>
             <source>the run has no such figure</source>
-            <translation>в расчёте нет такой величины</translation>
+            <translation>в расчёте нет такого показателя</translation>
         </message>
     </context>
     <context>
@@ -20631,7 +20631,7 @@ s</source>
         </message>
         <message>
             <source>the run has no figure that a step asks for</source>
-            <translation>в расчёте нет величины, о которой спрашивает шаг</translation>
+            <translation>в расчёте нет показателя, о котором спрашивает шаг</translation>
         </message>
         <message>
             <source>a step is solved as given</source>
@@ -20647,7 +20647,7 @@ s</source>
         </message>
         <message>
             <source>no value of a free input was found at which a figure is as asked</source>
-            <translation>не найдено значение, при котором величина такова, как задано</translation>
+            <translation>не найдено значение, дающее заданный показатель</translation>
         </message>
         <message>
             <source>the best answer is too quick beside the lesson&apos;s</source>
@@ -20671,7 +20671,7 @@ s</source>
         </message>
         <message>
             <source>a figure is outside the bounds that the lesson sets</source>
-            <translation>величина вне границ, заданных в работе</translation>
+            <translation>показатель вне границ, заданных в работе</translation>
         </message>
     </context>
     <context>
@@ -20767,7 +20767,7 @@ s</source>
         </message>
         <message>
             <source>What becomes of it</source>
-            <translation>Что с этим сделать</translation>
+            <translation>Действие</translation>
         </message>
         <message>
             <source>The chosen line in detail</source>
@@ -20775,7 +20775,7 @@ s</source>
         </message>
         <message>
             <source>Input</source>
-            <translation>Параметр</translation>
+            <translation>Величина</translation>
         </message>
         <message>
             <source>Yours</source>
@@ -20799,7 +20799,7 @@ s</source>
         </message>
         <message>
             <source>The logo of the pack is left out. %1</source>
-            <translation>Логотип из набора не берётся. %1</translation>
+            <translation>Логотип из набора не импортируется. %1</translation>
         </message>
         <message>
             <source>Nothing of yours is replaced unless you choose it here. A pack holds data alone: nothing in it is run.</source>
@@ -20847,7 +20847,7 @@ s</source>
         </message>
         <message>
             <source>Do not take</source>
-            <translation>Не брать</translation>
+            <translation>Не импортировать</translation>
         </message>
         <message>
             <source>Replace yours</source>
@@ -20855,7 +20855,7 @@ s</source>
         </message>
         <message>
             <source>Take</source>
-            <translation>Взять</translation>
+            <translation>Импортировать</translation>
         </message>
         <message>
             <source>Keep both</source>
@@ -21197,7 +21197,7 @@ s</source>
         </message>
         <message>
             <source>Quantity</source>
-            <translation>Величина</translation>
+            <translation>Показатель</translation>
         </message>
         <message>
             <source>Predicted</source>
@@ -21443,7 +21443,7 @@ s</source>
         </message>
         <message>
             <source>Quantity</source>
-            <translation>Величина</translation>
+            <translation>Показатель</translation>
         </message>
         <message>
             <source>Predicted</source>
@@ -21815,7 +21815,7 @@ s</source>
         </message>
         <message>
             <source>This work was changed outside of the program. Whoever marks it will be told.</source>
-            <translation>Файл работы изменён вне программы. Проверяющий об этом узнает.</translation>
+            <translation>Файл работы изменён вне программы. Преподаватель это увидит.</translation>
         </message>
         <message>
             <source>Opened: %1</source>
@@ -22578,7 +22578,7 @@ s</source>
         </message>
         <message>
             <source>Take the &amp;project</source>
-            <translation>&amp;Взять проект</translation>
+            <translation>&amp;Включить проект</translation>
         </message>
         <message>
             <source>The project in the window becomes that of the laboratory work</source>
@@ -22772,7 +22772,7 @@ s</source>
         </message>
         <message>
             <source>The printer or the file did not take the pages.</source>
-            <translation>Принтер или файл не принял страницы.</translation>
+            <translation>Вывод не удался. Проверьте принтер и диск.</translation>
         </message>
         <message>
             <source>Export: %1</source>

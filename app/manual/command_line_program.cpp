@@ -82,7 +82,7 @@ Command optimizeCommand() {
            "with "
            "the confidence stated; a file whose optimisation says scenarios corners or batch is "
            "searched for those without it",
-           "цикл должен годиться при всех припусках в пределах половины подачи от заданного: при "
+           "цикл должен быть годен для всех припусков в пределах подачи на шаг: при "
            "управлении от прибора это решается точно, при управлении по положению проверяется на "
            "500 "
            "случайных припусках с указанием доверительной вероятности; файл, в котором для поиска "
@@ -181,7 +181,7 @@ std::vector<Option> batchOptions() {
          "S",
          Kind::anything,
          "",
-         {"seed, instead of the file's", "начальное число вместо заданного в файле"}},
+         {"seed, instead of the file's", "номер выборки вместо заданного в файле"}},
         {"--scenarios",
          "HOW",
          Kind::choice,
@@ -216,7 +216,7 @@ std::vector<Option> batchOptions() {
          {"writes a row for every part: its factors, every quantity, every requirement held or "
           "not; "
           "the same for any number of threads, and no file at all when it is ended by Ctrl+C",
-          "пишет строку на деталь: её факторы, все величины, выполнено ли каждое требование; "
+          "пишет строку на деталь: её факторы, все показатели, выполнено ли каждое требование; "
           "одинаково при любом числе потоков; если прервано Ctrl+C, файла нет"}},
         {"--force",
          "",
@@ -290,7 +290,7 @@ Command phasesCommand() {
           {"minimum stock per side in mm, instead of the file's less half the maximum infeed of a "
            "stage",
            "наименьший припуск на сторону в мм вместо припуска файла за вычетом половины "
-           "наибольшей подачи за шаг"}},
+           "наибольшей подачи на шаг"}},
          {"--to",
           "MM",
           Kind::anything,
@@ -298,7 +298,7 @@ Command phasesCommand() {
           {"maximum stock per side in mm, instead of the file's plus half the maximum infeed of "
            "a stage",
            "наибольший припуск на сторону в мм вместо припуска файла с прибавлением половины "
-           "наибольшей подачи за шаг"}},
+           "наибольшей подачи на шаг"}},
          json,
          check({"exit status 4 when it fails for a stock",
                 "код завершения 4, если цикл не годен хотя бы при одном припуске"})}};
@@ -462,7 +462,7 @@ Command courseCommand() {
          "computed again from the lesson; edited, foreign and copied works are named",
          "лабораторные работы для группы; занятие — файл .sparkout-lesson. check: ошибки занятия и "
          "то, что каждый шаг находит в его проекте; печати и ответы работы студента "
-         "(.sparkout-work); сохранённые расчёты проекта. variants: работа каждому студенту списка: "
+         "(.sparkout-work); запомненные расчёты проекта. variants: работа каждому студенту списка: "
          "допустимая, не решённая сразу, с доказанным лучшим циклом, близким к циклу занятия по "
          "времени и запасу, без повторов, и рядом assignments.csv для раздачи и "
          "teacher-best-answers.csv для преподавателя. grade: проверяет работы папки, каждый ответ "
@@ -480,7 +480,7 @@ Command courseCommand() {
           Kind::anything,
           "",
           {"of variants: the same seed gives the same variants",
-           "для variants: одно и то же число даёт одни и те же варианты"}},
+           "для variants: один и тот же номер выборки даёт одни и те же варианты"}},
          {"-d",
           "DIR",
           Kind::folder,
@@ -630,7 +630,7 @@ const Program& commandLineProgram() {
          "--version | --help"},
         {"Computes without a window: for scripts, long batches and computers without a display. It "
          "reads the project files of the window and gives the same numbers, digit for digit.",
-         "Считает без окна: для сценариев, больших партий и компьютеров без экрана. Читает файлы "
+         "Считает без окна: для скриптов, больших партий и компьютеров без экрана. Читает файлы "
          "проектов окна и даёт те же числа, до последнего знака."},
         {{"--version", "", Kind::none, "", {"prints the version", "печатает версию"}},
          {"--help", "", Kind::none, "", {"prints this text", "печатает список параметров"}}},

@@ -23,7 +23,7 @@ struct Bench {
             "Stage stock per side\nΠ_z\n/cycle/stages/0/stock_mm");
         add("Ступень 2 › Припуск на сторону",
             "Stage stock per side\nΠ_z\n/cycle/stages/1/stock_mm");
-        add("Ступень 2 › Осевая подача",
+        add("Ступень 2 › Продольная подача",
             "Axial feed\nS_ax\nSax\n/cycle/stages/1/axial_feed_mm_min");
         add("Люнет › Жёсткость", "Stiffness\n/part/shaft/steady_rests/0/stiffness_n_um");
         combo.show();
@@ -69,7 +69,7 @@ private slots:
         QVERIFY(bench.isOpen());
         QCOMPARE(bench.search().text(), QStringLiteral("s"));
         QTest::keyClicks(&bench.search(), QStringLiteral("ax"));
-        QCOMPARE(bench.found(), QStringList(QStringLiteral("Ступень 2 › Осевая подача")));
+        QCOMPARE(bench.found(), QStringList(QStringLiteral("Ступень 2 › Продольная подача")));
         QTest::keyClick(&bench.search(), Qt::Key_Return);
         QVERIFY(!bench.isOpen());
         QCOMPARE(bench.combo.currentIndex(), 4);

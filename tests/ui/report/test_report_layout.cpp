@@ -318,7 +318,7 @@ private slots:
                         const bool goesOn = row.join(u' ').contains(QStringLiteral("Непрерывная"));
                         QVERIFY2(row[at]
                                          == (goesOn ? QStringLiteral("мм/мин")
-                                                    : QStringLiteral("мм/дв.ход"))
+                                                    : QStringLiteral("мм/дв. ход"))
                                      || row.join(u' ').contains(QStringLiteral("Диапазон")),
                                  qPrintable(row.join(u'|')));
                     }

@@ -136,7 +136,7 @@ private slots:
             feeds |= line.startsWith(QStringLiteral("Подача S<sub>"));
         }
         QVERIFY(feeds);
-        QCOMPARE(offers.take(1).text(), QStringLiteral("Принять"));
+        QCOMPARE(offers.take(1).text(), QStringLiteral("Применить"));
         bench.action("english")->trigger();
         QCOMPARE(offers.take(1).text(), QStringLiteral("Take"));
     }
