@@ -18,12 +18,14 @@
 #include "core/files/file_system.h"
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
+#include "core/judgement/judgement.h"
 #include "core/printable.h"
 #include "core/quality/remarks.h"
-#include "core/quality/result_json.h"
 #include "core/setup/setup_json.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
+#include "words/judgement_json.h"
+#include "words/judgement_words.h"
 
 #include <cerrno>
 #include <filesystem>
@@ -48,6 +50,19 @@ int writeTrace(const SimulationResult& result, const std::string& name, const Op
     return save(options.trace, traceCsv(again, trajectory));
 }
 
+/// Of a run, over every stock within one infeed.
+Judgement judged(const SurfaceRun& run) {
+    return judge(run.result, run.constraints, judgeStocks(run.result));
+}
+
+std::string textOf(const SurfaceRun& run) {
+    return resultText(run.result, run.constraints, JudgementWording().headline(judged(run)));
+}
+
+std::string jsonOf(const SurfaceRun& run) {
+    return judgedResultJson(run.result, run.constraints, judged(run));
+}
+
 int statusOf(const SurfaceRun& run, const std::string& name, const Options& options) {
     if (!run.isCompleted()) {
         print(stderr, printable(name) + ": " + statusSentence(run.result) + '\n');
@@ -63,8 +78,7 @@ int simulateOne(const Project& project, const std::string& name, const Options& 
         return writeTrace(run.result, name, options);
     }
     printIssues(name, remarksOn(run.result));
-    print(stdout, options.json ? resultJson(run.result, run.constraints)
-                               : resultText(run.result, run.constraints));
+    print(stdout, options.json ? jsonOf(run) : textOf(run));
     if (!options.trace.empty()) {
         if (const int failed = writeTrace(run.result, name, options)) {
             return failed;
@@ -83,7 +97,7 @@ int simulateWhole(const Surfaces& surfaces, const Options& options) {
         printUntrueRuns(name, surfaces.setup().surfaces[i].project);
         printIssues(name, remarksOn(surface.result));
         if (!options.json) {
-            print(stdout, surfaces.heading(i) + resultText(surface.result, surface.constraints));
+            print(stdout, surfaces.heading(i) + textOf(surface));
         }
         const int one = statusOf(surface, name, options);
         status = status == done ? one : status;
@@ -92,8 +106,8 @@ int simulateWhole(const Surfaces& surfaces, const Options& options) {
         printIssues(surfaces.nameOf(run.surfaces.size()), run.issues);
         status = status == done ? static_cast<int>(refused) : status;
     }
-    print(stdout,
-          options.json ? setupJson(surfaces.setup(), run) : setupText(surfaces.setup(), run));
+    print(stdout, options.json ? setupJson(surfaces.setup(), run, jsonOf)
+                               : setupText(surfaces.setup(), run));
     return status;
 }
 

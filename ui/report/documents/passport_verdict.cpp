@@ -2,10 +2,13 @@
 #include "ui/report/documents/passport_verdict.h"
 
 #include "core/project/batch.h"
-#include "ui/charts/verdict_table.h"
+#include "core/study/judged_outcome.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/verdict/verdict_text.h"
+
+#include <algorithm>
 
 namespace sparkout::report {
 
@@ -29,28 +32,40 @@ const CharacteristicSummary* PassportVerdict::deciding(const BatchSummary& summa
     return most ? most : leastCapable(summary);
 }
 
-Fitness PassportVerdict::fitness(const Subject& subject) {
-    return verdict::overallLight(*subject.outcome) == Light::fails ? Fitness::unfit
-           : subject.batch ? weigh(subject.batch->summary, subject.batch->result).fitness
-                           : Fitness::conditional;
+Fitness PassportVerdict::fitness(const Subject& subject, const Judgement& judgement) {
+    if (isFailure(judgement.state)) {
+        return Fitness::unfit;
+    }
+    const Fitness ofBatch = subject.batch
+                                ? weigh(subject.batch->summary, subject.batch->result).fitness
+                                : Fitness::conditional;
+    return judgement.state == JudgedState::undecided ? std::max(ofBatch, Fitness::conditional)
+                                                     : ofBatch;
 }
 
-QString PassportVerdict::decision(const Subject& subject) {
-    return verdict::overallLight(*subject.outcome) == Light::fails ? tr("the nominal part fails")
-           : subject.batch ? BatchText::decision(*subject.batch)
-                           : tr("the nominal part holds; no batch is described, so its scatter is "
-                                "not weighed");
+QString PassportVerdict::decision(const Subject& subject, const Judgement& judgement) {
+    const bool isOfBatch =
+        judgement.state == JudgedState::batchFails || !isFailure(judgement.state);
+    return !isOfBatch ? JudgementText::headline(judgement)
+           : subject.batch
+               ? BatchText::decision(*subject.batch)
+               : tr("the nominal part holds; no batch is described, so its scatter is not weighed");
 }
 
 std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
     const Outcome& outcome = *subject.outcome;
-    Facts facts{{{tr("The cycle, by the prediction"), BatchText::fitness(fitness(subject))},
-                 {tr("What decided"), decision(subject)}}};
+    const Judgement judgement = judgementOf(outcome, subject.batch.get());
+    Facts facts{
+        {{tr("Prediction"), JudgementText::headline(judgement)},
+         {tr("The cycle, by the prediction"), BatchText::fitness(fitness(subject, judgement))},
+         {tr("What decided"), decision(subject, judgement)}}};
     QStringList reasons;
     if (outcome.result.status != RunStatus::completed) {
         reasons << sparkout::verdict::status(outcome.result);
     }
-    reasons << tr("Nominal part: %1.").arg(sparkout::verdict::overall(outcome));
+    for (const QString& line : JudgementText::lines(judgement)) {
+        reasons << line + u'.';
+    }
     if (subject.batch) {
         const BatchSummary& summary = subject.batch->summary;
         facts.facts.emplace_back(tr("Parts of the batch that are not good"),
@@ -72,7 +87,8 @@ std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
         if (summary.bad.count > 0) {
             reasons << tr("Worst part, number %1: %2.")
                            .arg(Names::part(summary.worstPart),
-                                sparkout::verdict::overall(*subject.worst));
+                                JudgementText::headline(
+                                    judge(subject.worst->result, subject.worst->constraints)));
         }
     } else {
         facts.facts.emplace_back(tr("Parts of the batch that are not good"),
