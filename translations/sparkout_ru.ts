@@ -8374,8 +8374,8 @@ With another name both versions stay as they are.</source>
             <translation>Прогноз</translation>
         </message>
         <message>
-            <source>the nominal part holds; no batch is described, so its scatter is not weighed</source>
-            <translation>номинальная деталь годна; партия не описана, поэтому рассеяние не учтено</translation>
+            <source>no requirement fails; no batch is described, so its scatter is not weighed</source>
+            <translation>все проверенные требования выполнены; партия не описана, поэтому рассеяние не учтено</translation>
         </message>
         <message>
             <source>The cycle, by the prediction</source>
@@ -8414,12 +8414,12 @@ With another name both versions stay as they are.</source>
             <translation>Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
         </message>
         <message>
-            <source>The cycle conforms when the nominal part and every part that was run reach size and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it conforms conditionally when no more parts fail than the share allowed, or when the capability or the expected share outside falls short or is not known. %2</source>
-            <translation>Цикл годен, если номинальная деталь и каждая рассчитанная деталь партии доводятся до размера и выдерживают все требования, а нижние 95%-ные границы всех Ppk не меньше %1; он условно годен, если доля негодных деталей не больше допущенной либо если пригодность процесса или ожидаемая доля вне допуска недостаточна или неизвестна. %2</translation>
+            <source>The cycle conforms when every stock within one infeed, where that is decided, and every part that was run reach size and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it conforms conditionally when no more parts fail than the share allowed, or when a requirement, the capability or the expected share outside is not decided or falls short. %2</source>
+            <translation>Цикл годен, если при каждом припуске в пределах подачи на шаг, где это решается, и у каждой рассчитанной детали партии достигнут размер и выполнены все требования, а нижние 95%-ные границы всех Ppk не меньше %1; он условно годен, если доля негодных деталей не больше допущенной либо если требование, пригодность процесса или ожидаемая доля вне допуска не определены или недостаточны. %2</translation>
         </message>
         <message>
-            <source>Without a batch the cycle conforms conditionally when the nominal part reaches size and holds every requirement. %1</source>
-            <translation>Без партии цикл условно годен, если номинальная деталь доводится до размера и выдерживает все требования. %1</translation>
+            <source>Without a batch the cycle conforms conditionally when every stock within one infeed, where that is decided, reaches size and holds every requirement. %1</source>
+            <translation>Без партии цикл условно годен, если при каждом припуске в пределах подачи на шаг, где это решается, достигнут размер и выполнены все требования. %1</translation>
         </message>
     </context>
     <context>

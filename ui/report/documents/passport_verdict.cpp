@@ -49,7 +49,7 @@ QString PassportVerdict::decision(const Subject& subject, const Judgement& judge
     return !isOfBatch ? JudgementText::headline(judgement)
            : subject.batch
                ? BatchText::decision(*subject.batch)
-               : tr("the nominal part holds; no batch is described, so its scatter is not weighed");
+               : tr("no requirement fails; no batch is described, so its scatter is not weighed");
 }
 
 std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
@@ -104,13 +104,15 @@ std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
     }
     blocks.push_back(Paragraph{
         subject.batch
-            ? tr("The cycle conforms when the nominal part and every part that was run reach size "
-                 "and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it "
-                 "conforms conditionally when no more parts fail than the share allowed, or when "
-                 "the capability or the expected share outside falls short or is not known. %2")
+            ? tr("The cycle conforms when every stock within one infeed, where that is decided, "
+                 "and "
+                 "every part that was run reach size and hold every requirement, and the lower "
+                 "95 % bounds of all Ppk reach %1; it conforms conditionally when no more parts "
+                 "fail than the share allowed, or when a requirement, the capability or the "
+                 "expected share outside is not decided or falls short. %2")
                   .arg(Names::significant(subject.batch->result.project.batch->least_ppk), caution)
-            : tr("Without a batch the cycle conforms conditionally when the nominal part reaches "
-                 "size and holds every requirement. %1")
+            : tr("Without a batch the cycle conforms conditionally when every stock within one "
+                 "infeed, where that is decided, reaches size and holds every requirement. %1")
                   .arg(caution)});
     return blocks;
 }

@@ -141,7 +141,8 @@ private slots:
         Language language;
         language.apply(QStringLiteral("ru"));
         const auto said = [this](JudgedState state) {
-            return JudgementText::headline(judgedAs(m_plunge, state).judgement);
+            QString text = JudgementText::headline(judgedAs(m_plunge, state).judgement);
+            return text.replace(u'\u00a0', u' ');
         };
         QCOMPARE(said(JudgedState::stocksHold), QStringLiteral("Годен для всех припусков"));
         QCOMPARE(said(JudgedState::batchFails),
