@@ -12696,14 +12696,6 @@ With another name both versions stay as they are.</source>
             <source>Main time %1 min, piece time %2 min.</source>
             <translation>Основное время %1 мин, штучное время %2 мин.</translation>
         </message>
-        <message>
-            <source>Every requirement on every surface holds.</source>
-            <translation>Все требования ко всем поверхностям выполнены.</translation>
-        </message>
-        <message>
-            <source>A requirement fails.</source>
-            <translation>Есть нарушенное требование.</translation>
-        </message>
     </context>
     <context>
         <name>sparkout::ExportCommands</name>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // What simulate prints, as text and as JSON, is what the engine computes.
+#include "core/batch/batch_run.h"
 #include "core/judgement/judgement.h"
+#include "core/project/batch.h"
 #include "core/project/part.h"
 #include "core/quality/constraints.h"
 #include "core/quality/shop_numbers.h"
@@ -71,6 +73,22 @@ private slots:
         const std::string headline = JudgementWording().headline(judgement);
         QVERIFY(run({"simulate", file}).out.find("\njudged               " + headline + '\n')
                 != std::string::npos);
+    }
+
+    void batchIsJudgedWhereItIsAskedFor() {
+        const QString file =
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout");
+        const Project project = projectOf(file);
+        const BatchStatistics statistics = runBatch(project).statistics;
+        const json alone = json::parse(run({"simulate", file, "--json"}).out).at("judged");
+        QVERIFY(alone.at("batch").is_null());
+        const Outcome outcome = run({"simulate", file, "--batch", "--json"});
+        QCOMPARE(outcome.status, 0);
+        const json batch = json::parse(outcome.out).at("judged").at("batch");
+        QCOMPARE(batch.at("parts").get<std::int64_t>(), statistics.parts);
+        QCOMPARE(batch.at("bad").get<std::int64_t>(), statistics.bad);
+        QCOMPARE(batch.at("seed").get<int>(), project.batch->seed);
+        QCOMPARE(batch.at("interval_95").size(), std::size_t{2});
     }
 
     /// The check is of the part that was run, whatever becomes of other stocks.

@@ -108,9 +108,14 @@ QString ExamplesDialog::resultOf(const Entry& entry) {
     const QString time = tr("Main time %1 min, piece time %2 min.")
                              .arg(printedNumber(run.time.main_min, exampleDigits),
                                   printedNumber(run.time.piece_min, exampleDigits));
-    return time + u' '
-           + (run.holds(entry.setup) ? tr("Every requirement on every surface holds.")
-                                     : tr("A requirement fails."));
+    Judgement worst; // of the surface to speak of first
+    for (const SurfaceRun& surface : run.surfaces) {
+        Judgement one = judge(surface.result, surface.constraints, judgeStocks(surface.result));
+        if (&surface == run.surfaces.data() || one.state < worst.state) {
+            worst = std::move(one);
+        }
+    }
+    return time + u' ' + JudgementText::headline(worst) + u'.';
 }
 
 void ExamplesDialog::fill() {
