@@ -85,20 +85,21 @@ void CycleJudge::judgeNow() {
         return;
     }
     m_judged.hasBatch = m_tellsBatches && outcome.result.project.batch;
-    std::optional<JudgedBatch> batch;
-    if (const BatchOutcomePtr found = m_judged.hasBatch ? batchOfNow() : nullptr) {
-        batch = judgeBatch(found->result, found->summary);
+    std::optional<JudgedBatch> ofBatch;
+    if (const BatchOutcomePtr found = m_judged.hasBatch ? batch() : nullptr) {
+        ofBatch = judgeBatch(found->result, found->summary);
     }
-    m_judged.isBatchComing = m_judged.hasBatch && !(batch && batch->isWhole)
+    m_judged.isBatchComing = m_judged.hasBatch && !(ofBatch && ofBatch->isWhole)
                              && !m_studies.judged.refusal() && isQuick(outcome);
     m_judged.areStocksComing = m_runs.areStocksComing();
-    m_judged.judgement = judge(outcome.result, outcome.constraints, m_runs.stocks(), batch);
+    m_judged.judgement = judge(outcome.result, outcome.constraints, m_runs.stocks(), ofBatch);
 }
 
-/// Of the inputs that were run; one of which all parts were run before one that was stopped. Null:
-/// there is none.
-BatchOutcomePtr CycleJudge::batchOfNow() const {
+BatchOutcomePtr CycleJudge::batch() const {
     BatchOutcomePtr found;
+    if (!m_judged.outcome || !m_judged.outcome->ran()) {
+        return found;
+    }
     for (const StudyOf<BatchOutcome>* study : {&m_studies.batch, &m_studies.judged}) {
         if (study->isOf(m_judged.outcome->result.project)
             && (!found || found->result.status == BatchStatus::stopped)) {

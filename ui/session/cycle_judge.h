@@ -34,6 +34,9 @@ public:
     /// Whether batches are run and told of; in a lesson they are not.
     void tellBatches(bool tells);
     [[nodiscard]] const JudgedRun& judged() const { return m_judged; }
+    /// Of the inputs that were run; one of which all parts were run before one that was stopped.
+    /// Null: there is none.
+    [[nodiscard]] BatchOutcomePtr batch() const;
 
 signals:
     void changed(); ///< the stocks or the batch have come, or are no longer told of
@@ -42,7 +45,6 @@ private:
     void judgeAgain();
     void judgeNow();
     void runBatch();
-    [[nodiscard]] BatchOutcomePtr batchOfNow() const;
 
     const RunController& m_runs;
     Studies& m_studies;

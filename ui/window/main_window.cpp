@@ -380,7 +380,7 @@ void MainWindow::connectReports() {
             const bool isSetup = m_document.surfaceCount() > 1 || m_document.state().wear.isGiven();
             return {outcomeOfNow(),
                     m_document.filePath(),
-                    m_studies.batch.result(),
+                    m_judge->batch(),
                     &m_cursor,
                     isSetup ? std::optional(m_document.setup()) : std::nullopt,
                     m_studies.currentPrediction()};
