@@ -16649,12 +16649,12 @@ target, µm</source>
             <translation>Припуски: не проверены</translation>
         </message>
         <message>
-            <source>Every stock {from}…{to} mm: fit</source>
-            <translation>Все припуски {from}…{to} мм: годен</translation>
+            <source>Every stock per side {from}…{to} mm: fit</source>
+            <translation>Все припуски на сторону {from}…{to} мм: годен</translation>
         </message>
         <message>
-            <source>Stocks {from}…{to} mm: {share} % unfit</source>
-            <translation>Припуски {from}…{to} мм: не годен для {share} %</translation>
+            <source>Stocks per side {from}…{to} mm: {share} % unfit</source>
+            <translation>Припуски на сторону {from}…{to} мм: не годен для {share} %</translation>
         </message>
         <message>
             <source>Batch: being run</source>

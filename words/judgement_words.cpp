@@ -151,12 +151,13 @@ std::string JudgementWording::stocks(const Judgement& judgement, bool areComing)
                                     : SPARKOUT_NOOP("Judgement", "Stocks: not decided"));
     }
     const JudgedStocks& stocks = *judgement.stocks;
-    return filled(stocks.holds
-                      ? SPARKOUT_NOOP("Judgement", "Every stock {from}…{to} mm: fit")
-                      : SPARKOUT_NOOP("Judgement", "Stocks {from}…{to} mm: {share} % unfit"),
-                  {{"from", stock(stocks.range.from_mm)},
-                   {"to", stock(stocks.range.to_mm)},
-                   {"share", percent(stocks.failingShare)}});
+    return filled(
+        stocks.holds
+            ? SPARKOUT_NOOP("Judgement", "Every stock per side {from}…{to} mm: fit")
+            : SPARKOUT_NOOP("Judgement", "Stocks per side {from}…{to} mm: {share} % unfit"),
+        {{"from", stock(stocks.range.from_mm)},
+         {"to", stock(stocks.range.to_mm)},
+         {"share", percent(stocks.failingShare)}});
 }
 
 std::string JudgementWording::batch(const Judgement& judgement, bool isComing) const {

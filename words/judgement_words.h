@@ -21,7 +21,7 @@ public:
 
     /// "Fit for the batch: 0 of 50 rejected (≤ 7.1 %)".
     [[nodiscard]] std::string headline(const Judgement& judgement) const;
-    /// "Every stock from 0.149 to 0.151 mm: fit"; or why the stocks are not decided.
+    /// "Every stock per side 0.1490…0.1510 mm: fit"; or why the stocks are not decided.
     [[nodiscard]] std::string stocks(const Judgement& judgement, bool areComing = false) const;
     /// "Batch: 0 of 50 rejected (≤ 7.1 %)"; or that it is not known.
     [[nodiscard]] std::string batch(const Judgement& judgement, bool isComing = false) const;

@@ -116,7 +116,7 @@ private slots:
         QVERIFY(!bench.label("judgedBatch").isEnabled());
         bench.panel.setJudged(judgedAs(m_plunge, JudgedState::batchHolds));
         QCOMPARE(bench.label("judgedStocks").text(),
-                 QStringLiteral("Every stock 0.1490…0.1510 mm: fit"));
+                 QStringLiteral("Every stock per side 0.1490…0.1510 mm: fit"));
         QCOMPARE(bench.label("judgedBatch").text(),
                  QStringLiteral("Batch: rejected 0 of 50 (≤ 7.1 %)"));
         QVERIFY(bench.label("judgedStocks").isEnabled());
