@@ -8,26 +8,34 @@
 #include "app/cli_sweep.h"
 #include "app/course/cli_course.h"
 #include "app/examples.h"
+#include "app/io/batch_watch.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_kept_runs.h"
 #include "app/io/cli_options.h"
 #include "app/io/cli_report.h"
 #include "app/io/cli_surfaces.h"
 #include "app/io/console.h"
+#include "app/io/stop_signals.h"
 #include "app/manual/help_text.h"
 #include "app/measured/cli_measured.h"
+#include "core/batch/batch_run.h"
 #include "core/files/file_system.h"
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
+#include "core/judgement/judgement.h"
 #include "core/printable.h"
+#include "core/project/batch.h"
 #include "core/quality/remarks.h"
-#include "core/quality/result_json.h"
 #include "core/setup/setup_json.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
+#include "words/judgement_json.h"
+#include "words/judgement_words.h"
 
 #include <cerrno>
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -49,6 +57,47 @@ int writeTrace(const SimulationResult& result, const std::string& name, const Op
     return save(options.trace, traceCsv(again, trajectory));
 }
 
+/// How a run stands, and the exit status of what was wrong with its batch.
+struct JudgedAnswer {
+    Judgement judgement;
+    int status = done;
+};
+
+/// Over every stock within one infeed and, with `--batch`, the batch of the project, if it has one.
+JudgedAnswer judged(const SurfaceRun& run, const std::string& name, const Options& options) {
+    const Project& project = run.result.project;
+    std::optional<JudgedBatch> batch;
+    int status = done;
+    if (options.batch && project.batch && run.isCompleted()) {
+        BatchResult result;
+        {
+            BatchWatch watch(project.batch->parts, false);
+            BatchOptions how;
+            how.stop = watch.stop();
+            how.done = watch.done();
+            result = runBatch(project, how);
+        }
+        if (caughtSignal() != 0) {
+            return {{}, interrupted + caughtSignal()};
+        }
+        if (result.status == BatchStatus::refused) {
+            printIssues(name, result.issues);
+            status = refused;
+        } else {
+            batch = judgeBatch(result, summarise(result));
+        }
+    }
+    return {judge(run.result, run.constraints, judgeStocks(run.result), std::move(batch)), status};
+}
+
+std::string textOf(const SurfaceRun& run, const Judgement& judgement) {
+    return resultText(run.result, run.constraints, JudgementWording().headline(judgement));
+}
+
+std::string jsonOf(const SurfaceRun& run, const Judgement& judgement) {
+    return judgedResultJson(run.result, run.constraints, judgement);
+}
+
 int statusOf(const SurfaceRun& run, const std::string& name, const Options& options) {
     if (!run.isCompleted()) {
         print(stderr, printable(name) + ": " + statusSentence(run.result) + '\n');
@@ -64,37 +113,51 @@ int simulateOne(const Project& project, const std::string& name, const Options& 
         return writeTrace(run.result, name, options);
     }
     printIssues(name, remarksOn(run.result));
-    print(stdout, options.json ? resultJson(run.result, run.constraints)
-                               : resultText(run.result, run.constraints));
+    const auto [judgement, judgedStatus] = judged(run, name, options);
+    if (caughtSignal() != 0) {
+        return judgedStatus;
+    }
+    print(stdout, options.json ? jsonOf(run, judgement) : textOf(run, judgement));
     if (!options.trace.empty()) {
         if (const int failed = writeTrace(run.result, name, options)) {
             return failed;
         }
     }
-    return statusOf(run, name, options);
+    const int status = statusOf(run, name, options);
+    return status == done ? judgedStatus : status;
 }
 
 /// Every surface, each with the wheel as those before have left it, and the times of the part.
 int simulateWhole(const Surfaces& surfaces, const Options& options) {
     const SetupRun run = runSetup(surfaces.setup());
+    std::vector<Judgement> judgements;
     int status = done;
     for (std::size_t i = 0; i < run.surfaces.size(); ++i) {
         const SurfaceRun& surface = run.surfaces[i];
         const std::string name = surfaces.nameOf(i);
         printUntrueRuns(name, surfaces.setup().surfaces[i].project);
         printIssues(name, remarksOn(surface.result));
+        const auto [judgement, judgedStatus] = judged(surface, name, options);
+        if (caughtSignal() != 0) {
+            return judgedStatus;
+        }
+        judgements.push_back(judgement);
         if (!options.json) {
-            print(stdout, surfaces.heading(i) + resultText(surface.result, surface.constraints));
+            print(stdout, surfaces.heading(i) + textOf(surface, judgement));
         }
         const int one = statusOf(surface, name, options);
-        status = status == done ? one : status;
+        status = status == done ? (one == done ? judgedStatus : one) : status;
     }
     if (!run.issues.empty()) {
         printIssues(surfaces.nameOf(run.surfaces.size()), run.issues);
         status = status == done ? static_cast<int>(refused) : status;
     }
-    print(stdout,
-          options.json ? setupJson(surfaces.setup(), run) : setupText(surfaces.setup(), run));
+    const auto surfaceJson = [&](const SurfaceRun& surface) {
+        const auto place = static_cast<std::size_t>(&surface - run.surfaces.data());
+        return jsonOf(surface, judgements[place]);
+    };
+    print(stdout, options.json ? setupJson(surfaces.setup(), run, surfaceJson)
+                               : setupText(surfaces.setup(), run));
     return status;
 }
 

@@ -112,10 +112,13 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
         say(stderr, QStringLiteral("sparkout: no step of this cycle is as --at says"));
         return exitUsage;
     }
-    if (report::rowOf(request.kind).takesBatch && project->batch) {
+    if (report::rowOf(request.kind).judgesBatch && project->batch) {
         subject.batch = runWatched(*project);
-        if (!subject.batch->ran()) {
+        if (!subject.batch->ran() && report::rowOf(request.kind).takesBatch) {
             return refuse(subject.batch->issues);
+        }
+        if (!subject.batch->ran()) {
+            subject.batch = nullptr; // what it is about is not the batch
         }
     }
     if (report::rowOf(request.kind).takesBatch && report::PassportMeasured::applies(*project)) {

@@ -2,9 +2,9 @@
 #pragma once
 
 // The public face of the core: a project read and checked or made for a drawing, its cycle
-// simulated, held against the drawing and evaluated, for which stocks it holds, what would help,
-// its batch, its sweep, its search; what was measured, read, judged and fitted, and the trials to
-// measure next; and the surfaces of a part that are ground in one set-up.
+// simulated, held against the drawing, evaluated and judged, for which stocks it holds, what would
+// help, its batch, its sweep, its search; what was measured, read, judged and fitted, and the trials
+// to measure next; and the surfaces of a part that are ground in one set-up.
 
 #include "core/adequacy/adequacy_outputs.h"
 #include "core/batch/batch_check.h"
@@ -20,6 +20,7 @@
 #include "core/identification/stiffness_trial.h"
 #include "core/identification/trial_design.h"
 #include "core/identification/wheel_calibration.h"
+#include "core/judgement/judgement.h"
 #include "core/measured/measured_table.h"
 #include "core/phases/failing_share.h"
 #include "core/phases/phases_json.h"

@@ -70,6 +70,52 @@ class Requirement(TypedDict):
     margin: float
     machine_known: bool
 
+class JudgedStocks:
+    """A cycle over every stock within one infeed."""
+
+    @property
+    def decided(self) -> bool:
+        """whether the stocks within one infeed are; not under position control, nor of a cycle of too many passes"""
+    @property
+    def holds(self) -> Optional[bool]:
+        """whether every requirement holds for every one of these stocks"""
+    @property
+    def stock_mm(self) -> Optional[tuple[float, float]]:
+        """range of stocks per side [mm]"""
+    @property
+    def failing_share(self) -> Optional[float]:
+        """share of these stocks for which a requirement fails, 0…1"""
+
+class Undecided:
+    """A requirement that is asked for and not decided."""
+
+    @property
+    def name(self) -> str:
+        """of the requirement"""
+    @property
+    def why(self) -> str:
+        """not_calibrated, input_missing or machine_not_known"""
+    @property
+    def input(self) -> str:
+        """JSON pointer of the input that decides it"""
+
+class Judgement:
+    """How a cycle stands."""
+
+    @property
+    def state(self) -> str:
+        """the first that applies: not_computed, fails, stocks_fail, batch_fails, undecided, close, batch, every_stock, nominal"""
+    @property
+    def headline(self) -> str:
+        """the same in words"""
+    @property
+    def nominal(self) -> bool:
+        """whether the part that was run reaches size and holds every requirement"""
+    @property
+    def stocks(self) -> JudgedStocks: ...
+    @property
+    def not_decided(self) -> list[Undecided]: ...
+
 class Evaluation:
     """A cycle that was run, and what came out of it."""
 
@@ -93,6 +139,8 @@ class Evaluation:
     def requirements(self) -> list[Requirement]: ...
     @property
     def warnings(self) -> list[Issue]: ...
+    @property
+    def judged(self) -> Judgement: ...
     # a value for each double stroke or revolution, merged to at most 500
     def feeds(self) -> dict[str, dict[str, Floats]]: ...
     def trace(self) -> dict[str, Floats]: ...

@@ -20,6 +20,7 @@
 #include "python/requirement_list.h"
 #include "words/course_json.h"
 #include "words/issue_words.h"
+#include "words/judgement_json.h"
 #include "words/measured_json.h"
 #include "words/measured_words.h"
 #include "words/search_words.h"
@@ -49,20 +50,25 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 struct Evaluation {
     OutcomePtr outcome;
-    std::string json; ///< as `sparkout-cli simulate --json` has it
 
     [[nodiscard]] const SimulationResult& result() const { return outcome->result; }
 };
 
 Evaluation evaluateProject(const ValidProject& project) {
+    return interruptible(
+        [&](const std::stop_token& stop) { return Evaluation{evaluate(project.project, stop)}; });
+}
+
+/// Decided when it is asked for: a run alone is much quicker.
+Judgement judgementOf(const Evaluation& self) {
     return interruptible([&](const std::stop_token& stop) {
-        Evaluation evaluation{evaluate(project.project, stop), {}};
-        if (evaluation.outcome) {
-            evaluation.json = resultJson(evaluation.result(), evaluation.outcome->constraints);
-        }
-        return evaluation;
+        return judge(self.result(), self.outcome->constraints, judgeStocks(self.result(), stop));
     });
 }
+
+struct JudgedStocksOf {
+    StocksDecision decision;
+};
 
 py::dict sectionDict(const SectionResult& section, int number, double nominal_mm) {
     using namespace py::literals;
@@ -160,6 +166,22 @@ bool allHold(const Evaluation& self) {
     return hold;
 }
 
+void bindJudgement(py::module_& module) {
+    py::class_<JudgedStocksOf> stocks(module, "JudgedStocks",
+                                      "A cycle over every stock within one infeed.");
+    bindOutputs(stocks, judgedStocksOutputs(), &JudgedStocksOf::decision);
+    py::class_<Undecided> undecided(module, "Undecided",
+                                    "A requirement that is asked for and not decided.");
+    bindOutputs(undecided, undecidedOutputs());
+    py::class_<Judgement> judgement(module, "Judgement", "How a cycle stands.");
+    bindOutputs(judgement, judgementOutputs());
+    judgement
+        .def_property_readonly("stocks",
+                               [](const Judgement& self) { return JudgedStocksOf{self.stocks}; })
+        .def_property_readonly("not_decided",
+                               [](const Judgement& self) { return self.notDecided; });
+}
+
 void bindEvaluation(py::module_& module) {
     py::class_<Evaluation>(module, "Evaluation", "A cycle that was run, and what came out of it.")
         .def_property_readonly(
@@ -183,11 +205,17 @@ void bindEvaluation(py::module_& module) {
         .def_property_readonly("requirements", &requirementsOf)
         .def_property_readonly("warnings",
                                [](const Evaluation& self) { return self.outcome->issues; })
+        .def_property_readonly("judged", &judgementOf,
+                               "for every stock within one infeed, decided on each call")
         .def("feeds", &feedsOf,
              "Arrays by zone or section, a value for each double stroke or revolution.")
         .def("trace", &traceOf, "Arrays with a value for every visit of a radius.")
         .def(
-            "to_dict", [](const Evaluation& self) { return fromJson(self.json); },
+            "to_dict",
+            [](const Evaluation& self) {
+                return fromJson(
+                    judgedResultJson(self.result(), self.outcome->constraints, judgementOf(self)));
+            },
             "As `sparkout-cli simulate --json` has it.");
     module.def("evaluate", &evaluateProject, py::arg("project"),
                "Runs the cycle and holds it against the drawing.");
@@ -686,6 +714,7 @@ void bindDecisions(py::module_& module) {
 } // namespace
 
 void bindStudies(py::module_& module) {
+    bindJudgement(module);
     bindEvaluation(module);
     bindBatch(module);
     bindSweep(module);

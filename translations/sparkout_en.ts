@@ -345,16 +345,6 @@
         </message>
     </context>
     <context>
-        <name>sparkout::PartWindow</name>
-        <message numerus="yes">
-            <source>The part holds: all %n surfaces do.</source>
-            <translation>
-                <numerusform>The part holds: its surface does.</numerusform>
-                <numerusform>The part holds: all %n surfaces do.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
         <name>sparkout::ExamplesDialog</name>
         <message numerus="yes">
             <source>%n surfaces in one set-up</source>

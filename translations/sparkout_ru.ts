@@ -2574,16 +2574,8 @@
     <context>
         <name>CycleCard</name>
         <message>
-            <source>Prediction for the part</source>
-            <translation>Деталь по прогнозу</translation>
-        </message>
-        <message>
-            <source>good</source>
-            <translation>годна</translation>
-        </message>
-        <message>
-            <source>not good</source>
-            <translation>не годна</translation>
+            <source>Prediction</source>
+            <translation>Прогноз</translation>
         </message>
         <message>
             <source>Machining time</source>
@@ -8425,12 +8417,12 @@ With another name both versions stay as they are.</source>
     <context>
         <name>PassportVerdict</name>
         <message>
-            <source>the nominal part fails</source>
-            <translation>номинальная деталь не годна</translation>
+            <source>Prediction</source>
+            <translation>Прогноз</translation>
         </message>
         <message>
-            <source>the nominal part holds; no batch is described, so its scatter is not weighed</source>
-            <translation>номинальная деталь годна; партия не описана, поэтому рассеяние не учтено</translation>
+            <source>no requirement fails; no batch is described, so its scatter is not weighed</source>
+            <translation>все проверенные требования выполнены; партия не описана, поэтому рассеяние не учтено</translation>
         </message>
         <message>
             <source>The cycle, by the prediction</source>
@@ -8439,10 +8431,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>What decided</source>
             <translation>Чем определено</translation>
-        </message>
-        <message>
-            <source>Nominal part: %1.</source>
-            <translation>Номинальная деталь. %1.</translation>
         </message>
         <message>
             <source>Parts of the batch that are not good</source>
@@ -8473,16 +8461,20 @@ With another name both versions stay as they are.</source>
             <translation>Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
         </message>
         <message>
-            <source>The cycle conforms when the nominal part and every part that was run reach size and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it conforms conditionally when no more parts fail than the share allowed, or when the capability or the expected share outside falls short or is not known. %2</source>
-            <translation>Цикл годен, если номинальная деталь и каждая рассчитанная деталь партии доводятся до размера и выдерживают все требования, а нижние 95%-ные границы всех Ppk не меньше %1; он условно годен, если доля негодных деталей не больше допущенной либо если пригодность процесса или ожидаемая доля вне допуска недостаточна или неизвестна. %2</translation>
+            <source>The cycle conforms when every stock within one infeed, where that is decided, and every part that was run reach size and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it conforms conditionally when no more parts fail than the share allowed, or when a requirement, the capability or the expected share outside is not decided or falls short. %2</source>
+            <translation>Цикл годен, если при каждом припуске в пределах подачи на шаг, где это решается, и у каждой рассчитанной детали партии достигнут размер и выполнены все требования, а нижние 95%-ные границы всех Ppk не меньше %1; он условно годен, если доля негодных деталей не больше допущенной либо если требование, пригодность процесса или ожидаемая доля вне допуска не определены или недостаточны. %2</translation>
         </message>
         <message>
-            <source>Without a batch the cycle conforms conditionally when the nominal part reaches size and holds every requirement. %1</source>
-            <translation>Без партии цикл условно годен, если номинальная деталь доводится до размера и выдерживает все требования. %1</translation>
+            <source>Without a batch the cycle conforms conditionally when every stock within one infeed, where that is decided, reaches size and holds every requirement. %1</source>
+            <translation>Без партии цикл условно годен, если при каждом припуске в пределах подачи на шаг, где это решается, достигнут размер и выполнены все требования. %1</translation>
         </message>
     </context>
     <context>
         <name>PassportPrediction</name>
+        <message>
+            <source>It meets all requirements</source>
+            <translation>Она удовлетворяет всем требованиям</translation>
+        </message>
         <message>
             <source>Characteristic</source>
             <translation>Характеристика</translation>
@@ -11222,38 +11214,6 @@ With another name both versions stay as they are.</source>
             <translation>%1: показание прибора %2 мм, осталось %3 мкм на сторону</translation>
         </message>
         <message>
-            <source>Does not hold: %1</source>
-            <translation>Не выполнено: %1</translation>
-        </message>
-        <message>
-            <source>; requirements that fail: %1</source>
-            <translation>; не выполнено требований: %1</translation>
-        </message>
-        <message>
-            <source>Does not hold: the cycle does not end by itself</source>
-            <translation>Не выполнено: цикл не завершается сам</translation>
-        </message>
-        <message>
-            <source>The drawing requires nothing</source>
-            <translation>Требования не заданы</translation>
-        </message>
-        <message>
-            <source>Meets the drawing, but close to the limit: %1 in %2</source>
-            <translation>Требования чертежа выполнены, но близко к пределу: %1 (%2)</translation>
-        </message>
-        <message>
-            <source>Meets the drawing</source>
-            <translation>Требования чертежа выполнены</translation>
-        </message>
-        <message>
-            <source>%1 (%2): %3 %4 outside</source>
-            <translation>%1 (%2): вне диапазона на %3 %4</translation>
-        </message>
-        <message>
-            <source>%1 (%2): %3 %4 above its limit</source>
-            <translation>%1 (%2): выше предела на %3 %4</translation>
-        </message>
-        <message>
             <source>%1 s (%2)</source>
             <translation>%1 с (%2)</translation>
         </message>
@@ -12782,14 +12742,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Main time %1 min, piece time %2 min.</source>
             <translation>Основное время %1 мин, штучное время %2 мин.</translation>
-        </message>
-        <message>
-            <source>Every requirement on every surface holds.</source>
-            <translation>Все требования ко всем поверхностям выполнены.</translation>
-        </message>
-        <message>
-            <source>A requirement fails.</source>
-            <translation>Есть нарушенное требование.</translation>
         </message>
     </context>
     <context>
@@ -16690,6 +16642,113 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>Judgement</name>
+        <message>
+            <source>the cycle does not end by itself</source>
+            <translation>цикл не завершается сам</translation>
+        </message>
+        <message>
+            <source>{name} by {amount} {unit}</source>
+            <translation>{name} на {amount} {unit}</translation>
+        </message>
+        <message>
+            <source>{name} by {amount}</source>
+            <translation>{name} на {amount}</translation>
+        </message>
+        <message>
+            <source>{bad} of {parts}</source>
+            <translation>{bad} из {parts}</translation>
+        </message>
+        <message>
+            <source>{bad} of {parts} (≤ {high} %)</source>
+            <translation>{bad} из {parts} (≤ {high} %)</translation>
+        </message>
+        <message>
+            <source>{bad} of {parts} ({low}…{high} %)</source>
+            <translation>{bad} из {parts} ({low}…{high} %)</translation>
+        </message>
+        <message>
+            <source>Not computed: stopped</source>
+            <translation>Не рассчитано: остановлено</translation>
+        </message>
+        <message>
+            <source>Not computed: inputs refused</source>
+            <translation>Не рассчитано: данные отклонены</translation>
+        </message>
+        <message>
+            <source>Not met: {what}</source>
+            <translation>Не выполнено: {what}</translation>
+        </message>
+        <message>
+            <source>Unfit for {share} % of stocks: {what}</source>
+            <translation>Не годен для {share} % припусков: {what}</translation>
+        </message>
+        <message>
+            <source>Rejects in the batch: {bad}</source>
+            <translation>Брак в партии: {bad}</translation>
+        </message>
+        <message>
+            <source>Met, except {names}: not decided</source>
+            <translation>Выполнено, но не определено: {names}</translation>
+        </message>
+        <message>
+            <source>Met, close to the limit: {name}, {margin} %</source>
+            <translation>Выполнено, близко к пределу: {name}, {margin} %</translation>
+        </message>
+        <message>
+            <source>Fit for the batch: rejected {bad}</source>
+            <translation>Годен для партии: брак {bad}</translation>
+        </message>
+        <message>
+            <source>Fit for every stock</source>
+            <translation>Годен для всех припусков</translation>
+        </message>
+        <message>
+            <source>Nominal part only</source>
+            <translation>Только номинальная деталь</translation>
+        </message>
+        <message>
+            <source>Stocks: being decided</source>
+            <translation>Припуски: проверяются</translation>
+        </message>
+        <message>
+            <source>Stocks: not decided</source>
+            <translation>Припуски: не проверены</translation>
+        </message>
+        <message>
+            <source>Every stock per side {from}…{to} mm: fit</source>
+            <translation>Все припуски на сторону {from}…{to} мм: годен</translation>
+        </message>
+        <message>
+            <source>Stocks per side {from}…{to} mm: {share} % unfit</source>
+            <translation>Припуски на сторону {from}…{to} мм: не годен для {share} %</translation>
+        </message>
+        <message>
+            <source>Batch: being run</source>
+            <translation>Партия: рассчитывается</translation>
+        </message>
+        <message>
+            <source>Batch: not run</source>
+            <translation>Партия: не рассчитана</translation>
+        </message>
+        <message>
+            <source>Batch: rejected {bad}</source>
+            <translation>Партия: брак {bad}</translation>
+        </message>
+        <message>
+            <source>{name}: not calibrated</source>
+            <translation>{name}: не откалибровано</translation>
+        </message>
+        <message>
+            <source>{name}: input missing</source>
+            <translation>{name}: не хватает исходных данных</translation>
+        </message>
+        <message>
+            <source>{name}: machine not known</source>
+            <translation>{name}: станок не известен</translation>
+        </message>
+    </context>
+    <context>
         <name>Remedy</name>
         <message>
             <source>{feed} of stage {stage} {is}</source>
@@ -16988,6 +17047,14 @@ target, µm</source>
         <message>
             <source>Not checked: requirements or other inputs are missing. Still needed:</source>
             <translation>Не проверено: не заданы требования или другие данные. Ещё нужны:</translation>
+        </message>
+        <message>
+            <source>Verdict over the stocks</source>
+            <translation>Заключение по припускам</translation>
+        </message>
+        <message>
+            <source>Verdict on the batch</source>
+            <translation>Заключение по партии</translation>
         </message>
     </context>
     <context>
@@ -17960,10 +18027,6 @@ good</source>
             <source>inputs refused</source>
             <translation>данные не приняты</translation>
         </message>
-        <message>
-            <source>cannot reach size</source>
-            <translation>размер не достигнут</translation>
-        </message>
     </context>
     <context>
         <name>sparkout::PartStrip</name>
@@ -18113,10 +18176,6 @@ good</source>
             <translation>Поверхности рассчитываются…</translation>
         </message>
         <message>
-            <source>%1 of %2 surfaces hold.</source>
-            <translation>Требования выполнены на %1 из %2 поверхностей.</translation>
-        </message>
-        <message>
             <source>Batch and search are of the inputs before the last edit.</source>
             <translation>Исходные данные изменены после расчёта партии и поиска.</translation>
         </message>
@@ -18164,13 +18223,9 @@ good</source>
             <source>Progress</source>
             <translation>Ход расчёта</translation>
         </message>
-        <message numerus="yes">
-            <source>The part holds: all %n surfaces do.</source>
-            <translation>
-                <numerusform>Деталь годна: требования выполнены на её поверхности.</numerusform>
-                <numerusform>Деталь годна: требования выполнены на всех %n поверхностях.</numerusform>
-                <numerusform>Деталь годна: требования выполнены на всех %n поверхностях.</numerusform>
-            </translation>
+        <message>
+            <source>%1 of %2 surfaces are fit. %3. %4: %5</source>
+            <translation>Поверхностей с годным циклом: %1 из %2. %3. %4: %5</translation>
         </message>
     </context>
     <context>

@@ -155,26 +155,9 @@ std::string RemedyWording::requirement(ConstraintKind kind) const {
     return requirementOf(kind).label;
 }
 
-/// What stands in the places of a text, which is translated first; a place may come twice.
-std::string RemedyWording::filled(const char* text, Places places) const {
-    const std::string sentence = translated(text);
-    std::string out;
-    for (std::size_t i = 0; i < sentence.size();) {
-        std::size_t taken = 0;
-        for (const auto& [name, value] : places) {
-            const std::string place = '{' + std::string(name) + '}';
-            if (taken == 0 && sentence.compare(i, place.size(), place) == 0) {
-                out += value;
-                taken = place.size();
-            }
-        }
-        if (taken == 0) {
-            out += sentence[i];
-            taken = 1;
-        }
-        i += taken;
-    }
-    return out;
+/// What stands in the places of a text, which is translated first.
+std::string RemedyWording::filled(const char* text, TextPlaces places) const {
+    return placedText(translated(text), places);
 }
 
 std::string RemedyWording::valueText(const Project& project, const RemedySetting& setting,

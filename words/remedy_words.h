@@ -2,10 +2,9 @@
 #pragma once
 
 #include "core/remedies/remedies.h"
+#include "words/placed_text.h"
 
-#include <initializer_list>
 #include <string>
-#include <utility>
 
 /// Remedies in words. The English ones stand here alone, marked for translation in the context
 /// "Remedy": the command line prints them, the window looks up what they are in its language.
@@ -46,8 +45,7 @@ protected:
     [[nodiscard]] virtual std::string requirement(ConstraintKind kind) const;
 
 private:
-    using Places = std::initializer_list<std::pair<const char*, std::string>>;
-    [[nodiscard]] std::string filled(const char* text, Places places) const;
+    [[nodiscard]] std::string filled(const char* text, TextPlaces places) const;
     [[nodiscard]] std::string withSign(const Project& project, const RemedySetting& setting,
                                        const char* sign, double value) const;
     [[nodiscard]] std::string valueText(const Project& project, const RemedySetting& setting,

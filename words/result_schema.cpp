@@ -13,6 +13,7 @@
 #include "core/setup/setup_json.h"
 #include "core/study/search_outputs.h"
 #include "core/sweep/sweep_json.h"
+#include "words/judgement_json.h"
 #include "words/measured_json.h"
 
 #include <nlohmann/json.hpp>
@@ -96,6 +97,10 @@ ordered_json tableSchemas() {
          tableSchema("simulate: a stage of shop/stages, and the cycle", shopColumnOutputs())},
         {"shop", tableSchema("simulate: shop", shopOutputs())},
         {"requirement", tableSchema("simulate and remedies: a requirement", requirementOutputs())},
+        {"judged", tableSchema("simulate: judged", judgementOutputs())},
+        {"judged_stocks", tableSchema("simulate: stocks of judged", judgedStocksOutputs())},
+        {"judged_batch", tableSchema("simulate: batch of judged", judgedBatchOutputs())},
+        {"undecided", tableSchema("simulate: one of not_decided of judged", undecidedOutputs())},
         {"zone_form", tableSchema("simulate: a zone of several sections, beside the worst of them",
                                   zoneFormOutputs())},
         {"characteristic", tableSchema("batch: one of characteristics", characteristicOutputs())},

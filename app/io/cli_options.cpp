@@ -226,6 +226,7 @@ bool* switchOf(const std::string& name, Options& options) {
     const bool prints = checks || mends || sweeps;
     return prints && name == "--json"                                        ? &options.json
            : checks && name == "--check"                                     ? &options.check
+           : simulates && name == "--batch"                                  ? &options.batch
            : (batch || sweeps) && name == "--csv"                            ? &options.csv
            : (runs || sweeps || measures || dresses) && name == "--progress" ? &options.progress
            : measures && name == "--roundness"                               ? &options.roundness

@@ -20,6 +20,7 @@ struct Options {
     std::string data, fit, loss, output, profile, trial, stiffness, indicator; ///< of measured
     bool roundness = false, sheet = false;                                     ///< of measured
     bool json = false, csv = false, check = false, progress = false, force = false;
+    bool batch = false; ///< of simulate: the batch of the project is judged, too
     std::optional<int> parts, seed, threads, sensitivity;
     std::optional<std::pair<int, int>> shard; ///< I of N
     std::optional<double> untilWidth_um;

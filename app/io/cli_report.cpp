@@ -167,9 +167,11 @@ std::string statusSentence(const SimulationResult& result) {
 }
 
 std::string resultText(const SimulationResult& result,
-                       const std::vector<ConstraintResult>& constraints) {
+                       const std::vector<ConstraintResult>& constraints,
+                       const std::string& headline) {
     std::string text = printable(result.project.title) + '\n';
     text += "status               " + statusSentence(result) + '\n';
+    text += "judged               " + headline + '\n';
     text += "machining time       " + fixed(result.time_s / units::secondsPerMinute, 4) + " min\n";
     text +=
         result.project.operation->countsStrokes ? "double strokes       " : "revolutions          ";

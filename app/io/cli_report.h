@@ -15,9 +15,11 @@ namespace sparkout::cli {
 /// One line a fault: "FILE: /path: sentence".
 [[nodiscard]] std::string issueLine(const std::string& file, const Issue& issue);
 
-/// A result for people; resultJson() is the same for programs.
+/// A result for people, with how the cycle stands in words; judgedResultJson() is the same for
+/// programs.
 [[nodiscard]] std::string resultText(const SimulationResult& result,
-                                     const std::vector<ConstraintResult>& constraints);
+                                     const std::vector<ConstraintResult>& constraints,
+                                     const std::string& headline);
 
 /// The times of the part after the cycles of its surfaces, and whether all of them hold.
 [[nodiscard]] std::string setupText(const Setup& setup, const SetupRun& run);

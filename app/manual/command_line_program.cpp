@@ -44,6 +44,12 @@ Command simulateCommand() {
              json,
              check({"exit status 4 when a requirement fails",
                     "код завершения 4, если требование нарушено"}),
+             {"--batch",
+              "",
+              Kind::none,
+              "",
+              {"runs the batch of the project, too, and judges the cycle for it",
+               "рассчитывает и партию проекта и говорит, годен ли цикл для неё"}},
              {"--trace",
               "OUT.csv",
               Kind::file,
@@ -606,7 +612,7 @@ const Program& commandLineProgram() {
         {"new SIZE --length MM --stock MM [--bore] [--operation plunge|traverse]\n"
          "[--shoulder headstock|tailstock|both] [--ra UM] [--machine NAME]\n"
          "[--wheel NAME] [--material NAME] -o OUT.sparkout [--force]",
-         "simulate FILE [--surface NAME|N|all] [--json] [--check] [--trace OUT.csv]",
+         "simulate FILE [--surface NAME|N|all] [--batch] [--json] [--check] [--trace OUT.csv]",
          "remedies FILE [--surface NAME|N|all] [--json]",
          "optimize FILE [--surface NAME|N|all] [--robust] [--refine] [--front]\n"
          "[--method search|full|dp|labels] [--stages N,…]\n"

@@ -158,14 +158,15 @@ DecidedPiece decidePiece(const Project& project, PhasePiece piece, const std::st
     return PieceJudge(project, std::move(piece), stop).decide();
 }
 
-PhaseDecision decidePhases(const Project& project, StockRange range, const std::stop_token& stop) {
+PhaseDecision decidePhases(const Project& project, StockRange range, const std::stop_token& stop,
+                           std::size_t mostPieces) {
     PhaseDecision decision;
     decision.range = range;
     if (!canDecidePhases(project) || hasErrors(validate(project))) {
         return decision;
     }
     std::vector<PhasePiece> pieces =
-        phasePieces(project, range.from_mm, range.to_mm, stop, mostDecidedPieces);
+        phasePieces(project, range.from_mm, range.to_mm, stop, mostPieces);
     decision.hasTooMany = pieces.empty() && !stop.stop_requested();
     for (PhasePiece& piece : pieces) {
         decision.pieces.push_back(decidePiece(project, std::move(piece), stop));

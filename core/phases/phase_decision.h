@@ -57,7 +57,7 @@ inline constexpr std::size_t mostDecidedPieces = 20'000;
 struct PhaseDecision {
     /// Not under position control, nor when stopped or refused, nor where there are too many.
     bool isDecided = false;
-    bool hasTooMany = false; ///< pieces: more than mostDecidedPieces
+    bool hasTooMany = false; ///< pieces: more than were allowed
     StockRange range;
     std::vector<DecidedPiece> pieces;   ///< in rising order, all of the range
     std::vector<FailingStocks> failing; ///< in rising order; none: it holds for every stock
@@ -83,6 +83,7 @@ struct PhaseDecision {
 /// Decides whether the project's cycle holds every requirement for each stock of a range, its other
 /// inputs as they are.
 [[nodiscard]] PhaseDecision decidePhases(const Project& project, StockRange range,
-                                         const std::stop_token& stop = {});
+                                         const std::stop_token& stop = {},
+                                         std::size_t mostPieces = mostDecidedPieces);
 
 } // namespace sparkout

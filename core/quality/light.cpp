@@ -11,11 +11,16 @@ bool isClose(const ConstraintResult& constraint) {
            && requirementOf(constraint.kind).scope != ConstraintScope::setting;
 }
 
-const ConstraintResult* worstRequirement(const std::vector<ConstraintResult>& constraints) {
-    const auto worst = std::ranges::min_element(constraints, {}, [](const ConstraintResult& c) {
+bool isWorse(const ConstraintResult& first, const ConstraintResult& second) {
+    const auto rank = [](const ConstraintResult& c) {
         return std::tuple(c.holds, c.holds || c.kind != ConstraintKind::overlap, !c.isWhole,
                           !isClose(c), c.relativeMargin);
-    });
+    };
+    return rank(first) < rank(second);
+}
+
+const ConstraintResult* worstRequirement(const std::vector<ConstraintResult>& constraints) {
+    const auto worst = std::ranges::min_element(constraints, isWorse);
     return worst == constraints.end() ? nullptr : &*worst;
 }
 

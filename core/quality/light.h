@@ -18,8 +18,12 @@ inline constexpr double closeMargin = 0.1;
 /// range.
 [[nodiscard]] bool isClose(const ConstraintResult& constraint);
 
-/// The one to speak of first: the worst that fails, else the closest; null without any. Where
-/// strips stay uncut that is the overlap, on which the others wait.
+/// Whether the first is to be spoken of before the second: what fails before what holds, of that
+/// the overlap, on which the others wait where strips stay uncut; then what is close; then by the
+/// relative margin.
+[[nodiscard]] bool isWorse(const ConstraintResult& first, const ConstraintResult& second);
+
+/// The one to speak of first: the worst that fails, else the closest; null without any.
 [[nodiscard]] const ConstraintResult*
 worstRequirement(const std::vector<ConstraintResult>& constraints);
 

@@ -314,6 +314,11 @@ const Requirement* requirementNamed(std::string_view key) {
     return found == requirementRows.end() ? nullptr : found;
 }
 
+bool isAskedFor(const Requirement& row, const Project& project) {
+    const auto given = [&project](const char* path) { return path && isGiven(project, path); };
+    return !row.inputs.front() || std::ranges::any_of(row.inputs, given);
+}
+
 std::string missingInput(const Requirement& row, const Project& project) {
     for (const char* path : row.inputs) {
         if (path && !isGiven(project, path)) {

@@ -137,6 +137,9 @@ extern const std::array<Requirement, constraintKinds> requirementRows;
 /// The one of a key; null: none.
 [[nodiscard]] const Requirement* requirementNamed(std::string_view key);
 
+/// Whether any of its inputs is given; one without inputs always is asked for.
+[[nodiscard]] bool isAskedFor(const Requirement& row, const Project& project);
+
 /// The first of its inputs that is not given; empty: it is on.
 [[nodiscard]] std::string missingInput(const Requirement& row, const Project& project);
 

@@ -44,11 +44,13 @@ std::span<const Output<SetupRunOf>> setupOutputs() {
     return partRows;
 }
 
-std::string setupJson(const Setup& setup, const SetupRun& run) {
+std::string setupJson(const Setup& setup, const SetupRun& run,
+                      const std::function<std::string(const SurfaceRun&)>& surfaceJson) {
     ordered_json surfaces = ordered_json::array();
     for (const SurfaceRun& surface : run.surfaces) {
         ordered_json one = {{"name", surface.name}};
-        one.update(ordered_json::parse(resultJson(surface.result, surface.constraints)));
+        one.update(ordered_json::parse(
+            surfaceJson ? surfaceJson(surface) : resultJson(surface.result, surface.constraints)));
         surfaces.push_back(std::move(one));
     }
     return printJson(

@@ -4,6 +4,7 @@
 #include "core/result.h"
 #include "core/setup/setup_run.h"
 
+#include <functional>
 #include <span>
 #include <string>
 
@@ -18,8 +19,11 @@ struct SetupRunOf {
 /// What is stated of the part as a whole.
 [[nodiscard]] std::span<const Output<SetupRunOf>> setupOutputs();
 
-/// One JSON object: "surfaces", each with its name and the keys of resultJson(), and "part" with
-/// completed, holds and the times, which are null unless every surface is completed.
-[[nodiscard]] std::string setupJson(const Setup& setup, const SetupRun& run);
+/// One JSON object: "surfaces", each with its name and the keys of its own object, by itself those
+/// of resultJson(), and "part" with completed, holds and the times, which are null unless every
+/// surface is completed.
+[[nodiscard]] std::string
+setupJson(const Setup& setup, const SetupRun& run,
+          const std::function<std::string(const SurfaceRun&)>& surfaceJson = {});
 
 } // namespace sparkout

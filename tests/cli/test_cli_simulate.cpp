@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // What simulate prints, as text and as JSON, is what the engine computes.
+#include "core/batch/batch_run.h"
+#include "core/judgement/judgement.h"
+#include "core/project/batch.h"
 #include "core/project/part.h"
 #include "core/quality/constraints.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
+#include "words/judgement_json.h"
+#include "words/judgement_words.h"
 
 #include <cmath>
 
@@ -53,6 +58,69 @@ private slots:
         checkForm(answer, result);
         checkConstraints(answer.at("constraints"), worstByKind(evaluateConstraints(result)));
         checkShop(answer.at("shop"), shopNumbers(result));
+    }
+
+    /// Beside what is stated of the part that was run: how the cycle stands for every stock.
+    void jsonJudgesEveryStock_data() { runnableRows(); }
+    void jsonJudgesEveryStock() {
+        QFETCH(QString, file);
+        const SimulationResult result = simulate(projectOf(file));
+        const auto constraints = evaluateConstraints(result);
+        const Judgement judgement = judge(result, constraints, judgeStocks(result));
+        const Outcome outcome = run({"simulate", file, "--json"});
+        const json stated = json::parse(judgedResultJson(result, constraints, judgement));
+        QVERIFY(json::parse(outcome.out).at("judged") == stated.at("judged"));
+        const std::string headline = JudgementWording().headline(judgement);
+        QVERIFY(run({"simulate", file}).out.find("\njudged               " + headline + '\n')
+                != std::string::npos);
+    }
+
+    void batchIsJudgedWhereItIsAskedFor() {
+        const QString file =
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout");
+        const Project project = projectOf(file);
+        const BatchStatistics statistics = runBatch(project).statistics;
+        const json alone = json::parse(run({"simulate", file, "--json"}).out).at("judged");
+        QVERIFY(alone.at("batch").is_null());
+        const Outcome outcome = run({"simulate", file, "--batch", "--json"});
+        QCOMPARE(outcome.status, 0);
+        const json batch = json::parse(outcome.out).at("judged").at("batch");
+        QCOMPARE(batch.at("parts").get<std::int64_t>(), statistics.parts);
+        QCOMPARE(batch.at("bad").get<std::int64_t>(), statistics.bad);
+        QCOMPARE(batch.at("seed").get<int>(), project.batch->seed);
+        QCOMPARE(batch.at("interval_95").size(), std::size_t{2});
+    }
+
+    /// The check is of the part that was run, whatever becomes of other stocks.
+    void checkJudgesThePartThatWasRun() {
+        const QString file = QStringLiteral(SPARKOUT_SOURCE_DIR
+                                            "/resources/examples/plunge-shaft-two-stage.sparkout");
+        const Project project = projectOf(file);
+        json narrow = json::parse(samples::readText(file.toStdString()));
+        narrow.erase("runs");
+        bool isFound = false;
+        for (double field_um = 8; field_um > 0.1 && !isFound; field_um *= 0.97) {
+            Project tried = project;
+            const double middle_um =
+                (project.part->upper_deviation_um + project.part->lower_deviation_um) / 2;
+            tried.part->upper_deviation_um = middle_um + field_um / 2;
+            tried.part->lower_deviation_um = middle_um - field_um / 2;
+            const SimulationResult result = simulate(tried);
+            const Judgement judgement =
+                judge(result, evaluateConstraints(result), judgeStocks(result));
+            isFound = judgement.state == JudgedState::stocksFail;
+            narrow["part"]["upper_deviation_um"] = tried.part->upper_deviation_um;
+            narrow["part"]["lower_deviation_um"] = tried.part->lower_deviation_um;
+        }
+        QVERIFY(isFound);
+        const Outcome outcome =
+            run({"simulate", save(QStringLiteral("narrow.sparkout"), narrow.dump()), "--check",
+                 "--json"});
+        QCOMPARE(outcome.status, 0);
+        const json judged = json::parse(outcome.out).at("judged");
+        QVERIFY(judged.at("nominal").get<bool>());
+        QVERIFY(!judged.at("stocks").at("holds").get<bool>());
+        QVERIFY(judged.at("stocks").at("failing_share").get<double>() > 0);
     }
 
     void textNamesTheRequirements() {

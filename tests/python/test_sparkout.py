@@ -70,6 +70,19 @@ class Evaluations(unittest.TestCase):
                 self.assertIn((worst["name"], worst["where"], worst["ok"]), mine)
             self.assertEqual({e[0] for e in mine}, {e["name"] for e in stated})
 
+    def test_a_cycle_is_judged_for_every_stock(self):
+        for file in sorted(EXAMPLES.glob("*.sparkout")):
+            judged = sparkout.evaluate(sparkout.Project.read(file)).judged
+            stated = cli("simulate", file, "--json")["judged"]
+            for key in ("state", "headline", "nominal"):
+                self.assertEqual(getattr(judged, key), stated[key])
+            for key in ("decided", "holds", "failing_share"):
+                self.assertEqual(getattr(judged.stocks, key), stated["stocks"][key])
+            self.assertEqual(
+                [(each.name, each.why) for each in judged.not_decided],
+                [(each["name"], each["why"]) for each in stated["not_decided"]],
+            )
+
     def test_sections_have_their_radii(self):
         project = sparkout.Project.read(FACTORY)
         sections = sparkout.evaluate(project).sections

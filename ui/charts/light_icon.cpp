@@ -65,6 +65,34 @@ QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey) {
     return pixmap;
 }
 
+QPixmap judgedPixmap(JudgedState state, int size, qreal ratio, bool grey) {
+    const bool isRing = state == JudgedState::notComputed || state == JudgedState::nominal;
+    if (!isRing) {
+        return lightPixmap(isFailure(state)                  ? Light::fails
+                           : state == JudgedState::undecided ? Light::close
+                           : state == JudgedState::close     ? Light::close
+                                                             : Light::holds,
+                           size, ratio, grey);
+    }
+    const QPalette palette = QGuiApplication::palette();
+    const bool isNominal = state == JudgedState::nominal;
+    QPixmap pixmap(QSize(size, size) * ratio);
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setOpacity(grey ? 0.4 : 1);
+    QPen pen(isNominal ? lightColour(Light::holds, palette)
+                       : palette.color(QPalette::PlaceholderText),
+             isNominal ? 2 : 1);
+    if (isNominal) {
+        pen.setDashPattern({1.5, 1});
+    }
+    painter.setPen(pen);
+    painter.drawEllipse(QRectF(2, 2, size - 4, size - 4));
+    return pixmap;
+}
+
 namespace {
 
 QPixmap lightOnLine(Light light, int size, int line, qreal ratio, bool grey) {

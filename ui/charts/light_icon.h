@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/judgement/judgement.h"
 #include "core/quality/light.h"
 
 #include <QColor>
@@ -19,6 +20,9 @@ namespace sparkout {
 /// Circle, triangle or square in the light's colour of the present theme, distinct without
 /// colour too.
 [[nodiscard]] QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey);
+/// The mark of a judgement: a grey ring where nothing was computed, a dashed green one of the
+/// nominal part alone, else the light of what fails, is open or close, or holds.
+[[nodiscard]] QPixmap judgedPixmap(JudgedState state, int size, qreal ratio, bool grey);
 /// For the cells of a table, light by light, each in the middle of a line of text: in a cell of
 /// several lines, at its top, it stands on the first. Sets the table's size of icons.
 [[nodiscard]] std::array<QIcon, 3> lightIcons(QAbstractItemView& table, bool grey);

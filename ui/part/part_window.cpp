@@ -8,9 +8,11 @@
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/part/piece_time_text.h"
+#include "ui/part/status_text.h"
 #include "ui/part/surface_bars.h"
 #include "ui/session/document.h"
 #include "ui/session/part_runs.h"
+#include "ui/session/surface_edits.h"
 #include "ui/text/texts.h"
 
 #include <QEvent>
@@ -186,14 +188,21 @@ void PartWindow::follow() {
     double cycles_min = 0;
     bool areCompleted = true;
     for (const SurfaceStatus& status : statuses) {
-        areCompleted = areCompleted && status.ran() && status.isCompleted;
+        areCompleted = areCompleted && status.isCompleted();
         cycles_min += status.time_s / units::secondsPerMinute;
     }
-    m_head->setText(
-        m_runs.running() ? tr("The surfaces are being run…")
-        : m_runs.holds()
-            ? tr("The part holds: all %n surfaces do.", nullptr, static_cast<int>(statuses.size()))
-            : tr("%1 of %2 surfaces hold.").arg(holding).arg(statuses.size()));
+    // The surface to speak of first: one that is not computed, else the state that comes first.
+    const auto worst = std::ranges::min_element(statuses, {}, [](const SurfaceStatus& status) {
+        return status.ran() ? status.judgement.state : JudgedState::notComputed;
+    });
+    const auto place = static_cast<std::size_t>(worst - statuses.begin());
+    m_head->setText(m_runs.running()
+                        ? tr("The surfaces are being run…")
+                        : tr("%1 of %2 surfaces are fit. %3. %4: %5")
+                              .arg(QString::number(holding), QString::number(statuses.size()),
+                                   QString::number(place + 1),
+                                   printableText(SurfaceEdits::nameOf(state, place)),
+                                   statusText(*worst)));
     m_times->setText(
         withIndices(pieceTimeText(state.times, statuses.size(),
                                   areCompleted ? std::optional(cycles_min) : std::nullopt))

@@ -2,14 +2,16 @@
 #include "ui/part/status_text.h"
 
 #include "ui/charts/light_icon.h"
-#include "ui/charts/verdict_table.h"
 #include "ui/kit/theme.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QPainter>
+
+#include <optional>
 
 namespace sparkout {
 
@@ -27,25 +29,26 @@ QString statusText(const SurfaceStatus& status) {
     case SurfaceStatus::State::refused: return StatusText::tr("inputs refused");
     case SurfaceStatus::State::ran: break;
     }
-    return status.isCompleted ? lightName(status.light) : StatusText::tr("cannot reach size");
+    return JudgementText::headline(status.judgement);
 }
 
 QString worstText(const SurfaceStatus& status) {
-    if (!status.ran() || !status.worst) {
+    const std::optional<ConstraintResult>& worst = status.judgement.worst;
+    if (!status.ran() || !worst) {
         return {};
     }
-    const char* const unit = requirementOf(status.worst->kind).unit;
-    const QString margin = Names::margin(*status.worst);
+    const char* const unit = requirementOf(worst->kind).unit;
+    const QString margin = Names::margin(*worst);
     return QStringLiteral("%1 %2").arg(
-        Names::constraintBrief(status.worst->kind),
-        *unit && !Names::isRange(status.worst->kind)
+        Names::constraintBrief(worst->kind),
+        *unit && !Names::isRange(worst->kind)
             ? QStringLiteral("%1\u00a0%2").arg(margin, unitText(unit))
             : margin);
 }
 
 QPixmap statusPixmap(const SurfaceStatus& status, int size, qreal ratio) {
     if (status.ran()) {
-        return lightPixmap(status.light, size, ratio, false);
+        return judgedPixmap(status.judgement.state, size, ratio, status.areStocksComing);
     }
     QPixmap pixmap(QSize(size, size) * ratio);
     pixmap.setDevicePixelRatio(ratio);

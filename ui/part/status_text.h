@@ -8,13 +8,13 @@
 
 namespace sparkout {
 
-/// "holds", "close to the limit", "fails", "cannot reach size", "inputs refused", "not run".
+/// The headline of its judgement; "inputs refused", "not run".
 [[nodiscard]] QString statusText(const SurfaceStatus& status);
 
 /// The requirement to speak of first and its margin: "Roundness +1.2 µm"; empty: not run.
 [[nodiscard]] QString worstText(const SurfaceStatus& status);
 
-/// The light of a verdict; what was not run has a ring, refused inputs a cross.
+/// The mark of its judgement; what was not run has a ring, refused inputs a cross.
 [[nodiscard]] QPixmap statusPixmap(const SurfaceStatus& status, int size, qreal ratio);
 
 } // namespace sparkout

@@ -2,7 +2,6 @@
 #include "ui/session/part_runs.h"
 
 #include "core/project/validate.h"
-#include "core/quality/requirement.h"
 #include "core/quality/roughness.h"
 #include "core/setup/surface_run.h"
 #include "core/setup/worn_project.h"
@@ -20,16 +19,8 @@ SurfaceStatus statusFrom(const SimulationResult& result,
                          const RemovedMetal& removed) {
     SurfaceStatus status;
     status.state = SurfaceStatus::State::ran;
-    status.isCompleted = result.status == RunStatus::completed;
-    status.light = verdictOf(result.status, constraints);
+    status.judgement = judge(result, constraints);
     status.time_s = result.time_s;
-    std::vector<ConstraintResult> spoken = constraints; // not of a setting within its range
-    std::erase_if(spoken, [](const ConstraintResult& each) {
-        return each.holds && requirementOf(each.kind).scope == ConstraintScope::setting;
-    });
-    if (const ConstraintResult* worst = worstRequirement(spoken)) {
-        status.worst = *worst;
-    }
     status.requirements = worstByKind(constraints);
     status.isRoughnessEstimate = !isRoughnessCalibrated(result.project);
     status.removed = removed;
@@ -61,7 +52,7 @@ bool PartRuns::holds() const {
 std::optional<PieceTime> PartRuns::time() const {
     double cycles_min = 0;
     for (const SurfaceStatus& status : m_statuses) {
-        if (!status.ran() || !status.isCompleted) {
+        if (!status.isCompleted()) {
             return std::nullopt;
         }
         cycles_min += status.time_s / units::secondsPerMinute;
@@ -69,28 +60,54 @@ std::optional<PieceTime> PartRuns::time() const {
     return pieceTime(m_document.state().times, m_statuses.size(), cycles_min);
 }
 
-void PartRuns::setOutcome(const OutcomePtr& outcome) {
-    if (m_document.surfaceCount() > 1) {
+void PartRuns::setJudged(const JudgedRun& judged) {
+    const Outcome& outcome = *judged.outcome;
+    if (m_document.surfaceCount() == 1) {
+        SurfaceStatus status = refusedStatus();
+        if (outcome.ran()) {
+            status = statusFrom(
+                outcome.result, outcome.constraints,
+                removedMetal(outcome.result.project, outcome.shop.cycle.removedVolume_mm3));
+            status.judgement = judged.judgement;
+            status.areStocksComing = judged.areStocksComing;
+        }
+        m_statuses = {std::move(status)};
+        emit changed();
         return;
     }
-    m_statuses = {outcome->ran() ? statusFrom(
-                      outcome->result, outcome->constraints,
-                      removedMetal(outcome->result.project, outcome->shop.cycle.removedVolume_mm3))
-                                 : refusedStatus()};
+    const std::size_t surface = m_document.surface();
+    if (!outcome.ran() || !judged.judgement.batch || surface >= m_statuses.size()) {
+        return;
+    }
+    m_frontOf = m_document.state().surfaces[surface];
+    m_front = judged.judgement;
+    takeFront(surface, m_statuses[surface]);
+    for (Known& each : m_known) { // stays when another surface comes in front
+        if (each.surface == m_frontOf && !m_document.state().wear.isGiven()) {
+            takeFront(surface, each.status);
+        }
+    }
     emit changed();
 }
 
-SurfaceStatus PartRuns::statusOf(const SetupState& state, const Known& wanted,
-                                 const std::stop_token& stop) {
+/// Of the surface that was in front more may be known.
+void PartRuns::takeFront(std::size_t surface, SurfaceStatus& status) const {
+    if (status.ran() && m_document.state().surfaces[surface] == m_frontOf) {
+        status.judgement = m_front;
+        status.areStocksComing = false;
+    }
+}
+
+std::optional<SurfaceRun> PartRuns::runOf(const SetupState& state, const Known& wanted,
+                                          const std::stop_token& stop) {
     Setup one;
     one.surfaces.push_back({{}, wanted.surface->project});
     one.wear = state.wear;
     const WornProject worn = wornProject(one, 0, wanted.removedBefore);
     if (!wanted.surface->open.empty() || hasErrors(validate(worn.project))) {
-        return refusedStatus();
+        return std::nullopt;
     }
-    const SurfaceRun run = runSurface({}, worn.project, stop);
-    return statusFrom(run.result, run.constraints, run.removed());
+    return runSurface({}, worn.project, stop);
 }
 
 /// Shows what is known already; true when that is all.
@@ -104,12 +121,12 @@ bool PartRuns::takeKnown() {
             state.surfaces[i], state.wear, state.wear.isGiven() ? removed : RemovedMetal(), {}};
         const auto found =
             std::ranges::find_if(m_known, [&run](const Known& each) { return each.isOf(run); });
-        if (found == m_known.end()) {
-            isAll = false;
-        } else {
+        if (found != m_known.end()) {
             m_statuses[i] = found->status;
+            takeFront(i, m_statuses[i]);
             removed += found->status.removed;
         }
+        isAll = isAll && found != m_known.end() && !found->status.areStocksComing;
         if (state.wear.isGiven() && !m_statuses[i].ran()) {
             break;
         }
@@ -131,21 +148,39 @@ void PartRuns::follow() {
     m_job.start([this, state = m_document.state(), known = m_known](const std::stop_token& stop,
                                                                     const NewestJob::Post& post) {
         RemovedMetal removed;
+        std::vector<Fresh> fresh;
         for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
-            Known run{
+            Known wanted{
                 state.surfaces[i], state.wear, state.wear.isGiven() ? removed : RemovedMetal(), {}};
-            const auto found =
-                std::ranges::find_if(known, [&run](const Known& each) { return each.isOf(run); });
-            run.status = found != known.end() ? found->status : statusOf(state, run, stop);
+            const auto found = std::ranges::find_if(
+                known, [&wanted](const Known& each) { return each.isOf(wanted); });
+            if (found != known.end() && !found->status.areStocksComing) {
+                wanted.status = found->status;
+            } else if (std::optional<SurfaceRun> run = runOf(state, wanted, stop)) {
+                wanted.status = statusFrom(run->result, run->constraints, run->removed());
+                wanted.status.areStocksComing = true;
+                fresh.push_back({i, wanted, *std::move(run)});
+            } else {
+                wanted.status = refusedStatus();
+            }
             if (stop.stop_requested()) {
                 return;
             }
-            removed += run.status.removed;
-            const bool isOver = state.wear.isGiven() && !run.status.ran();
-            post([this, i, run] { take(i, run); });
+            removed += wanted.status.removed;
+            const bool isOver = state.wear.isGiven() && !wanted.status.ran();
+            post([this, i, wanted] { take(i, wanted); });
             if (isOver) {
                 break;
             }
+        }
+        for (Fresh& each : fresh) {
+            each.known.status.judgement =
+                judge(each.run.result, each.run.constraints, judgeStocks(each.run.result, stop));
+            each.known.status.areStocksComing = false;
+            if (stop.stop_requested()) {
+                return;
+            }
+            post([this, surface = each.surface, known = each.known] { take(surface, known); });
         }
         post([this] {
             m_running = false;
@@ -157,6 +192,7 @@ void PartRuns::follow() {
 
 void PartRuns::take(std::size_t surface, Known run) {
     m_statuses[surface] = run.status;
+    takeFront(surface, m_statuses[surface]);
     std::erase_if(m_known, [&](const Known& each) {
         const bool isGone = std::ranges::find(m_document.state().surfaces, each.surface)
                             == m_document.state().surfaces.end();

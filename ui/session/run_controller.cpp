@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/run_controller.h"
 
+#include "core/deadline_stop.h"
 #include "core/setup/worn_project.h"
 
 #include <QElapsedTimer>
 
+#include <chrono>
 #include <memory>
 #include <utility>
 
 namespace sparkout {
+
+namespace {
+
+/// For so long the curves wait for the stocks, that the verdict comes with them.
+constexpr std::chrono::milliseconds together(25);
+
+} // namespace
 
 RunController::RunController(QObject* parent, Runner runner)
     : QObject(parent), m_runner(std::move(runner)) {}
@@ -26,8 +35,29 @@ void RunController::request(Setup upTo, Issues missing) {
         clock.start();
         const OutcomePtr outcome = outcomeOf(snapshot, missing, stop);
         const double time_ms = double(clock.nsecsElapsed()) * 1e-6;
-        if (outcome) {
-            post([this, outcome, time_ms] { deliver(outcome, time_ms); });
+        if (!outcome) {
+            return;
+        }
+        std::optional<JudgedStocks> stocks;
+        bool areComing = false;
+        if (outcome->ran()) {
+            const DeadlineStop soon(stop, together);
+            stocks = judgeStocks(outcome->result, soon.token());
+            areComing = !stocks && soon.token().stop_requested();
+        }
+        post([this, outcome, time_ms, stocks, areComing] {
+            m_running = false;
+            m_lastRun_ms = time_ms;
+            m_stocks = stocks;
+            m_areStocksComing = areComing;
+            emit finished(outcome);
+        });
+        if (areComing) {
+            post([this, later = judgeStocks(outcome->result, stop)] {
+                m_stocks = later;
+                m_areStocksComing = false;
+                emit stocksDecided();
+            });
         }
     });
 }
@@ -53,12 +83,8 @@ OutcomePtr RunController::outcomeOf(const Setup& upTo, const Issues& missing,
 void RunController::stop() {
     m_job.stop();
     m_running = false;
-}
-
-void RunController::deliver(const OutcomePtr& outcome, double time_ms) {
-    m_running = false;
-    m_lastRun_ms = time_ms;
-    emit finished(outcome);
+    m_stocks.reset();
+    m_areStocksComing = false;
 }
 
 } // namespace sparkout

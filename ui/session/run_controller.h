@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/judgement/judgement.h"
 #include "core/setup/removed_volumes.h"
 #include "core/setup/setup.h"
 #include "core/study/evaluate.h"
@@ -9,13 +10,15 @@
 #include <QObject>
 
 #include <functional>
+#include <optional>
 #include <stop_token>
 
 namespace sparkout {
 
 /// Runs projects off the window's thread. A project is taken by value, its outcome comes back as a
 /// signal in the thread of the controller; a newer request stops the older one, whose result is
-/// dropped. Destroying the controller stops the run and waits for it.
+/// dropped. Destroying the controller stops the run and waits for it. With the run its cycle is
+/// decided for every stock within one infeed, where that takes a moment; else afterwards.
 class RunController : public QObject {
     Q_OBJECT
 
@@ -35,17 +38,21 @@ public:
     [[nodiscard]] const Runner& runner() const { return m_runner; }
     [[nodiscard]] bool running() const { return m_running; }
     [[nodiscard]] double lastRun_ms() const { return m_lastRun_ms; }
+    /// The stocks of the outcome that was finished last; nothing: not decided, or not yet.
+    [[nodiscard]] const std::optional<JudgedStocks>& stocks() const { return m_stocks; }
+    [[nodiscard]] bool areStocksComing() const { return m_areStocksComing; }
 
 signals:
     void started();
     void finished(sparkout::OutcomePtr outcome);
+    void stocksDecided(); ///< after the outcome
 
 private:
-    void deliver(const OutcomePtr& outcome, double time_ms);
-
     Runner m_runner;
     bool m_running = false;
     double m_lastRun_ms = 0;
+    std::optional<JudgedStocks> m_stocks;
+    bool m_areStocksComing = false;
     mutable RemovedVolumes m_removed; ///< of the surfaces before: an edit seldom concerns them
     NewestJob m_job;                  ///< last: stopped before what it uses is gone
 };

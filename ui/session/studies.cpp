@@ -94,11 +94,16 @@ BatchOutcomePtr batchOf(const Project& project, const Job::Means& means) {
     return outcome->ran() && outcome->summary.parts == 0 ? nullptr : outcome;
 }
 
-Studies::Studies() : batch(sameBatch), prediction(sameBatch), sweep(sameSweep) {}
+Studies::Studies() : batch(sameBatch), judged(sameBatch), prediction(sameBatch), sweep(sameSweep) {}
 
 void Studies::runBatch(const Project& project) {
     batch.start(project, partsOf(project),
                 [project](const Job::Means& means) { return batchOf(project, means); });
+}
+
+void Studies::runJudged(const Project& project) {
+    judged.start(project, partsOf(project),
+                 [project](const Job::Means& means) { return batchOf(project, means); });
 }
 
 void Studies::runPrediction(const Project& project) {

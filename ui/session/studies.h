@@ -129,6 +129,7 @@ struct Studies {
     Studies();
 
     StudyOf<BatchOutcome> batch;
+    StudyOf<BatchOutcome> judged;     ///< of the verdict, where that of the view is of other inputs
     StudyOf<BatchOutcome> prediction; ///< of what was measured
     StudyOf<SweepResult> sweep;
     SearchStudy search;
@@ -142,6 +143,7 @@ struct Studies {
     [[nodiscard]] bool haveIndicesBeenTried() const { return m_indicesOf == batch.result(); }
 
     void runBatch(const Project& project);
+    void runJudged(const Project& project);
     void runPrediction(const Project& project);
     void runIndices(int points); ///< of the batch that is shown
     void runSweep(const Project& project);

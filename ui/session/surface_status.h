@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/judgement/judgement.h"
 #include "core/quality/constraints.h"
-#include "core/quality/light.h"
 #include "core/setup/wheel_wear.h"
 
-#include <optional>
 #include <vector>
 
 namespace sparkout {
@@ -18,16 +17,18 @@ struct SurfaceStatus {
         ran
     };
     State state = State::notRun;
-    bool isCompleted = false; ///< by itself, at size
-    Light light = Light::fails;
+    Judgement judgement;          ///< of one that ran
+    bool areStocksComing = false; ///< they are being decided
     double time_s = 0;
-    std::optional<ConstraintResult> worst;        ///< the requirement to speak of first
     std::vector<ConstraintResult> requirements{}; ///< the worst of each kind
     bool isRoughnessEstimate = false;             ///< Ra rests on no calibration
     RemovedMetal removed{};
 
     [[nodiscard]] bool ran() const { return state == State::ran; }
-    [[nodiscard]] bool holds() const { return ran() && isCompleted && light != Light::fails; }
+    [[nodiscard]] bool isCompleted() const { ///< by itself, at size
+        return ran() && judgement.status == RunStatus::completed;
+    }
+    [[nodiscard]] bool holds() const { return ran() && !isFailure(judgement.state); }
 };
 
 } // namespace sparkout

@@ -20,6 +20,7 @@
 #include "ui/part/part_window.h"
 #include "ui/report/card/logo.h"
 #include "ui/session/background.h"
+#include "ui/session/cycle_judge.h"
 #include "ui/session/kept_runs.h"
 #include "ui/session/part_runs.h"
 #include "ui/step/step_sheet.h"
@@ -379,7 +380,7 @@ void MainWindow::connectReports() {
             const bool isSetup = m_document.surfaceCount() > 1 || m_document.state().wear.isGiven();
             return {outcomeOfNow(),
                     m_document.filePath(),
-                    m_studies.batch.result(),
+                    m_judge->batch(),
                     &m_cursor,
                     isSetup ? std::optional(m_document.setup()) : std::nullopt,
                     m_studies.currentPrediction()};
@@ -502,6 +503,7 @@ void MainWindow::connectDocument() {
             view->forget();
         }
         m_verdict->forget();
+        m_judge->forget();
         m_isOutcomeOfBefore = true;
     });
     connect(&m_document, &Document::stepped, this, drop);
@@ -509,7 +511,13 @@ void MainWindow::connectDocument() {
         m_actions->follow(m_document, !m_inputs->refusals().empty());
         showTitle();
     });
+    m_judge = new CycleJudge(m_runs, m_studies, this);
     connect(&m_runs, &RunController::finished, this, &MainWindow::showOutcome);
+    connect(m_judge, &CycleJudge::changed, this, [this] {
+        if (!m_runs.running()) { // else it is of the inputs before
+            showJudged();
+        }
+    });
     const auto askFor = [this](const std::string& path) {
         m_layout->showInputs();
         m_inputs->focusPath(path);
@@ -574,6 +582,7 @@ void MainWindow::connectLesson() {
         if (m_partWindow && m_lesson->isRunning()) { // it tells the results of all surfaces
             m_partWindow->hide();
         }
+        m_judge->tellBatches(!m_lesson->isRunning()); // its steps may ask to predict them
         m_strip->tellResults(!m_lesson->isCovered()
                              && !m_lesson->hidden().isHidden(Hideable::verdict));
         m_actions->follow(m_document, !m_inputs->refusals().empty());
@@ -606,6 +615,7 @@ void MainWindow::requestRun() {
         view->forget();
     }
     m_verdict->forget();
+    m_judge->forget();
     m_inputs->forgetResults();
     m_isOutcomeOfBefore = true;
     Outcome none;
@@ -666,7 +676,7 @@ void MainWindow::showRequirement(const ConstraintResult& requirement) {
 
 void MainWindow::showOutcome(const OutcomePtr& outcome) {
     m_outcome = outcome;
-    m_partRuns->setOutcome(outcome);
+    m_judge->setOutcome(outcome);
     m_inputs->setOutcome(outcome);
     if (!m_lesson->isCovered()) {
         m_messages->setOutcome(outcome);
@@ -677,11 +687,17 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
         view->setOutcome(outcome);
     }
     m_verdict->setOutcome(outcome);
+    showJudged();
     m_remedies->setOutcome(outcome);
     m_keeper->setOutcome(outcome);
     showPlayback();
     showStatus();
     emit outcomeShown();
+}
+
+void MainWindow::showJudged() {
+    m_partRuns->setJudged(m_judge->judged());
+    m_verdict->setJudged(m_judge->judged());
 }
 
 void MainWindow::protect(const QString& stateFolder) {

@@ -19,6 +19,7 @@ namespace sparkout {
 class Actions;
 class BatchView;
 class ConstraintsView;
+class CycleJudge;
 class FeedsView;
 class FileCommands;
 class HelpDesk;
@@ -106,6 +107,7 @@ private:
     void recolour();
     void toggleDetached();
     void showOutcome(const OutcomePtr& outcome);
+    void showJudged();
     void showRequirement(const ConstraintResult& requirement);
     void showTitle();
     void showStatus();
@@ -151,7 +153,8 @@ private:
     LessonWiring* m_lessonWiring = nullptr;
     QTimer m_recolour;
     QTimer m_refusalsTimer; ///< gathers many remarks of one edit
-    RunController m_runs;   ///< last: stopped before anything it reports to is gone
+    CycleJudge* m_judge = nullptr;
+    RunController m_runs; ///< last: stopped before anything it reports to is gone
 };
 
 } // namespace sparkout

@@ -87,7 +87,7 @@ void PartCommands::remove() {
 void PartCommands::editTimes() {
     std::optional<double> cycles_min = 0;
     for (const SurfaceStatus& status : m_runs.statuses()) {
-        cycles_min = cycles_min && status.ran() && status.isCompleted
+        cycles_min = cycles_min && status.isCompleted()
                          ? std::optional(*cycles_min + status.time_s / units::secondsPerMinute)
                          : std::nullopt;
     }

@@ -20,6 +20,7 @@
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
+#include "words/judgement_json.h"
 #include "words/measured_json.h"
 #include "words/result_schema.h"
 
@@ -181,6 +182,14 @@ private slots:
             QCOMPARE(faultOf("stage", shop.at("cycle")), std::string());
             for (const json& stage : shop.at("stages")) {
                 QCOMPARE(faultOf("stage", stage), std::string());
+            }
+            const json judged =
+                json::parse(judgedResultJson(result, {}, judge(result, {}, judgeStocks(result))))
+                    .at("judged");
+            QCOMPARE(faultOf("judged", judged), std::string());
+            QCOMPARE(faultOf("judged_stocks", judged.at("stocks")), std::string());
+            for (const json& undecided : judged.at("not_decided")) {
+                QCOMPARE(faultOf("undecided", undecided), std::string());
             }
             for (const json& requirement : simulated.at("constraints")) {
                 QCOMPARE(faultOf("requirement", requirement), std::string());

@@ -8,11 +8,14 @@
 #include "core/project/leaves.h"
 #include "core/project/member.h"
 #include "core/study/batch_edits.h"
+#include "core/study/judged_outcome.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
 #include "ui/measured/measured_text.h"
+#include "ui/report/documents/cycle_card.h"
 #include "ui/text/dressing_text.h"
 #include "ui/text/field_text.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
@@ -198,6 +201,7 @@ private slots:
         Project project = smallBatch();
         project.part->upper_deviation_um = 40;
         project.part->lower_deviation_um = -40;
+        project.machine->geometric_runout_um = 1; // known, so that runout is decided
         project.part->tolerance.radial_runout_um = 20;
         QVERIFY(conforms(project));
         const BatchSummary summary = summarise(runBatch(project, {}));
@@ -217,7 +221,26 @@ private slots:
         QVERIFY(!conforms(project));
         QVERIFY(textOfHtml(made(project, Format::html)).contains(QStringLiteral("Worst part, ")));
         project.batch.reset();
-        QVERIFY(fitness(project) == Fitness::conditional);
+        const bool fails = isFailure(judgementOf(*subjectOf(project).outcome).state);
+        QVERIFY(fitness(project) == (fails ? Fitness::unfit : Fitness::conditional));
+    }
+
+    /// What the papers and the window say of a cycle is one sentence.
+    void theHeadlineIsThatOfTheWindow_data() { addLanguages(); }
+    void theHeadlineIsThatOfTheWindow() {
+        QFETCH(QString, language);
+        m_language.apply(language);
+        const Project project = smallBatch();
+        const report::Subject subject = subjectOf(project);
+        const auto plain = [](QString text) {
+            return text.replace(QChar(0x00a0), u' ').simplified();
+        };
+        const QString headline =
+            plain(JudgementText::headline(judgementOf(*subject.outcome, subject.batch.get())));
+        QVERIFY(plain(textOfHtml(made(project, Format::html))).contains(headline));
+        const report::Report card =
+            report::CycleCard::write(subject.outcome, subject.file, day, subject.batch);
+        QVERIFY(plain(textOfHtml(bytesOf(card, Format::html))).contains(headline));
     }
 
     /// The worst part is made of the factors that stand beside it, and no other part is.

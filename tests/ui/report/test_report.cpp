@@ -311,7 +311,7 @@ private slots:
             QCOMPARE(row.back(), QStringLiteral("–"));
         }
         const QString text = textOf(made(outcome, Format::pdf)).simplified();
-        QVERIFY(text.contains(QStringLiteral("not good")));
+        QVERIFY(text.contains(QStringLiteral("Not met: overlap")));
         QVERIFY2(text.contains(QStringLiteral("strips stay uncut")), qPrintable(text));
     }
 
@@ -341,15 +341,15 @@ private slots:
                     .contains(QStringLiteral("machine not known")));
     }
 
-    void aPartThatFailsIsNotGood() {
+    void cardSaysHowTheCycleStands() {
         Project project = fixtures::traverseProject();
         project.machine->geometric_runout_um = 10; // of 6 allowed
         const OutcomePtr outcome = fixtures::run(project);
         const auto holds = std::ranges::all_of(outcome->constraints, &ConstraintResult::holds);
         QVERIFY(!holds);
-        QVERIFY(textOf(made(outcome, Format::pdf)).contains(QStringLiteral("not good")));
+        QVERIFY(textOf(made(outcome, Format::pdf)).contains(QStringLiteral("Not met: ")));
         m_language.apply(QStringLiteral("ru"));
-        QVERIFY(textOf(made(outcome, Format::pdf)).contains(QStringLiteral("не годна")));
+        QVERIFY(textOf(made(outcome, Format::pdf)).contains(QStringLiteral("Не выполнено: ")));
     }
 
 private:

@@ -499,7 +499,7 @@ private slots:
         QCOMPARE(bars.chart().categories.size(), qsizetype(statuses.size()));
         for (std::size_t i = 0; i < statuses.size(); ++i) {
             QCOMPARE(bars.chart().value(0, i), statuses[i].time_s / 60);
-            QCOMPARE(bars.chart().value(1, i) < 0, statuses[i].light == Light::fails);
+            QCOMPARE(bars.chart().value(1, i) < 0, !statuses[i].judgement.isNominalGood());
         }
         QTRY_VERIFY(!bars.drawing().parts().empty());
         const auto last = std::ranges::find_if(bars.drawing().parts(), [&](const BarPart& part) {

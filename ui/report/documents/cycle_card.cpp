@@ -4,7 +4,6 @@
 #include "core/project/machine.h"
 #include "core/quality/finished_surface.h"
 #include "core/units.h"
-#include "ui/charts/verdict_table.h"
 #include "ui/charts/verdict_why.h"
 #include "ui/report/documents/outcome_remarks.h"
 #include "ui/report/parts/begun_report.h"
@@ -15,6 +14,7 @@
 #include "ui/report/parts/part_sketch.h"
 #include "ui/report/parts/requirement_cells.h"
 #include "ui/text/example_texts.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
@@ -24,12 +24,11 @@
 
 namespace sparkout::report {
 
-std::vector<Block> CycleCard::verdict(const Outcome& outcome) {
-    const bool good = verdict::overallLight(outcome) != Light::fails;
+std::vector<Block> CycleCard::verdict(const Outcome& outcome, const Judgement& judgement) {
     std::vector<Block> blocks;
-    blocks.push_back(Facts{{{tr("Prediction for the part"), good ? tr("good") : tr("not good")},
+    blocks.push_back(Facts{{{tr("Prediction"), JudgementText::headline(judgement)},
                             {tr("Machining time"), verdict::time(outcome.result)}}});
-    QStringList lines{verdict::overall(outcome)};
+    QStringList lines = JudgementText::lines(judgement);
     if (outcome.result.status != RunStatus::completed) {
         lines.prepend(verdict::status(outcome.result));
     }
@@ -128,7 +127,8 @@ Table CycleCard::requirements(const Outcome& outcome) {
     return table;
 }
 
-Report CycleCard::write(const OutcomePtr& outcome, const QString& file, const QDate& date) {
+Report CycleCard::write(const OutcomePtr& outcome, const QString& file, const QDate& date,
+                        const BatchOutcomePtr& batch) {
     const Project& project = outcome->result.project;
     Report report = begunReport(tr("Cycle card of a grinding operation"), project, file, date);
     auto& blocks = report.blocks;
@@ -140,7 +140,7 @@ Report CycleCard::write(const OutcomePtr& outcome, const QString& file, const QD
     heading(tr("Settings by stage"));
     blocks.push_back(OperationSetup::stages(*outcome));
     heading(tr("Verdict"));
-    for (Block& block : verdict(*outcome)) {
+    for (Block& block : verdict(*outcome, judgementOf(*outcome, batch.get()))) {
         blocks.push_back(std::move(block));
     }
     heading(tr("Predicted accuracy"));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/study/outcome.h"
+#include "core/study/judged_outcome.h"
 #include "ui/report/format/report.h"
 
 #include <QCoreApplication>
@@ -13,12 +13,13 @@ namespace sparkout::report {
 class CycleCard {
     Q_DECLARE_TR_FUNCTIONS(CycleCard)
 public:
-    /// Of an outcome that ran. `file` is the path of the project, or empty.
+    /// Of an outcome that ran. `file` is the path of the project, or empty; `batch` is of the same
+    /// inputs, or null.
     [[nodiscard]] static Report write(const OutcomePtr& outcome, const QString& file,
-                                      const QDate& date);
+                                      const QDate& date, const BatchOutcomePtr& batch = {});
 
     // Its sections.
-    static std::vector<Block> verdict(const Outcome& outcome);
+    static std::vector<Block> verdict(const Outcome& outcome, const Judgement& judgement);
     static Table accuracy(const Outcome& outcome);  ///< by zone or section
     static Table zoneForms(const Outcome& outcome); ///< of zones that hold several sections
     static Table requirements(const Outcome& outcome);

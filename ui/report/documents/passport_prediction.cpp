@@ -2,15 +2,16 @@
 #include "ui/report/documents/passport_prediction.h"
 
 #include "core/batch/scenario_source.h"
+#include "core/judgement/judgement.h"
 #include "core/project/batch.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/requirement_cells.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_figures.h"
 #include "ui/views/batch/batch_text.h"
-#include "ui/views/verdict/verdict_text.h"
 
 #include <QLocale>
 
@@ -142,7 +143,10 @@ std::vector<Block> PassportPrediction::worst(const Subject& subject) {
     std::vector<Block> blocks{Paragraph{
         tr("Of the %n part(s) number %1 has the minimum margin. %2.", nullptr,
            static_cast<int>(summary.parts))
-            .arg(Names::part(summary.worstPart), sparkout::verdict::overall(*subject.worst))}};
+            .arg(Names::part(summary.worstPart),
+                 summary.bad.count == 0 ? tr("It meets all requirements")
+                                        : JudgementText::headline(judge(
+                                            subject.worst->result, subject.worst->constraints)))}};
     if (!values.empty()) {
         Facts facts;
         for (std::size_t f = 0; f < values.size(); ++f) {

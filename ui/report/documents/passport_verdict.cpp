@@ -2,10 +2,13 @@
 #include "ui/report/documents/passport_verdict.h"
 
 #include "core/project/batch.h"
-#include "ui/charts/verdict_table.h"
+#include "core/study/judged_outcome.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/verdict/verdict_text.h"
+
+#include <algorithm>
 
 namespace sparkout::report {
 
@@ -29,28 +32,40 @@ const CharacteristicSummary* PassportVerdict::deciding(const BatchSummary& summa
     return most ? most : leastCapable(summary);
 }
 
-Fitness PassportVerdict::fitness(const Subject& subject) {
-    return verdict::overallLight(*subject.outcome) == Light::fails ? Fitness::unfit
-           : subject.batch ? weigh(subject.batch->summary, subject.batch->result).fitness
-                           : Fitness::conditional;
+Fitness PassportVerdict::fitness(const Subject& subject, const Judgement& judgement) {
+    if (isFailure(judgement.state)) {
+        return Fitness::unfit;
+    }
+    const Fitness ofBatch = subject.batch
+                                ? weigh(subject.batch->summary, subject.batch->result).fitness
+                                : Fitness::conditional;
+    return judgement.state == JudgedState::undecided ? std::max(ofBatch, Fitness::conditional)
+                                                     : ofBatch;
 }
 
-QString PassportVerdict::decision(const Subject& subject) {
-    return verdict::overallLight(*subject.outcome) == Light::fails ? tr("the nominal part fails")
-           : subject.batch ? BatchText::decision(*subject.batch)
-                           : tr("the nominal part holds; no batch is described, so its scatter is "
-                                "not weighed");
+QString PassportVerdict::decision(const Subject& subject, const Judgement& judgement) {
+    const bool isOfBatch =
+        judgement.state == JudgedState::batchFails || !isFailure(judgement.state);
+    return !isOfBatch ? JudgementText::headline(judgement)
+           : subject.batch
+               ? BatchText::decision(*subject.batch)
+               : tr("no requirement fails; no batch is described, so its scatter is not weighed");
 }
 
 std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
     const Outcome& outcome = *subject.outcome;
-    Facts facts{{{tr("The cycle, by the prediction"), BatchText::fitness(fitness(subject))},
-                 {tr("What decided"), decision(subject)}}};
+    const Judgement judgement = judgementOf(outcome, subject.batch.get());
+    Facts facts{
+        {{tr("Prediction"), JudgementText::headline(judgement)},
+         {tr("The cycle, by the prediction"), BatchText::fitness(fitness(subject, judgement))},
+         {tr("What decided"), decision(subject, judgement)}}};
     QStringList reasons;
     if (outcome.result.status != RunStatus::completed) {
         reasons << sparkout::verdict::status(outcome.result);
     }
-    reasons << tr("Nominal part: %1.").arg(sparkout::verdict::overall(outcome));
+    for (const QString& line : JudgementText::lines(judgement)) {
+        reasons << line + u'.';
+    }
     if (subject.batch) {
         const BatchSummary& summary = subject.batch->summary;
         facts.facts.emplace_back(tr("Parts of the batch that are not good"),
@@ -72,7 +87,8 @@ std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
         if (summary.bad.count > 0) {
             reasons << tr("Worst part, number %1: %2.")
                            .arg(Names::part(summary.worstPart),
-                                sparkout::verdict::overall(*subject.worst));
+                                JudgementText::headline(
+                                    judge(subject.worst->result, subject.worst->constraints)));
         }
     } else {
         facts.facts.emplace_back(tr("Parts of the batch that are not good"),
@@ -88,13 +104,15 @@ std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
     }
     blocks.push_back(Paragraph{
         subject.batch
-            ? tr("The cycle conforms when the nominal part and every part that was run reach size "
-                 "and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it "
-                 "conforms conditionally when no more parts fail than the share allowed, or when "
-                 "the capability or the expected share outside falls short or is not known. %2")
+            ? tr("The cycle conforms when every stock within one infeed, where that is decided, "
+                 "and "
+                 "every part that was run reach size and hold every requirement, and the lower "
+                 "95 % bounds of all Ppk reach %1; it conforms conditionally when no more parts "
+                 "fail than the share allowed, or when a requirement, the capability or the "
+                 "expected share outside is not decided or falls short. %2")
                   .arg(Names::significant(subject.batch->result.project.batch->least_ppk), caution)
-            : tr("Without a batch the cycle conforms conditionally when the nominal part reaches "
-                 "size and holds every requirement. %1")
+            : tr("Without a batch the cycle conforms conditionally when every stock within one "
+                 "infeed, where that is decided, reaches size and holds every requirement. %1")
                   .arg(caution)});
     return blocks;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/batch/batch_verdict.h"
+#include "core/judgement/judgement.h"
 #include "ui/report/documents/report_kinds.h"
 
 #include <QCoreApplication>
@@ -12,8 +13,8 @@ namespace sparkout::report {
 class PassportVerdict {
     Q_DECLARE_TR_FUNCTIONS(PassportVerdict)
 public:
-    static Fitness fitness(const Subject& subject);
-    static QString decision(const Subject& subject); ///< what decided it
+    static Fitness fitness(const Subject& subject, const Judgement& judgement);
+    static QString decision(const Subject& subject, const Judgement& judgement);
     static std::vector<Block> verdict(const Subject& subject);
 
     /// The characteristic that decides: of the greatest share out of tolerance, else the least

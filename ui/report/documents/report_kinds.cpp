@@ -45,7 +45,7 @@ Company companyOf(const Subject& subject) {
 }
 
 Report makeCard(const Subject& subject) {
-    return withCompany(CycleCard::write(subject.outcome, subject.file, subject.date),
+    return withCompany(CycleCard::write(subject.outcome, subject.file, subject.date, subject.batch),
                        companyOf(subject));
 }
 
@@ -70,16 +70,17 @@ Report makeSketch(const Subject& subject) {
 }
 
 constexpr std::array allKinds{
-    KindRow{Kind::card, "card", QT_TRANSLATE_NOOP("ReportKind", "Cycle car&d"), false, false,
+    KindRow{Kind::card, "card", QT_TRANSLATE_NOOP("ReportKind", "Cycle car&d"), true, false, false,
             makeCard},
     KindRow{Kind::passport, "passport", QT_TRANSLATE_NOOP("ReportKind", "Accuracy &passport"), true,
-            false, makePassport},
+            true, false, makePassport},
     KindRow{Kind::handout, "handout", QT_TRANSLATE_NOOP("ReportKind", "Course &hand-out"), false,
-            false, makeHandout},
+            false, false, makeHandout},
     KindRow{Kind::operationCard, "operation-card",
-            QT_TRANSLATE_NOOP("ReportKind", "&Operation card"), false, true, makeOperationCard},
+            QT_TRANSLATE_NOOP("ReportKind", "&Operation card"), false, false, true,
+            makeOperationCard},
     KindRow{Kind::sketch, "sketch-sheet", QT_TRANSLATE_NOOP("ReportKind", "S&ketch sheet"), false,
-            true, makeSketch},
+            false, true, makeSketch},
 };
 
 } // namespace

@@ -53,6 +53,7 @@ struct KindRow {
     Kind kind;
     const char* key;  ///< on the command line, whose manual says what it is
     const char* menu; ///< its menu, to be translated in the context ReportKind
+    bool judgesBatch; ///< it says how the cycle stands for the batch, where there is one
     bool takesBatch;  ///< it is about batches and wheels, where there are such
     bool takesSetup;  ///< it is about all surfaces of a set-up
     Report (*make)(const Subject& subject);

@@ -11,6 +11,7 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
@@ -105,6 +106,8 @@ void VerdictPanel::buildHead(QWidget* head) {
     line->addWidget(m_light, 0, Qt::AlignTop);
     line->addWidget(m_overall, 1);
     layout->addLayout(line);
+    m_stocks = addText(layout, "judgedStocks");
+    m_batch = addText(layout, "judgedBatch");
     m_why = addText(layout, "why");
     setRelativeFont(*m_time, metrics::headline);
     QFont bold = font();
@@ -165,9 +168,19 @@ void VerdictPanel::setOutcome(OutcomePtr outcome) {
         Qt::QueuedConnection);
 }
 
+void VerdictPanel::setJudged(const JudgedRun& judged) {
+    if (judged.outcome && judged.outcome->ran()) { // else the last one stands, in grey
+        m_judged = judged;
+    }
+    if (!m_queued) {
+        showTexts();
+    }
+}
+
 void VerdictPanel::forget() {
     m_good.reset();
     m_latest.reset();
+    m_judged = {};
     m_chosen.reset();
     showTexts();
 }
@@ -200,8 +213,8 @@ void VerdictPanel::showTexts() {
     }
     m_notice->setText(notice);
     m_notice->setVisible(!notice.isEmpty());
-    for (QWidget* w :
-         std::initializer_list<QWidget*>{m_time, m_status, m_light, m_overall, m_table}) {
+    for (QWidget* w : std::initializer_list<QWidget*>{m_time, m_status, m_light, m_overall,
+                                                      m_stocks, m_batch, m_table}) {
         w->setVisible(m_good != nullptr);
     }
     m_off->clear(); // links take the palette's colour when the text is another
@@ -219,10 +232,33 @@ void VerdictPanel::showTexts() {
     }
     m_time->setText(verdict::time(m_good->result));
     m_status->setText(verdict::status(m_good->result));
-    m_overall->setText(keptTogether(verdict::overall(*m_good)));
-    m_light->setPixmap(
-        lightPixmap(verdict::overallLight(*m_good), iconSmall + 3, devicePixelRatioF(), refused));
+    showJudged();
     m_table->setVisible(m_model->rowCount() > 0);
+}
+
+JudgedRun VerdictPanel::judgedRun() const {
+    if (m_judged.outcome == m_good) {
+        return m_judged;
+    }
+    JudgedRun alone;
+    alone.outcome = m_good;
+    alone.judgement = judge(m_good->result, m_good->constraints);
+    return alone;
+}
+
+/// What is still to come is grey.
+void VerdictPanel::showJudged() {
+    const bool isOld = m_latest && !m_latest->ran();
+    const JudgedRun judged = judgedRun();
+    const Judgement& judgement = judged.judgement;
+    m_overall->setText(keptTogether(JudgementText::headline(judgement)));
+    m_light->setPixmap(judgedPixmap(judgement.state, iconSmall + 3, devicePixelRatioF(), isOld));
+    m_stocks->setText(JudgementText::stocks(judgement, judged.areStocksComing));
+    m_batch->setText(JudgementText::batch(judgement, judged.isBatchComing));
+    m_stocks->setVisible(judgement.stocks || judged.areStocksComing);
+    m_batch->setVisible(judged.hasBatch);
+    m_stocks->setEnabled(!isOld && !judged.areStocksComing);
+    m_batch->setEnabled(!isOld && !judged.isBatchComing);
 }
 
 const ConstraintResult* VerdictPanel::explained() const {
@@ -302,6 +338,8 @@ void VerdictPanel::retranslate() {
     m_time->setToolTip(tr("Machining time"));
     m_status->setAccessibleName(tr("End of the cycle"));
     m_overall->setAccessibleName(tr("Verdict on the drawing"));
+    m_stocks->setAccessibleName(tr("Verdict over the stocks"));
+    m_batch->setAccessibleName(tr("Verdict on the batch"));
     m_why->setAccessibleName(tr("Where the value comes from"));
     m_off->setAccessibleName(tr("Requirements that are not checked"));
     m_table->setAccessibleName(tr("Requirements of the drawing"));

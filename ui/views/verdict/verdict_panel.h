@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/study/outcome.h"
+#include "ui/session/cycle_judge.h"
 
 #include <QWidget>
 
@@ -20,7 +21,8 @@ class Settings;
 class ShopSection;
 class ValueModel;
 
-/// What the cycle comes to: machining time and light, always in sight; below them, on a page that
+/// What the cycle comes to: machining time, how it stands for every stock and the batch, and its
+/// mark, always in sight; below them, on a page that
 /// scrolls, what would help, each requirement of the drawing with its predicted value, limit and
 /// margin, the form by zone, and the shop's numbers. Works from 300 px width on.
 class VerdictPanel : public QWidget {
@@ -36,7 +38,9 @@ public:
 
 public slots:
     void setOutcome(sparkout::OutcomePtr outcome); ///< shown once, later in the event loop
-    void forget();                                 ///< another document comes
+    /// How an outcome stands; without it the part that was run is judged alone.
+    void setJudged(const sparkout::JudgedRun& judged);
+    void forget(); ///< another document comes
     void retranslate();
     void copy() const; ///< the requirements as tab-separated text to the clipboard
     /// Says that so many fields of the inputs show a text that is not what was computed.
@@ -59,6 +63,8 @@ private:
     void buildSaving(Settings* settings); ///< of its tables
     void showOutcome();
     void showTexts();
+    void showJudged();
+    [[nodiscard]] JudgedRun judgedRun() const; ///< of the outcome that is shown
     void showRefusedFields();
     void grey(bool on);
     /// The requirement that is explained: the one chosen, else the worst when it fails.
@@ -72,6 +78,8 @@ private:
     QLabel* m_status = nullptr;
     QLabel* m_light = nullptr;
     QLabel* m_overall = nullptr;
+    QLabel* m_stocks = nullptr;
+    QLabel* m_batch = nullptr;
     QLabel* m_why = nullptr;
     QLabel* m_off = nullptr; ///< what is not checked
     QVBoxLayout* m_layout = nullptr;
@@ -83,6 +91,7 @@ private:
 
     OutcomePtr m_latest;
     OutcomePtr m_good;
+    JudgedRun m_judged;
     std::optional<ConstraintResult> m_chosen;
     int m_refusedFields = 0;
     bool m_queued = false;

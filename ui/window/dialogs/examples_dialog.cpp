@@ -3,11 +3,13 @@
 
 #include "core/setup/setup_run.h"
 #include "core/study/evaluate.h"
+#include "core/study/judged_outcome.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/part/part_drawing.h"
 #include "ui/session/document.h"
 #include "ui/text/example_texts.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 #include "ui/views/verdict/verdict_text.h"
@@ -97,7 +99,7 @@ QString ExamplesDialog::resultOf(const Entry& entry) {
         const OutcomePtr outcome = evaluate(entry.first(), {});
         return tr("%1. %2. %3.")
             .arg(verdict::time(outcome->result), verdict::status(outcome->result),
-                 verdict::overall(*outcome));
+                 JudgementText::headline(judgementOf(*outcome)));
     }
     const SetupRun run = runSetup(entry.setup);
     if (!run.isCompleted(entry.setup)) {
@@ -106,9 +108,14 @@ QString ExamplesDialog::resultOf(const Entry& entry) {
     const QString time = tr("Main time %1 min, piece time %2 min.")
                              .arg(printedNumber(run.time.main_min, exampleDigits),
                                   printedNumber(run.time.piece_min, exampleDigits));
-    return time + u' '
-           + (run.holds(entry.setup) ? tr("Every requirement on every surface holds.")
-                                     : tr("A requirement fails."));
+    Judgement worst; // of the surface to speak of first
+    for (const SurfaceRun& surface : run.surfaces) {
+        Judgement one = judge(surface.result, surface.constraints, judgeStocks(surface.result));
+        if (&surface == run.surfaces.data() || one.state < worst.state) {
+            worst = std::move(one);
+        }
+    }
+    return time + u' ' + JudgementText::headline(worst) + u'.';
 }
 
 void ExamplesDialog::fill() {

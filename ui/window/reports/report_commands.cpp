@@ -69,8 +69,8 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     if (row.takesSetup && now.setup && !addSetup(subject, *now.setup)) {
         return {};
     }
-    const bool wantsBatch = row.takesBatch && now.outcome->result.project.batch;
-    if (wantsBatch && !addBatch(subject, now.batch)) {
+    const bool wantsBatch = row.judgesBatch && now.outcome->result.project.batch;
+    if (wantsBatch && !addBatch(subject, now.batch, row.takesBatch)) {
         return {};
     }
     if (row.takesBatch && !addPrediction(subject, now.predicting)) {
@@ -82,7 +82,8 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     return row.make(subject);
 }
 
-bool ReportCommands::addBatch(report::Subject& subject, const BatchOutcomePtr& shown) {
+bool ReportCommands::addBatch(report::Subject& subject, const BatchOutcomePtr& shown,
+                              bool isNeeded) {
     const Project& project = subject.outcome->result.project;
     const bool fits = shown && shown->ran() && shown->result.status == BatchStatus::completed
                       && sameBatch(shown->result.project, project);
@@ -90,12 +91,19 @@ bool ReportCommands::addBatch(report::Subject& subject, const BatchOutcomePtr& s
     if (!subject.batch) {
         return false;
     }
+    if (!subject.batch->ran() && !isNeeded) {
+        subject.batch = nullptr;
+        return true;
+    }
     if (!subject.batch->ran()) {
         say(QMessageBox::Information, tr("No report"),
             tr("The batch cannot be run:") + QLatin1Char('\n')
                 + Names::refusal(subject.batch->issues),
             m_window);
         return false;
+    }
+    if (!isNeeded) {
+        return true;
     }
     runAside([&subject] { subject.worst = report::runWorstPart(*subject.batch); });
     return true;

@@ -39,7 +39,9 @@ public:
 
 private:
     /// Takes the batch that is shown, or runs one; false: none, and the user knows.
-    [[nodiscard]] bool addBatch(report::Subject& subject, const BatchOutcomePtr& shown);
+    /// False: there is no report. One that is not needed may be refused.
+    [[nodiscard]] bool addBatch(report::Subject& subject, const BatchOutcomePtr& shown,
+                                bool isNeeded);
 
     /// The same of the batch that measured parts are held against; true where none are measured.
     [[nodiscard]] bool addPrediction(report::Subject& subject, const BatchOutcomePtr& shown);

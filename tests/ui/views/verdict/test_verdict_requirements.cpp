@@ -13,11 +13,11 @@
 #include "ui/charts/result_tables.h"
 #include "ui/charts/verdict_table.h"
 #include "ui/charts/verdict_why.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/profiles/profiles_text.h"
-#include "ui/views/verdict/verdict_text.h"
 
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -174,7 +174,7 @@ private slots:
         project.least_steps = 1;
         const OutcomePtr outcome = run(project);
         QCOMPARE(verdict::worst(*outcome)->kind, ConstraintKind::leastOverlapLast);
-        const QString text = verdict::overall(*outcome);
+        const QString text = JudgementText::headline(judge(outcome->result, outcome->constraints));
         QVERIFY2(text.contains(
                      QStringLiteral("overlap B/s in the last stage is 1.5, 0.5 below the minimum")),
                  qPrintable(text));
@@ -211,8 +211,9 @@ private slots:
         const OutcomePtr outcome = run(project);
         QVERIFY(outcome->ran());
         QCOMPARE(verdict::worst(*outcome)->kind, ConstraintKind::overlap);
-        QCOMPARE(verdict::overallLight(*outcome), Light::fails);
-        const QString text = verdict::overall(*outcome);
+        const Judgement judgement = judge(outcome->result, outcome->constraints);
+        QCOMPARE(judgement.state, JudgedState::fails);
+        const QString text = JudgementText::headline(judgement);
         QVERIFY2(text.contains(QStringLiteral("overlap B/s in stage 1 is 0.8, below 1: strips")),
                  qPrintable(text));
         const ValueTable table = verdictTable(outcome.get(), {});

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/judgement/judgement.h"
+
+#include "core/phases/failing_share.h"
+#include "core/project/batch.h"
+#include "core/quality/roughness.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+std::optional<Undecided> undecidedOf(const Requirement& row, const Project& project) {
+    if (!isAskedFor(row, project)) {
+        return std::nullopt;
+    }
+    if (std::string path = missingInput(row, project); !path.empty()) {
+        return Undecided{row.kind, UndecidedReason::inputMissing, std::move(path)};
+    }
+    if (row.kind == ConstraintKind::roughness && !isRoughnessCalibrated(project)) {
+        return Undecided{row.kind, UndecidedReason::notCalibrated, "/wheel/roughness_factor"};
+    }
+    if (!knowsMachine(row.kind, project)) {
+        return Undecided{row.kind, UndecidedReason::machineNotKnown, "/machine/form"};
+    }
+    return std::nullopt;
+}
+
+/// Keeps the worse of two; of the settings only what fails.
+void keepWorst(std::optional<ConstraintResult>& worst,
+               const std::vector<ConstraintResult>& constraints) {
+    for (const ConstraintResult& each : constraints) {
+        const bool isSpokenOf =
+            !each.holds || requirementOf(each.kind).scope != ConstraintScope::setting;
+        if (isSpokenOf && (!worst || isWorse(each, *worst))) {
+            worst = each;
+        }
+    }
+}
+
+JudgedStocks judgedStocks(const PhaseDecision& decision) {
+    JudgedStocks stocks{decision.range, decision.failing.empty(), 0, RunStatus::completed, {}};
+    for (const DecidedPiece& piece : decision.pieces) {
+        keepWorst(stocks.worst, piece.low.constraints);
+        keepWorst(stocks.worst, piece.high.constraints);
+        if (piece.piece.status != RunStatus::completed) {
+            stocks.status = piece.piece.status;
+        }
+    }
+    const double width_mm = decision.range.to_mm - decision.range.from_mm;
+    if (!stocks.holds && width_mm > 0) {
+        stocks.failingShare = failingShare(decision, [&](double stock_mm) {
+                                  return (stock_mm - decision.range.from_mm) / width_mm;
+                              }).failing;
+    } else if (!stocks.holds) {
+        stocks.failingShare = 1;
+    }
+    return stocks;
+}
+
+JudgedState stateOf(const Judgement& of, bool nominalFails) {
+    if (of.status == RunStatus::refused || of.status == RunStatus::stopped) {
+        return JudgedState::notComputed;
+    }
+    if (of.status != RunStatus::completed || nominalFails) {
+        return JudgedState::fails;
+    }
+    if (of.stocks && !of.stocks->holds) {
+        return JudgedState::stocksFail;
+    }
+    if (of.batch && of.batch->fails()) {
+        return JudgedState::batchFails;
+    }
+    if (!of.notDecided.empty()) {
+        return JudgedState::undecided;
+    }
+    if (of.worst && isClose(*of.worst)) {
+        return JudgedState::close;
+    }
+    return of.batch && of.batch->holds() ? JudgedState::batchHolds
+           : of.stocks                   ? JudgedState::stocksHold
+                                         : JudgedState::nominal;
+}
+
+} // namespace
+
+const char* reasonKey(UndecidedReason reason) {
+    constexpr std::array keys{"not_calibrated", "input_missing", "machine_not_known"};
+    return keys[static_cast<std::size_t>(reason)];
+}
+
+const char* stateKey(JudgedState state) {
+    constexpr std::array keys{"not_computed", "fails", "stocks_fail", "batch_fails", "undecided",
+                              "close",        "batch", "every_stock", "nominal"};
+    return keys[static_cast<std::size_t>(state)];
+}
+
+std::vector<Undecided> undecided(const Project& project,
+                                 const std::vector<ConstraintResult>& constraints) {
+    std::vector<Undecided> found;
+    for (const Requirement& row : requirementRows) {
+        const bool fails = std::ranges::any_of(constraints, [&row](const ConstraintResult& each) {
+            return each.kind == row.kind && !each.holds;
+        });
+        std::optional<Undecided> one = undecidedOf(row, project);
+        if (one && !fails) {
+            found.push_back(*std::move(one));
+        }
+    }
+    return found;
+}
+
+std::optional<JudgedStocks> judgeStocks(const SimulationResult& result,
+                                        const std::stop_token& stop) {
+    const Project& project = result.project;
+    if (result.status == RunStatus::refused || !canDecidePhases(project)) {
+        return std::nullopt;
+    }
+    constexpr std::int64_t runsOfPiece = 2; // at both ends
+    const std::int64_t most =
+        mostJudgedVisits / (runsOfPiece * std::max<std::int64_t>(result.visits, 1));
+    if (most < 1) {
+        return std::nullopt;
+    }
+    const PhaseDecision decision =
+        decidePhases(project, usualPhases(project), stop,
+                     std::min(static_cast<std::size_t>(most), mostDecidedPieces));
+    return decision.isDecided ? std::optional(judgedStocks(decision)) : std::nullopt;
+}
+
+JudgedBatch judgeBatch(const BatchResult& result, const BatchSummary& summary) {
+    const Batch batch = result.project.batch.value_or(Batch{});
+    return {summary.parts,
+            summary.bad.count,
+            batch.seed,
+            summary.bad.interval,
+            batch.most_outside_share.value_or(0),
+            result.status != BatchStatus::stopped};
+}
+
+Judgement judge(const SimulationResult& result, const std::vector<ConstraintResult>& constraints,
+                std::optional<JudgedStocks> stocks, std::optional<JudgedBatch> batch) {
+    Judgement judgement;
+    judgement.status = result.status;
+    keepWorst(judgement.worst, constraints);
+    const bool fails = judgement.worst && !judgement.worst->holds;
+    if (!fails && result.status == RunStatus::completed && stocks) {
+        judgement.worst = stocks->worst;
+    }
+    judgement.stocks = std::move(stocks);
+    judgement.batch = std::move(batch);
+    judgement.notDecided = undecided(result.project, constraints);
+    judgement.state = stateOf(judgement, fails);
+    return judgement;
+}
+
+} // namespace sparkout

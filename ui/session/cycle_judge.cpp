@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/cycle_judge.h"
+
+#include "core/project/batch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// While one types or drags outcomes follow each other faster.
+constexpr auto calm = 150ms;
+/// Visits of a radius of a batch that is run by itself: about a second of one processor.
+constexpr std::int64_t mostVisits = 100'000'000;
+
+bool isQuick(const Outcome& outcome) {
+    const std::int64_t visits = std::max<std::int64_t>(outcome.result.visits, 1);
+    return partsOf(outcome.result.project) <= mostVisits / visits;
+}
+
+} // namespace
+
+CycleJudge::CycleJudge(const RunController& runs, Studies& studies, QObject* parent)
+    : QObject(parent), m_runs(runs), m_studies(studies) {
+    m_calm.setSingleShot(true);
+    m_calm.setInterval(calm);
+    connect(&m_calm, &QTimer::timeout, this, &CycleJudge::runBatch);
+    connect(&m_runs, &RunController::stocksDecided, this, &CycleJudge::judgeAgain);
+    for (StudyOf<BatchOutcome>* study : {&m_studies.batch, &m_studies.judged}) {
+        connect(&study->job(), &Job::answered, this, &CycleJudge::judgeAgain);
+    }
+}
+
+void CycleJudge::setOutcome(const OutcomePtr& outcome) {
+    m_calm.stop();
+    m_judged = {};
+    m_judged.outcome = outcome;
+    m_studies.judged.follow(outcome->ran() ? &outcome->result.project : nullptr);
+    judgeNow();
+    if (m_judged.isBatchComing) {
+        m_calm.start();
+    }
+}
+
+void CycleJudge::forget() {
+    m_calm.stop();
+    m_studies.judged.forget();
+    m_judged = {};
+}
+
+void CycleJudge::tellBatches(bool tells) {
+    if (std::exchange(m_tellsBatches, tells) == tells) {
+        return;
+    }
+    if (!tells) {
+        m_calm.stop();
+        m_studies.judged.forget();
+    }
+    judgeAgain();
+}
+
+/// What has come may be of inputs before the last edit.
+void CycleJudge::judgeAgain() {
+    if (!m_judged.outcome) {
+        return;
+    }
+    judgeNow();
+    if (m_judged.isBatchComing && !m_studies.judged.running() && !m_calm.isActive()) {
+        m_calm.start();
+    }
+    emit changed();
+}
+
+void CycleJudge::judgeNow() {
+    const Outcome& outcome = *m_judged.outcome;
+    if (!outcome.ran()) {
+        m_judged.judgement = {};
+        return;
+    }
+    m_judged.hasBatch = m_tellsBatches && outcome.result.project.batch;
+    std::optional<JudgedBatch> ofBatch;
+    if (const BatchOutcomePtr found = m_judged.hasBatch ? batch() : nullptr) {
+        ofBatch = judgeBatch(found->result, found->summary);
+    }
+    m_judged.isBatchComing = m_judged.hasBatch && !(ofBatch && ofBatch->isWhole)
+                             && !m_studies.judged.refusal() && isQuick(outcome);
+    m_judged.areStocksComing = m_runs.areStocksComing();
+    m_judged.judgement = judge(outcome.result, outcome.constraints, m_runs.stocks(), ofBatch);
+}
+
+BatchOutcomePtr CycleJudge::batch() const {
+    BatchOutcomePtr found;
+    if (!m_judged.outcome || !m_judged.outcome->ran()) {
+        return found;
+    }
+    for (const StudyOf<BatchOutcome>* study : {&m_studies.batch, &m_studies.judged}) {
+        if (study->isOf(m_judged.outcome->result.project)
+            && (!found || found->result.status == BatchStatus::stopped)) {
+            found = study->result();
+        }
+    }
+    return found;
+}
+
+void CycleJudge::runBatch() {
+    if (m_judged.outcome && m_judged.isBatchComing && !m_studies.judged.running()) {
+        m_studies.runJudged(m_judged.outcome->result.project);
+    }
+}
+
+} // namespace sparkout

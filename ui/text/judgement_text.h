@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "words/judgement_words.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace sparkout {
+
+/// Judgements in the present language, with the numbers and names of the window.
+class JudgementText : public JudgementWording {
+public:
+    [[nodiscard]] static QString headline(const Judgement& judgement);
+    [[nodiscard]] static QString stocks(const Judgement& judgement, bool areComing = false);
+    [[nodiscard]] static QString batch(const Judgement& judgement, bool isComing = false);
+    /// A line for the stocks, one for the batch where there is one, one for each requirement that
+    /// is not decided: what papers print below the headline.
+    [[nodiscard]] static QStringList lines(const Judgement& judgement);
+
+protected:
+    [[nodiscard]] std::string translated(const char* text) const override;
+    [[nodiscard]] std::string number(double value, int decimals) const override;
+    [[nodiscard]] std::string requirement(ConstraintKind kind) const override;
+    [[nodiscard]] std::string where(const ConstraintResult& constraint) const override;
+    [[nodiscard]] std::string ofRequirement(const char* text) const override;
+    [[nodiscard]] std::string amount(const ConstraintResult& constraint) const override;
+    [[nodiscard]] std::string value(const ConstraintResult& constraint) const override;
+    [[nodiscard]] std::string unit(const char* unit) const override;
+};
+
+} // namespace sparkout

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/judgement/judgement.h"
+#include "core/result.h"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace sparkout {
+
+/// A decision on the stocks; nothing: there is none.
+using StocksDecision = std::optional<JudgedStocks>;
+
+[[nodiscard]] std::span<const Output<Judgement>> judgementOutputs();
+[[nodiscard]] std::span<const Output<StocksDecision>> judgedStocksOutputs();
+[[nodiscard]] std::span<const Output<JudgedBatch>> judgedBatchOutputs();
+[[nodiscard]] std::span<const Output<Undecided>> undecidedOutputs();
+
+/// The object of `simulate --json`: that of resultJson() and, under "judged", how the cycle stands
+/// for every stock within one infeed and, where it was run, for the batch:
+///
+///     { "state", "headline", "nominal",
+///       "stocks": { "decided", "holds", "stock_mm", "failing_share", "worst" },
+///       "batch": null or { "parts", "seed", "bad", "interval_95" },
+///       "not_decided": [ { "name", "why", "input" }, … ] }
+///
+/// "worst" is an element of "constraints".
+[[nodiscard]] std::string judgedResultJson(const SimulationResult& result,
+                                           const std::vector<ConstraintResult>& constraints,
+                                           const Judgement& judgement);
+
+} // namespace sparkout

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "words/judgement_words.h"
+
+#include "core/digits.h"
+#include "core/quality/result_names.h"
+#include "core/text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int significantDigits = 3;
+
+} // namespace
+
+std::string JudgementWording::number(double value, int decimals) const {
+    return fixed(value, decimals);
+}
+
+std::string JudgementWording::stock(double value_mm) const {
+    constexpr int decimals = 4; // 0.1 µm
+    return number(value_mm, decimals);
+}
+
+std::string JudgementWording::requirement(ConstraintKind kind) const {
+    std::string name = requirementOf(kind).label;
+    name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+    return name;
+}
+
+std::string JudgementWording::where(const ConstraintResult& constraint) const {
+    return whereText(constraint);
+}
+
+std::string JudgementWording::amount(const ConstraintResult& constraint) const {
+    const double amount = std::abs(constraint.margin);
+    return number(amount, decimalsOf(amount, significantDigits));
+}
+
+std::string JudgementWording::value(const ConstraintResult& constraint) const {
+    return number(constraint.value, decimalsOf(constraint.value, significantDigits));
+}
+
+std::string JudgementWording::filled(const char* text, TextPlaces places) const {
+    return placedText(translated(text), places);
+}
+
+/// Of a share in per cent: never nothing for a little, nor the whole for almost all.
+std::string JudgementWording::percent(double share) const {
+    constexpr double hundred = 100, few = 10, nothing = 1e-6;
+    const double value = hundred * share;
+    const double toEnd = std::min(value, hundred - value);
+    int decimals = value > 0 && value < few ? 1 : 0;
+    if (toEnd > nothing && toEnd < 1) {
+        decimals = std::max(1, static_cast<int>(std::ceil(-std::log10(toEnd))));
+    }
+    return number(value, decimals);
+}
+
+/// "minimum diameter by 10.7 µm", of a setting its sentence.
+std::string JudgementWording::failure(RunStatus status,
+                                      const std::optional<ConstraintResult>& worst) const {
+    if (status != RunStatus::completed || !worst) {
+        return translated(SPARKOUT_NOOP("Judgement", "the cycle does not end by itself"));
+    }
+    const Requirement& row = requirementOf(worst->kind);
+    if (!row.broken || row.isOfSurface()) {
+        return filled(*row.unit ? SPARKOUT_NOOP("Judgement", "{name} by {amount} {unit}")
+                                : SPARKOUT_NOOP("Judgement", "{name} by {amount}"),
+                      {{"name", requirement(worst->kind)},
+                       {"amount", amount(*worst)},
+                       {"unit", unit(row.unit)}});
+    }
+    std::string text = ofRequirement(row.broken);
+    const auto put = [&text](const char* place, const std::string& what) {
+        if (const std::size_t at = text.find(place); at != std::string::npos) {
+            text.replace(at, std::string(place).size(), what);
+        }
+    };
+    put("%1", where(*worst));
+    put("%2", amount(*worst));
+    put("%3", value(*worst));
+    return text;
+}
+
+/// "17 of 50 (21…49 %)".
+std::string JudgementWording::bad(const JudgedBatch& batch) const {
+    const std::string count = number(static_cast<double>(batch.bad), 0);
+    const std::string parts = number(static_cast<double>(batch.parts), 0);
+    if (!batch.interval) {
+        return filled(SPARKOUT_NOOP("Judgement", "{bad} of {parts}"),
+                      {{"bad", count}, {"parts", parts}});
+    }
+    return filled(batch.bad == 0 ? SPARKOUT_NOOP("Judgement", "{bad} of {parts} (≤ {high} %)")
+                                 : SPARKOUT_NOOP("Judgement", "{bad} of {parts} ({low}…{high} %)"),
+                  {{"bad", count},
+                   {"parts", parts},
+                   {"low", percent(batch.interval->low)},
+                   {"high", percent(batch.interval->high)}});
+}
+
+std::string JudgementWording::names(const std::vector<Undecided>& undecided) const {
+    std::string names;
+    for (const Undecided& each : undecided) {
+        names += (names.empty() ? "" : ", ") + requirement(each.kind);
+    }
+    return names;
+}
+
+std::string JudgementWording::headline(const Judgement& judgement) const {
+    switch (judgement.state) {
+    case JudgedState::notComputed:
+        return translated(judgement.status == RunStatus::stopped
+                              ? SPARKOUT_NOOP("Judgement", "Not computed: stopped")
+                              : SPARKOUT_NOOP("Judgement", "Not computed: inputs refused"));
+    case JudgedState::fails:
+        return filled(SPARKOUT_NOOP("Judgement", "Not met: {what}"),
+                      {{"what", failure(judgement.status, judgement.worst)}});
+    case JudgedState::stocksFail:
+        return filled(SPARKOUT_NOOP("Judgement", "Unfit for {share} % of stocks: {what}"),
+                      {{"share", percent(judgement.stocks->failingShare)},
+                       {"what", failure(judgement.stocks->status, judgement.stocks->worst)}});
+    case JudgedState::batchFails:
+        return filled(SPARKOUT_NOOP("Judgement", "Rejects in the batch: {bad}"),
+                      {{"bad", bad(*judgement.batch)}});
+    case JudgedState::undecided:
+        return filled(SPARKOUT_NOOP("Judgement", "Met, except {names}: not decided"),
+                      {{"names", names(judgement.notDecided)}});
+    case JudgedState::close:
+        return filled(SPARKOUT_NOOP("Judgement", "Met, close to the limit: {name}, {margin} %"),
+                      {{"name", requirement(judgement.worst->kind)},
+                       {"margin", percent(std::max(judgement.worst->relativeMargin, 0.0))}});
+    case JudgedState::batchHolds:
+        return filled(SPARKOUT_NOOP("Judgement", "Fit for the batch: rejected {bad}"),
+                      {{"bad", bad(*judgement.batch)}});
+    case JudgedState::stocksHold:
+        return translated(SPARKOUT_NOOP("Judgement", "Fit for every stock"));
+    case JudgedState::nominal: break;
+    }
+    return translated(SPARKOUT_NOOP("Judgement", "Nominal part only"));
+}
+
+std::string JudgementWording::stocks(const Judgement& judgement, bool areComing) const {
+    if (!judgement.stocks) {
+        return translated(areComing ? SPARKOUT_NOOP("Judgement", "Stocks: being decided")
+                                    : SPARKOUT_NOOP("Judgement", "Stocks: not decided"));
+    }
+    const JudgedStocks& stocks = *judgement.stocks;
+    return filled(
+        stocks.holds
+            ? SPARKOUT_NOOP("Judgement", "Every stock per side {from}…{to} mm: fit")
+            : SPARKOUT_NOOP("Judgement", "Stocks per side {from}…{to} mm: {share} % unfit"),
+        {{"from", stock(stocks.range.from_mm)},
+         {"to", stock(stocks.range.to_mm)},
+         {"share", percent(stocks.failingShare)}});
+}
+
+std::string JudgementWording::batch(const Judgement& judgement, bool isComing) const {
+    if (!judgement.batch) {
+        return translated(isComing ? SPARKOUT_NOOP("Judgement", "Batch: being run")
+                                   : SPARKOUT_NOOP("Judgement", "Batch: not run"));
+    }
+    return filled(SPARKOUT_NOOP("Judgement", "Batch: rejected {bad}"),
+                  {{"bad", bad(*judgement.batch)}});
+}
+
+std::string JudgementWording::notDecided(const Undecided& undecided) const {
+    const auto why = [](UndecidedReason reason) {
+        switch (reason) {
+        case UndecidedReason::notCalibrated:
+            return SPARKOUT_NOOP("Judgement", "{name}: not calibrated");
+        case UndecidedReason::inputMissing:
+            return SPARKOUT_NOOP("Judgement", "{name}: input missing");
+        case UndecidedReason::machineNotKnown: break;
+        }
+        return SPARKOUT_NOOP("Judgement", "{name}: machine not known");
+    };
+    return filled(why(undecided.reason), {{"name", requirement(undecided.kind)}});
+}
+
+} // namespace sparkout

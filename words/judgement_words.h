@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/judgement/judgement.h"
+#include "words/placed_text.h"
+
+#include <string>
+
+/// How a cycle stands in words. The English ones stand here alone, marked for translation in the
+/// context "Judgement": the command line prints them, the window and its papers look up what they
+/// are in their language.
+namespace sparkout {
+
+/// Writes judgements: by itself in English.
+class JudgementWording {
+public:
+    JudgementWording() = default;
+    virtual ~JudgementWording() = default;
+    JudgementWording(const JudgementWording&) = delete;
+    JudgementWording& operator=(const JudgementWording&) = delete;
+
+    /// "Fit for the batch: 0 of 50 rejected (≤ 7.1 %)".
+    [[nodiscard]] std::string headline(const Judgement& judgement) const;
+    /// "Every stock per side 0.1490…0.1510 mm: fit"; or why the stocks are not decided.
+    [[nodiscard]] std::string stocks(const Judgement& judgement, bool areComing = false) const;
+    /// "Batch: 0 of 50 rejected (≤ 7.1 %)"; or that it is not known.
+    [[nodiscard]] std::string batch(const Judgement& judgement, bool isComing = false) const;
+    /// "roughness Ra: not calibrated".
+    [[nodiscard]] std::string notDecided(const Undecided& undecided) const;
+
+protected:
+    [[nodiscard]] virtual std::string translated(const char* text) const { return text; }
+    /// So many decimals.
+    [[nodiscard]] virtual std::string number(double value, int decimals) const;
+    [[nodiscard]] virtual std::string stock(double value_mm) const;
+    /// The name of a requirement within a sentence.
+    [[nodiscard]] virtual std::string requirement(ConstraintKind kind) const;
+    [[nodiscard]] virtual std::string where(const ConstraintResult& constraint) const;
+    /// A text of the requirements' table.
+    [[nodiscard]] virtual std::string ofRequirement(const char* text) const { return text; }
+    /// An amount and a value, without and with their unit.
+    [[nodiscard]] virtual std::string amount(const ConstraintResult& constraint) const;
+    [[nodiscard]] virtual std::string value(const ConstraintResult& constraint) const;
+    [[nodiscard]] virtual std::string unit(const char* unit) const { return unit; }
+
+private:
+    [[nodiscard]] std::string filled(const char* text, TextPlaces places) const;
+    [[nodiscard]] std::string percent(double share) const;
+    [[nodiscard]] std::string failure(RunStatus status,
+                                      const std::optional<ConstraintResult>& worst) const;
+    [[nodiscard]] std::string bad(const JudgedBatch& batch) const;
+    [[nodiscard]] std::string names(const std::vector<Undecided>& undecided) const;
+};
+
+} // namespace sparkout
