@@ -28,6 +28,12 @@ Project bare(Project project) {
     return project;
 }
 
+Project withBatch(const Project& project) {
+    Project copy = bare(project);
+    copy.batch = project.batch;
+    return copy;
+}
+
 std::ptrdiff_t idleStages(const SimulationResult& result) {
     return std::ranges::count(result.countsByStage, 0);
 }
@@ -45,6 +51,7 @@ RemedyTrials::RemedyTrials(const SimulationResult& result,
     , m_end(options.stop, options.budget)
     , m_project(bare(result.project))
     , m_goal(remedyGoal(result, constraints))
+    , m_parts(m_goal == RemedyGoal::none ? Project{} : withBatch(result.project))
     , m_idle(idleStages(result)) {
     if (result.status != RunStatus::completed) {
         return; // what its requirements say is of a cycle that was broken off
@@ -92,7 +99,17 @@ std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, doubl
         }
         trial.holds = !fails;
         if (fails) {
-            learnStock(setting, value, *std::move(fails));
+            learnPart(setting, value, *fails, m_stocks);
+        }
+    }
+    if (trial.holds && !m_parts.isEmpty()) {
+        const std::optional<RunParts> parts = m_parts.run(setting, value, m_end.token());
+        if (!parts) {
+            return {};
+        }
+        trial.holds = parts->isGood;
+        if (!parts->isGood) {
+            learnPart(setting, value, *parts->worst, m_batch);
         }
     }
     return trial;
@@ -121,6 +138,27 @@ std::optional<Project> RemedyTrials::failingStock(const Project& changed) const 
 }
 
 bool RemedyTrials::confirm(Remedy& remedy) {
+    return confirmStocks(remedy) && confirmBatch(remedy);
+}
+
+bool RemedyTrials::confirmBatch(Remedy& remedy) {
+    if (m_parts.isEmpty()) {
+        return true;
+    }
+    const int candidate = ++m_drawnBatches;
+    const std::optional<RunParts> parts =
+        m_parts.runFresh(remedy.setting, remedy.value, candidate, m_end.token());
+    if (!parts) {
+        return false;
+    }
+    remedy.batch = RemedyBatch{parts->parts, parts->bad, candidate};
+    if (parts->worst && !parts->isGood) {
+        learnPart(remedy.setting, remedy.value, *parts->worst, m_batch);
+    }
+    return parts->isGood;
+}
+
+bool RemedyTrials::confirmStocks(Remedy& remedy) {
     const Project changed = remedy.applied(m_project);
     if (canDecidePhases(changed)) {
         remedy.stocks = usualPhases(changed);
@@ -128,16 +166,17 @@ bool RemedyTrials::confirm(Remedy& remedy) {
     }
     remedy.candidate = ++m_candidates;
     remedy.phases = freshPhaseCount;
-    std::optional<Project> fails =
+    const std::optional<Project> fails =
         failingPhase(changed, static_cast<std::uint32_t>(m_candidates), m_end.token());
     if (fails) {
-        learnStock(remedy.setting, remedy.value, *std::move(fails));
+        learnPart(remedy.setting, remedy.value, *fails, m_stocks);
         return false;
     }
     return !isOver();
 }
 
-void RemedyTrials::learnStock(const RemedySetting& setting, double value, Project fails) {
+void RemedyTrials::learnPart(const RemedySetting& setting, double value, const Project& fails,
+                             std::optional<Nearest>& nearest) {
     const SimulationResult result = simulateUnchecked(fails, nullptr, m_end.token());
     if (isOver()) {
         return;
@@ -153,8 +192,8 @@ void RemedyTrials::learnStock(const RemedySetting& setting, double value, Projec
             }
         }
     }
-    if (!m_stocks || margin > m_stocks->margin) {
-        m_stocks.emplace(Nearest{setting, value, worst, margin, fails.part->stock_mm});
+    if (!nearest || margin > nearest->margin) {
+        nearest.emplace(Nearest{setting, value, worst, margin, fails.part->stock_mm});
     }
 }
 
@@ -198,11 +237,8 @@ RemedyConflict RemedyTrials::conflict() const {
     found.first = m_first;
     using enum RemedyConflict::Kind;
     const std::pair<const std::optional<Nearest>&, RemedyConflict::Kind> inOrder[] = {
-        {m_stocks, stocks},
-        {m_idleTrial, idle},
-        {m_opposed, opposed},
-        {m_several, several},
-        {m_closest, unmended}};
+        {m_batch, batch},     {m_stocks, stocks},   {m_idleTrial, idle},
+        {m_opposed, opposed}, {m_several, several}, {m_closest, unmended}};
     for (const auto& [nearest, kind] : inOrder) {
         if (!nearest) {
             continue;
