@@ -468,6 +468,10 @@
             <translation>номинальной детали</translation>
         </message>
         <message>
+            <source>every stock</source>
+            <translation>все припуски</translation>
+        </message>
+        <message>
             <source>all corners</source>
             <translation>всех крайних сочетаний</translation>
         </message>

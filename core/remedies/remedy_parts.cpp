@@ -2,6 +2,7 @@
 #include "core/remedies/remedy_parts.h"
 
 #include "core/batch/batch_check.h"
+#include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
 #include "core/phases/cycle_trial.h"
 #include "core/project/batch.h"
@@ -84,13 +85,7 @@ std::optional<RunParts> RemedyParts::run(const RemedySetting& setting, double va
 
 std::optional<RunParts> RemedyParts::runFresh(const RemedySetting& setting, double value, int draw,
                                               const std::stop_token& stop) const {
-    Project drawn = setting.applied(m_project, value);
-    constexpr unsigned mostSeed = std::numeric_limits<int>::max(), apart = 1'000'003;
-    const unsigned seed =
-        static_cast<unsigned>(drawn.batch->seed) + apart * static_cast<unsigned>(draw);
-    drawn.batch->seed = static_cast<int>(seed & mostSeed);
-    drawn.batch->scenarios = Scenarios::random;
-    drawn.batch->parts = freshParts;
+    Project drawn = withFreshParts(setting.applied(m_project, value), draw);
     if (!checkBatch(drawn).empty()) {
         return RunParts{}; // it cannot be run with the change
     }

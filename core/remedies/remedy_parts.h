@@ -26,8 +26,6 @@ class RemedyParts {
 public:
     /// Of a batch with more parts so many are taken, spread over it.
     static constexpr std::int64_t mostParts = 128;
-    /// Drawn at random for the last test of a change.
-    static constexpr int freshParts = 500;
 
     /// No part of a project without a batch, or of one whose batch cannot be run.
     explicit RemedyParts(Project project);
@@ -36,7 +34,7 @@ public:
     /// The parts of the batch; those that were bad last come first. Nothing: it was stopped.
     [[nodiscard]] std::optional<RunParts> run(const RemedySetting& setting, double value,
                                               const std::stop_token& stop);
-    /// Parts drawn independently, other ones for every `draw`. Nothing: it was stopped.
+    /// Those of withFreshParts(), other ones for every `draw`. Nothing: it was stopped.
     [[nodiscard]] std::optional<RunParts> runFresh(const RemedySetting& setting, double value,
                                                    int draw, const std::stop_token& stop) const;
 

@@ -51,7 +51,7 @@ std::shared_ptr<SearchOutcome> checked(const Project& project, const SearchWish&
         && (isHeuristic(wish.method) || wish.refine);
     outcome->objectiveFault = objectiveFault(project, wish.phases);
     outcome->fault = Variants(project, stop).fault();
-    if (outcome->ran() && project.optimisation->scenarios != OptimisationScenarios::nominal) {
+    if (outcome->ran() && areOfBatch(project.optimisation->scenarios)) {
         outcome->batchIssues = checkBatch(project);
     }
     return outcome;

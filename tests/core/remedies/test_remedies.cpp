@@ -3,6 +3,7 @@
 // Changes of one setting after which all holds: each one is run again by itself.
 #include "core/remedies/remedies.h"
 
+#include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
 #include "core/phases/cycle_trial.h"
 #include "core/phases/failing_stock.h"
@@ -12,7 +13,6 @@
 #include "core/project/validate.h"
 #include "core/quality/light.h"
 #include "core/quality/ranges.h"
-#include "core/remedies/remedy_parts.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
 #include "core/study/evaluate.h"
@@ -573,7 +573,7 @@ private slots:
             const RemedyResult any = remediesOf(project);
             QCOMPARE(any.found, without.found);
             QCOMPARE(any.remedies.front().value, first.value);
-            QCOMPARE(any.remedies.front().batch->parts, std::int64_t{RemedyParts::freshParts});
+            QCOMPARE(any.remedies.front().batch->parts, std::int64_t{freshPartCount});
         }
         QCOMPARE(dropped, 2);
     }
