@@ -7935,6 +7935,26 @@ With another name both versions stay as they are.</source>
             <translation>Остановлено при поиске с новыми уровнями: ответ дан по предыдущей сетке.</translation>
         </message>
         <message>
+            <source>“%1” has the maximum level, %2;</source>
+            <translation>«%1» на наибольшем уровне, %2;</translation>
+        </message>
+        <message>
+            <source>“%1” has the minimum level, %2;</source>
+            <translation>«%1» на наименьшем уровне, %2;</translation>
+        </message>
+        <message>
+            <source>no other is allowed.</source>
+            <translation>дальше нельзя.</translation>
+        </message>
+        <message>
+            <source>The rotation ratio of wheel and work is near a whole number, %1: waviness.</source>
+            <translation>Отношение частот вращения круга и детали близко к целому числу, %1: волнистость.</translation>
+        </message>
+        <message>
+            <source>None of %1 parts of the batch drawn afresh is bad, with cycle no. %2 that was tried so: with 95 % confidence at most %3 % are.</source>
+            <translation>Из %1 случайных деталей партии все годны; так проверен цикл № %2: с вероятностью 95 % не годны не более %3 % деталей.</translation>
+        </message>
+        <message>
             <source>Stage %1: “%2” has the maximum level, %3;</source>
             <translation>Ступень %1: «%2» на наибольшем уровне, %3;</translation>
         </message>
