@@ -176,6 +176,9 @@ class Remedies:
     def goal(self) -> str:
         """holds, room or none"""
     @property
+    def fault(self) -> str:
+        """what is not good as it is: part, as stated, stocks, another one within one infeed, batch, too many of its parts, or none"""
+    @property
     def status(self) -> str:
         """completed or stopped"""
     @property

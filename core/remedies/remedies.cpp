@@ -102,13 +102,22 @@ public:
                  const RemedyOptions& options)
         : m_project(result.project), m_options(options), m_trials(result, constraints, options) {
         m_found.goal = remedyGoal(result, constraints);
+        m_isRun = result.status != RunStatus::refused && result.status != RunStatus::stopped;
         if (result.status == RunStatus::completed) {
             m_time_s = result.time_s;
         }
     }
 
     RemedyResult run() {
-        if (m_found.goal == RemedyGoal::none) {
+        if (!m_isRun) {
+            return std::move(m_found);
+        }
+        const std::optional<RemedyFault> fault = m_trials.fault();
+        m_found.fault = fault.value_or(RemedyFault::none);
+        if (m_found.fault != RemedyFault::none) {
+            m_found.goal = RemedyGoal::holds;
+        }
+        if (fault && m_found.goal == RemedyGoal::none) {
             return std::move(m_found);
         }
         const std::vector<RemedySetting> settings = remedySettings(m_project);
@@ -340,6 +349,7 @@ private:
     }
 
     const Project& m_project;
+    bool m_isRun = false;
     std::optional<double> m_time_s; ///< nothing: the cycle does not end by itself
     Issues m_issues;                ///< as it is
     const RemedyOptions& m_options;
@@ -355,6 +365,11 @@ private:
 const char* goalKey(RemedyGoal goal) {
     constexpr std::array keys{"none", "holds", "room"};
     return keys[static_cast<std::size_t>(goal)];
+}
+
+const char* faultKey(RemedyFault fault) {
+    constexpr std::array keys{"none", "part", "stocks", "batch"};
+    return keys[static_cast<std::size_t>(fault)];
 }
 
 const char* conflictKey(RemedyConflict::Kind kind) {

@@ -53,7 +53,7 @@ enum class RemedyGoal {
 /// Its name in files and on the command line: "holds".
 [[nodiscard]] const char* goalKey(RemedyGoal goal);
 
-/// What the outcome of a valid project that ran asks for.
+/// What the outcome of a valid project that ran asks for, as far as the part as stated tells.
 [[nodiscard]] RemedyGoal remedyGoal(const SimulationResult& result,
                                     const std::vector<ConstraintResult>& constraints);
 
@@ -125,10 +125,21 @@ struct RemedyConflict {
 /// Its name in files and on the command line: "opposed".
 [[nodiscard]] const char* conflictKey(RemedyConflict::Kind kind);
 
+/// What is not good as it is.
+enum class RemedyFault {
+    none,   ///< all holds
+    part,   ///< the part as stated
+    stocks, ///< that holds, but another stock of the phase fails
+    batch,  ///< every stock holds, but too many parts of the batch are bad
+};
+/// Its name in files: "stocks".
+[[nodiscard]] const char* faultKey(RemedyFault fault);
+
 struct RemedyResult {
     static constexpr std::size_t most = 3;
 
     RemedyGoal goal = RemedyGoal::none;
+    RemedyFault fault = RemedyFault::none;
     std::vector<Remedy> remedies;           ///< at most three; that of the least rank first
     std::size_t found = 0;                  ///< settings that help
     std::size_t tried = 0;                  ///< settings that were tried
@@ -149,8 +160,9 @@ struct RemedyOptions {
     std::function<void(const RemedyResult&)> progress;
 };
 
-/// Of a cycle that ran, with its requirements. The answer does not depend on how fast the computer
-/// is, unless the time is up.
+/// Of a cycle that ran, with its requirements. One that holds for the part as stated is looked at
+/// for every stock of the phase and for the batch, too, and mended if it fails there. The answer
+/// does not depend on how fast the computer is, unless the time is up.
 [[nodiscard]] RemedyResult findRemedies(const SimulationResult& result,
                                         const std::vector<ConstraintResult>& constraints,
                                         const RemedyOptions& options = {});

@@ -119,6 +119,10 @@ constexpr Output<RemedyConflictOf> conflictRows[] = {
 constexpr Output<RemedyResult> resultRows[] = {
     {{.key = "goal", .hint = "holds, room or none"},
      [](const RemedyResult& r) { return std::string(goalKey(r.goal)); }},
+    {{.key = "fault",
+      .hint = "what is not good as it is: part, as stated, stocks, another one within one infeed, "
+              "batch, too many of its parts, or none"},
+     [](const RemedyResult& r) { return std::string(faultKey(r.fault)); }},
     {{.key = "status", .hint = "completed or stopped"},
      [](const RemedyResult& r) { return std::string(r.isComplete() ? "completed" : "stopped"); }},
     {{.key = "settings", .hint = "settings that there are to try"},

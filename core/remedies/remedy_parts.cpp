@@ -64,12 +64,10 @@ bool RemedyParts::isTooMany(const RunParts& run) const {
     return static_cast<double>(run.bad) > m_allowedShare * static_cast<double>(run.parts);
 }
 
-std::optional<RunParts> RemedyParts::run(const RemedySetting& setting, double value,
-                                         const std::stop_token& stop) {
+std::optional<RunParts> RemedyParts::run(const Change& change, const std::stop_token& stop) {
     PartCount count(static_cast<std::int64_t>(m_parts.size()));
     for (std::size_t i = 0; i < m_order.size() && !isTooMany(count.run()); ++i) {
-        const std::optional<bool> isGood =
-            count.add(setting.applied(m_parts[m_order[i]], value), stop);
+        const std::optional<bool> isGood = count.add(change(m_parts[m_order[i]]), stop);
         if (!isGood) {
             return std::nullopt;
         }
@@ -83,9 +81,9 @@ std::optional<RunParts> RemedyParts::run(const RemedySetting& setting, double va
     return run;
 }
 
-std::optional<RunParts> RemedyParts::runFresh(const RemedySetting& setting, double value, int draw,
+std::optional<RunParts> RemedyParts::runFresh(const Change& change, int draw,
                                               const std::stop_token& stop) const {
-    Project drawn = withFreshParts(setting.applied(m_project, value), draw);
+    Project drawn = withFreshParts(change(m_project), draw);
     if (!checkBatch(drawn).empty()) {
         return RunParts{}; // it cannot be run with the change
     }

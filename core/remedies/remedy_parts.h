@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/project/project.h"
-#include "core/remedies/remedy_setting.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -20,7 +20,7 @@ struct RunParts {
     bool isGood = false;          ///< no more are bad than the batch allows
 };
 
-/// Runs parts of a project's batch with one setting of the project changed: how remedies are held
+/// Runs parts of a project's batch with something of the project changed: how remedies are held
 /// against it.
 class RemedyParts {
 public:
@@ -31,12 +31,13 @@ public:
     explicit RemedyParts(Project project);
 
     [[nodiscard]] bool isEmpty() const { return m_parts.empty(); }
+    /// What is changed of a part.
+    using Change = std::function<Project(Project)>;
     /// The parts of the batch; those that were bad last come first. Nothing: it was stopped.
-    [[nodiscard]] std::optional<RunParts> run(const RemedySetting& setting, double value,
-                                              const std::stop_token& stop);
+    [[nodiscard]] std::optional<RunParts> run(const Change& change, const std::stop_token& stop);
     /// Those of withFreshParts(), other ones for every `draw`. Nothing: it was stopped.
-    [[nodiscard]] std::optional<RunParts> runFresh(const RemedySetting& setting, double value,
-                                                   int draw, const std::stop_token& stop) const;
+    [[nodiscard]] std::optional<RunParts> runFresh(const Change& change, int draw,
+                                                   const std::stop_token& stop) const;
 
 private:
     [[nodiscard]] bool isTooMany(const RunParts& run) const;

@@ -51,7 +51,7 @@ RemedyTrials::RemedyTrials(const SimulationResult& result,
     , m_end(options.stop, options.budget)
     , m_project(bare(result.project))
     , m_goal(remedyGoal(result, constraints))
-    , m_parts(m_goal == RemedyGoal::none ? Project{} : withBatch(result.project))
+    , m_parts(result.status == RunStatus::refused ? Project{} : withBatch(result.project))
     , m_idle(idleStages(result)) {
     if (result.status != RunStatus::completed) {
         return; // what its requirements say is of a cycle that was broken off
@@ -66,6 +66,42 @@ RemedyTrials::RemedyTrials(const SimulationResult& result,
 
 bool RemedyTrials::isMet(const ConstraintResult& constraint) const {
     return constraint.holds && (m_goal != RemedyGoal::room || !isClose(constraint));
+}
+
+std::optional<RemedyFault> RemedyTrials::fault() {
+    if (m_goal == RemedyGoal::holds) {
+        return RemedyFault::part;
+    }
+    RemedyFault fault = RemedyFault::none;
+    std::optional<Project> fails = failingStock(m_project);
+    if (fails) {
+        fault = RemedyFault::stocks;
+    } else if (!m_parts.isEmpty() && !isOver()) {
+        std::optional<RunParts> parts =
+            m_parts.run([](Project part) { return part; }, m_end.token());
+        if (parts && !parts->isGood) {
+            fault = RemedyFault::batch;
+            fails = std::move(parts->worst);
+        }
+    }
+    if (fails) {
+        m_goal = RemedyGoal::holds;
+        m_first = worstOf(*fails);
+    }
+    return isOver() ? std::nullopt : std::optional(fault);
+}
+
+std::optional<ConstraintResult> RemedyTrials::worstOf(const Project& fails) const {
+    std::optional<ConstraintResult> worst;
+    const SimulationResult result = simulateUnchecked(fails, nullptr, m_end.token());
+    if (result.status == RunStatus::completed) {
+        for (const ConstraintResult& each : evaluateConstraints(result)) {
+            if (!each.holds && (!worst || each.relativeMargin < worst->relativeMargin)) {
+                worst = each;
+            }
+        }
+    }
+    return worst;
 }
 
 std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, double value) {
@@ -103,7 +139,8 @@ std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, doubl
         }
     }
     if (trial.holds && !m_parts.isEmpty()) {
-        const std::optional<RunParts> parts = m_parts.run(setting, value, m_end.token());
+        const std::optional<RunParts> parts = m_parts.run(
+            [&](Project part) { return setting.applied(std::move(part), value); }, m_end.token());
         if (!parts) {
             return {};
         }
@@ -146,8 +183,8 @@ bool RemedyTrials::confirmBatch(Remedy& remedy) {
         return true;
     }
     const int candidate = ++m_drawnBatches;
-    const std::optional<RunParts> parts =
-        m_parts.runFresh(remedy.setting, remedy.value, candidate, m_end.token());
+    const std::optional<RunParts> parts = m_parts.runFresh(
+        [&](Project part) { return remedy.applied(std::move(part)); }, candidate, m_end.token());
     if (!parts) {
         return false;
     }
@@ -177,21 +214,11 @@ bool RemedyTrials::confirmStocks(Remedy& remedy) {
 
 void RemedyTrials::learnPart(const RemedySetting& setting, double value, const Project& fails,
                              std::optional<Nearest>& nearest) {
-    const SimulationResult result = simulateUnchecked(fails, nullptr, m_end.token());
+    const std::optional<ConstraintResult> worst = worstOf(fails);
     if (isOver()) {
         return;
     }
-    std::optional<ConstraintResult> worst;
-    double margin = -std::numeric_limits<double>::infinity();
-    if (result.status == RunStatus::completed) {
-        margin = std::numeric_limits<double>::infinity();
-        for (const ConstraintResult& each : evaluateConstraints(result)) {
-            if (!each.holds && each.relativeMargin < margin) {
-                worst = each;
-                margin = each.relativeMargin;
-            }
-        }
-    }
+    const double margin = worst ? worst->relativeMargin : -std::numeric_limits<double>::infinity();
     if (!nearest || margin > nearest->margin) {
         nearest.emplace(Nearest{setting, value, worst, margin, fails.part->stock_mm});
     }

@@ -28,6 +28,9 @@ public:
     RemedyTrials(const SimulationResult& result, const std::vector<ConstraintResult>& constraints,
                  const RemedyOptions& options);
 
+    /// What is not good as it is; if the part as stated holds, it is to hold for every stock and
+    /// the batch from now on. Nothing when it is over.
+    [[nodiscard]] std::optional<RemedyFault> fault();
     /// Nothing when it is over.
     [[nodiscard]] std::optional<RemedyTrial> run(const RemedySetting& setting, double value);
     /// Tries the cycle of a change that is to be offered on stocks drawn for it, unless its phases
@@ -58,6 +61,9 @@ private:
     [[nodiscard]] std::optional<Project> failingStock(const Project& changed) const;
     [[nodiscard]] bool confirmStocks(Remedy& remedy);
     [[nodiscard]] bool confirmBatch(Remedy& remedy);
+    /// The requirement that fails most on a part; nothing: its cycle does not end by itself, or it
+    /// is over.
+    [[nodiscard]] std::optional<ConstraintResult> worstOf(const Project& fails) const;
     /// Keeps what fails for another stock or part, if that is nearer to holding than what is kept.
     void learnPart(const RemedySetting& setting, double value, const Project& fails,
                    std::optional<Nearest>& nearest);
@@ -68,7 +74,7 @@ private:
     DeadlineStop m_end;
     Project m_project; ///< with nothing that a run does not read
     RemedyGoal m_goal;
-    RemedyParts m_parts;                     ///< none where nothing is looked for
+    RemedyParts m_parts;
     std::optional<ConstraintResult> m_first; ///< nothing: the cycle does not end by itself
     Flags m_failing{};                       ///< as it is
     std::ptrdiff_t m_idle;                   ///< stages run over
