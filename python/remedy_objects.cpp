@@ -99,7 +99,8 @@ void bindRemedies(py::module_& module) {
     });
     py::class_<FoundRemedies> found(module, "Remedies", "What would help.");
     bindOutputs(found, remedyResultOutputs(), &FoundRemedies::result);
-    found.def_property_readonly("remedies", &listOf, "at most three, the shortest cycle first")
+    found
+        .def_property_readonly("remedies", &listOf, "at most three, the one that costs least first")
         .def_property_readonly("conflict", &conflictIn, "why none helps, where none does")
         .def_property_readonly(
             "text",

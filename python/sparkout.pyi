@@ -157,13 +157,19 @@ class Remedy:
         """its value as it is; none for a stage more"""
     @property
     def value(self) -> float:
-        """the value that helps"""
+        """the value to apply: the middle of the interval"""
+    @property
+    def interval(self) -> Optional[tuple[float, float]]:
+        """every value in it that can be set was run and helps"""
+    @property
+    def values(self) -> int:
+        """number of the values in the interval"""
     @property
     def failing(self) -> Optional[float]:
-        """the next value towards the present one, which was run and fails"""
+        """the next value towards the present one before the interval, which was run and fails"""
     @property
     def holds_beyond(self) -> bool:
-        """whether the next value farther off that was tried helps, too"""
+        """whether the next value behind the interval helps, too"""
     @property
     def time_min(self) -> float:
         """time of the cycle [min]"""
@@ -173,6 +179,9 @@ class Remedy:
     @property
     def stock_mm(self) -> Optional[tuple[float, float]]:
         """stocks per side, for each of which it holds; none under position control, where it holds for stocks drawn at random [mm]"""
+    @property
+    def rank(self) -> float:
+        """what it costs, by which remedies are ordered: the change of time as a share of the time, and how much the setting changes"""
     @property
     def time_s(self) -> float: ...
     @property
@@ -191,7 +200,7 @@ class RemedyConflict:
 
     @property
     def kind(self) -> str:
-        """stocks, warned, idle, opposed, several or unmended"""
+        """narrow, batch, stocks, warned, idle, opposed, several or unmended"""
     @property
     def first(self) -> Optional[str]:
         """the requirement that fails most; none where the cycle does not end by itself"""
@@ -214,6 +223,9 @@ class Remedies:
     @property
     def goal(self) -> str:
         """holds, room or none"""
+    @property
+    def fault(self) -> str:
+        """what is not good as it is: part, as stated, stocks, another one within one infeed, batch, too many of its parts, or none"""
     @property
     def status(self) -> str:
         """completed or stopped"""

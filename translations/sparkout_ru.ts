@@ -468,6 +468,10 @@
             <translation>номинальной детали</translation>
         </message>
         <message>
+            <source>every stock</source>
+            <translation>все припуски</translation>
+        </message>
+        <message>
             <source>all corners</source>
             <translation>всех крайних сочетаний</translation>
         </message>
@@ -7964,6 +7968,26 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Stopped while further levels were searched: the answer is that of the grid before.</source>
             <translation>Остановлено при поиске с новыми уровнями: ответ дан по предыдущей сетке.</translation>
+        </message>
+        <message>
+            <source>“%1” has the maximum level, %2;</source>
+            <translation>«%1» на наибольшем уровне, %2;</translation>
+        </message>
+        <message>
+            <source>“%1” has the minimum level, %2;</source>
+            <translation>«%1» на наименьшем уровне, %2;</translation>
+        </message>
+        <message>
+            <source>no other is allowed.</source>
+            <translation>дальше нельзя.</translation>
+        </message>
+        <message>
+            <source>The rotation ratio of wheel and work is near a whole number, %1: waviness.</source>
+            <translation>Отношение частот вращения круга и детали близко к целому числу, %1: волнистость.</translation>
+        </message>
+        <message>
+            <source>None of %1 parts of the batch drawn afresh is bad, with cycle no. %2 that was tried so: with 95 % confidence at most %3 % are.</source>
+            <translation>Из %1 случайных деталей партии все годны; так проверен цикл № %2: с вероятностью 95 % не годны не более %3 % деталей.</translation>
         </message>
         <message>
             <source>Stage %1: “%2” has the maximum level, %3;</source>
@@ -16795,24 +16819,20 @@ target, µm</source>
             <translation>время прежнее</translation>
         </message>
         <message>
-            <source>{change}: {cost}</source>
-            <translation>{change}: {cost}</translation>
+            <source>{change}: {cost}; {parts}</source>
+            <translation>{change}: {cost}; {parts}</translation>
         </message>
         <message>
             <source>Run with {value}: nothing is close to its limit; the cycle takes {time}.</source>
             <translation>Расчёт при значении {value}: все требования выполнены с запасом; время цикла {time}.</translation>
         </message>
         <message>
-            <source>Run with {value}: everything holds; the cycle takes {time}.</source>
+            <source>Run with {value}: all requirements are met; the cycle takes {time}.</source>
             <translation>Расчёт при значении {value}: все требования выполнены; время цикла {time}.</translation>
         </message>
         <message>
-            <source>With {value}, one step nearer to the present {before}, it is not so yet.</source>
-            <translation>При {value}, на шаг ближе к текущему значению {before}, этого мало.</translation>
-        </message>
-        <message>
-            <source>Found among the values that were tried; between them others may hold, too.</source>
-            <translation>Найдено среди проверенных значений; между ними могут подойти и другие.</translation>
+            <source>{value}, one step nearer to the current {before}, is not enough.</source>
+            <translation>Значения {value}, на шаг ближе к текущему {before}, недостаточно.</translation>
         </message>
         <message>
             <source>It holds for every stock per side of {from}…{to} mm: decided, not sampled.</source>
@@ -16883,19 +16903,15 @@ target, µm</source>
             <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — у требования «{first}» запас есть, у требования «{second}» нет.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting helps, as “{first}” and “{second}” pull against each other: with {change}, the first holds and the second begins to fail.</source>
-            <translation>При проверенных значениях изменение одной настройки не помогает: требования «{first}» и «{second}» противоречат друг другу. {change} — первое выполнено, второе нарушено.</translation>
+            <source>No single setting helps. “{first}” asks for less ({change}), “{second}” for more.</source>
+            <translation>Одной настройкой не исправить. «{first}» требует меньше ({change}), «{second}» — больше.</translation>
         </message>
         <message>
             <source>Among the values tried, no single setting mends all that fails: with {change}, “{first}” holds, but “{second}” still fails.</source>
             <translation>При проверенных значениях изменение одной настройки не устраняет всех нарушений: {change} — требование «{first}» выполнено, «{second}» по-прежнему нарушено.</translation>
         </message>
         <message>
-            <source>The next value towards the present one does it, too, but brings a warning.</source>
-            <translation>Следующее значение в сторону текущего тоже годится, но вызывает предупреждение.</translation>
-        </message>
-        <message>
-            <source>With the present feed the added stage does not help.</source>
+            <source>With the current feed the added stage does not help.</source>
             <translation>С текущей подачей дополнительная ступень не помогает.</translation>
         </message>
         <message>
@@ -16907,11 +16923,11 @@ target, µm</source>
             <translation>Без этой ступени цикл не годен.</translation>
         </message>
         <message>
-            <source>The present value leaves too little room.</source>
+            <source>The current value leaves too little room.</source>
             <translation>При текущем значении запас слишком мал.</translation>
         </message>
         <message>
-            <source>The present value fails.</source>
+            <source>The current value is not enough.</source>
             <translation>Текущего значения недостаточно.</translation>
         </message>
         <message>
@@ -16938,11 +16954,59 @@ target, µm</source>
             <source>Stopped after {tried} of {all} settings.</source>
             <translation>Поиск остановлен; проверено настроек: {tried} из {all}.</translation>
         </message>
+        <message>
+            <source>No single setting helps. “{first}” asks for more ({change}), “{second}” for less.</source>
+            <translation>Одной настройкой не исправить. «{first}» требует больше ({change}), «{second}» — меньше.</translation>
+        </message>
+        <message>
+            <source>No single setting helps. “{first}” asks for one more stage ({change}), “{second}” for none.</source>
+            <translation>Одной настройкой не исправить. «{first}» требует дополнительной ступени ({change}), «{second}» её не допускает.</translation>
+        </message>
+        <message>
+            <source>= {value} ({interval})</source>
+            <translation>= {value} ({interval})</translation>
+        </message>
+        <message>
+            <source>for every stock</source>
+            <translation>для всех припусков</translation>
+        </message>
+        <message>
+            <source>for {phases} stocks</source>
+            <translation>для {phases} припусков</translation>
+        </message>
+        <message>
+            <source>, {bad} of {parts} bad</source>
+            <translation>, брак {bad} из {parts}</translation>
+        </message>
+        <message>
+            <source>So it is with all {values} values of {interval} that can be set.</source>
+            <translation>То же при всех задаваемых значениях {interval} (их {values}).</translation>
+        </message>
+        <message>
+            <source>Of {parts} parts of the batch drawn for it {bad} are bad: with 95 % confidence at most {share} % of all.</source>
+            <translation>Из {parts} случайных деталей партии не годны {bad}: с вероятностью 95 % — не более {share} % всех.</translation>
+        </message>
+        <message>
+            <source>Among the values tried, no single setting gives room: with {change} there is room, but not with the values next to it.</source>
+            <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — запас есть, но при соседних значениях его нет.</translation>
+        </message>
+        <message>
+            <source>Among the values tried, no single setting helps: with {change} all requirements are met, but not with the values next to it.</source>
+            <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены, но при соседних значениях нет.</translation>
+        </message>
+        <message>
+            <source>Among the values tried, no single setting helps: with {change} all requirements are met for every stock, but too many parts of the batch are bad: “{second}” fails.</source>
+            <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены для всех припусков, но в партии слишком много брака: нарушено «{second}».</translation>
+        </message>
+        <message>
+            <source>Among the values tried, no single setting helps: with {change} all requirements are met for every stock, but the cycle does not end by itself for too many parts of the batch.</source>
+            <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены для всех припусков, но для слишком многих деталей партии цикл сам не завершается.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::RemedySection</name>
         <message>
-            <source>Take the change</source>
+            <source>Apply the change</source>
             <translation>Применить изменение</translation>
         </message>
         <message>
@@ -16958,11 +17022,11 @@ target, µm</source>
             <translation>Что поможет</translation>
         </message>
         <message>
-            <source>Take</source>
+            <source>Apply</source>
             <translation>Применить</translation>
         </message>
         <message>
-            <source>Take the change: %1</source>
+            <source>Apply the change: %1</source>
             <translation>Применить изменение: %1</translation>
         </message>
         <message>
@@ -16970,8 +17034,8 @@ target, µm</source>
             <translation>Проверено настроек: %1 из %2.</translation>
         </message>
         <message>
-            <source>Settings that help: %1; shown are those with the shortest cycles.</source>
-            <translation>Подходящих настроек: %1; показаны те, с которыми цикл короче.</translation>
+            <source>Settings that help: %1; shown are those that cost least.</source>
+            <translation>Подходящих настроек: %1; показаны наименее затратные.</translation>
         </message>
         <message>
             <source>What was tried</source>

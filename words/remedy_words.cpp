@@ -19,10 +19,6 @@ const Field& rowOf(const Project& project, const RemedySetting& setting) {
     return *findMember(project, setting.rowPath(project)).field;
 }
 
-const char* signOf(const Remedy& remedy) {
-    return !remedy.holdsBeyond ? "=" : remedy.value < remedy.setting.before ? "≤" : "≥";
-}
-
 double rounded(double value, int digits) {
     if (value == 0) {
         return 0;
@@ -49,29 +45,62 @@ const char* notOffered(bool room, RemedyConflict::Kind kind) {
                                 "everything holds, but one more stage ends without a step.");
 }
 
-/// How the next value towards the present one came out; nothing where a stage more helps with the
-/// feed there is.
+/// How the next value towards the present one came out; nothing where that is not known, or a stage
+/// more helps with the feed there is.
 const char* nearerValue(bool room, const Remedy& remedy) {
     const RemedySetting& setting = remedy.setting;
     if (!remedy.failing) {
-        return setting.kind == RemedyKind::addFeed
-                   ? nullptr
-                   : SPARKOUT_NOOP("Remedy", "The next value towards the present one does it, too, "
-                                             "but brings a warning.");
+        return nullptr;
     }
     if (*remedy.failing != setting.before) {
-        return SPARKOUT_NOOP(
-            "Remedy", "With {value}, one step nearer to the present {before}, it is not so yet.");
+        return SPARKOUT_NOOP("Remedy", "{value}, one step nearer to the current {before}, is not "
+                                       "enough.");
     }
     if (setting.kind == RemedyKind::addFeed) {
-        return SPARKOUT_NOOP("Remedy", "With the present feed the added stage does not help.");
+        return SPARKOUT_NOOP("Remedy", "With the current feed the added stage does not help.");
     }
     if (setting.kind == RemedyKind::addSparkOut) {
         return room ? SPARKOUT_NOOP("Remedy", "Without this stage there is too little room.")
                     : SPARKOUT_NOOP("Remedy", "Without this stage the cycle fails.");
     }
-    return room ? SPARKOUT_NOOP("Remedy", "The present value leaves too little room.")
-                : SPARKOUT_NOOP("Remedy", "The present value fails.");
+    return room ? SPARKOUT_NOOP("Remedy", "The current value leaves too little room.")
+                : SPARKOUT_NOOP("Remedy", "The current value is not enough.");
+}
+
+/// Where a value is good, but too few next to it are.
+const char* tooFewValues(bool room) {
+    return room ? SPARKOUT_NOOP("Remedy",
+                                "Among the values tried, no single setting gives room: with "
+                                "{change} there is room, but not with the values next to it.")
+                : SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting helps: with "
+                                          "{change} all requirements are met, but not with the "
+                                          "values next to it.");
+}
+
+/// Where a setting helps for every stock, but not for the batch.
+const char* wherePartsAreBad(const RemedyConflict& conflict) {
+    return conflict.second
+               ? SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting helps: with "
+                                         "{change} all requirements are met for every stock, but "
+                                         "too many parts of the batch are bad: “{second}” fails.")
+               : SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting helps: with "
+                                         "{change} all requirements are met for every stock, but "
+                                         "the cycle does not end by itself for too many parts of "
+                                         "the batch.");
+}
+
+/// Which way two requirements pull a setting.
+const char* asksFor(const RemedyConflict& conflict) {
+    const RemedySetting& setting = *conflict.setting;
+    if (setting.addsStage()) {
+        return SPARKOUT_NOOP("Remedy", "No single setting helps. “{first}” asks for one more stage "
+                                       "({change}), “{second}” for none.");
+    }
+    return conflict.value < setting.before
+               ? SPARKOUT_NOOP("Remedy", "No single setting helps. “{first}” asks for less "
+                                         "({change}), “{second}” for more.")
+               : SPARKOUT_NOOP("Remedy", "No single setting helps. “{first}” asks for more "
+                                         "({change}), “{second}” for less.");
 }
 
 /// Where a setting helps for the stated stock alone.
@@ -133,9 +162,7 @@ const char* whereTheFirstIsMended(bool room, const RemedyConflict& conflict) {
                ? SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting gives room: "
                                          "with {change}, “{first}” has it, but “{second}” has not.")
            : conflict.kind == RemedyConflict::Kind::opposed
-               ? SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting helps, as "
-                                         "“{first}” and “{second}” pull against each other: with "
-                                         "{change}, the first holds and the second begins to fail.")
+               ? asksFor(conflict)
                : SPARKOUT_NOOP("Remedy",
                                "Among the values tried, no single setting mends all that fails: "
                                "with {change}, “{first}” holds, but “{second}” still fails.");
@@ -160,22 +187,31 @@ std::string RemedyWording::filled(const char* text, TextPlaces places) const {
     return placedText(translated(text), places);
 }
 
-std::string RemedyWording::valueText(const Project& project, const RemedySetting& setting,
-                                     double value) const {
+std::string RemedyWording::inUnit(const Project& project, const RemedySetting& setting,
+                                  const std::string& values) const {
     if (setting.isCount()) {
-        return number(value);
+        return values;
     }
     const bool isStep =
         setting.kind == RemedyKind::radialFeed || setting.kind == RemedyKind::addFeed;
     const char* const of = isStep && !project.operation->perMinute ? "mm" // what S_t is one of
                                                                    : rowOf(project, setting).unit;
-    return number(value) + ' ' + unit(of);
+    return values + ' ' + unit(of);
 }
 
-std::string RemedyWording::withSign(const Project& project, const RemedySetting& setting,
-                                    const char* sign, double value) const {
+std::string RemedyWording::valueText(const Project& project, const RemedySetting& setting,
+                                     double value) const {
+    return inUnit(project, setting, number(value));
+}
+
+std::string RemedyWording::intervalText(const Project& project, const Remedy& remedy) const {
+    return inUnit(project, remedy.setting,
+                  number(remedy.interval.low) + "…" + number(remedy.interval.high));
+}
+
+std::string RemedyWording::withValue(const Project& project, const RemedySetting& setting,
+                                     double value, const std::string& is) const {
     const Field& row = rowOf(project, setting);
-    const std::string is = sign + std::string(" ") + valueText(project, setting, value);
     const std::string stage = number(static_cast<double>(setting.stage) + 1);
     const bool strokes = project.operation->countsStrokes;
     switch (setting.kind) {
@@ -220,13 +256,24 @@ std::string RemedyWording::withSign(const Project& project, const RemedySetting&
     return input(row.label, row.symbol) + ' ' + is;
 }
 
-std::string RemedyWording::change(const Project& project, const Remedy& remedy) const {
-    return withSign(project, remedy.setting, signOf(remedy), remedy.value);
+std::string RemedyWording::equal(const Project& project, const RemedySetting& setting,
+                                 double value) const {
+    return withValue(project, setting, value, "= " + valueText(project, setting, value));
 }
 
-/// Minutes, or seconds where it is few.
+std::string RemedyWording::change(const Project& project, const Remedy& remedy) const {
+    if (remedy.values <= 1) {
+        return equal(project, remedy.setting, remedy.value);
+    }
+    return withValue(project, remedy.setting, remedy.value,
+                     filled(SPARKOUT_NOOP("Remedy", "= {value} ({interval})"),
+                            {{"value", valueText(project, remedy.setting, remedy.value)},
+                             {"interval", intervalText(project, remedy)}}));
+}
+
+/// Seconds below two minutes.
 std::string RemedyWording::time(double time_s) const {
-    constexpr double few_s = 30;
+    constexpr double few_s = 2 * units::secondsPerMinute;
     constexpr int digits = 2;
     const double value = rounded(std::abs(time_s), digits);
     return value < few_s
@@ -248,8 +295,22 @@ std::string RemedyWording::cost(const Remedy& remedy) const {
 }
 
 std::string RemedyWording::line(const Project& project, const Remedy& remedy) const {
-    return filled(SPARKOUT_NOOP("Remedy", "{change}: {cost}"),
-                  {{"change", change(project, remedy)}, {"cost", cost(remedy)}});
+    return filled(
+        SPARKOUT_NOOP("Remedy", "{change}: {cost}; {parts}"),
+        {{"change", change(project, remedy)}, {"cost", cost(remedy)}, {"parts", goodFor(remedy)}});
+}
+
+std::string RemedyWording::goodFor(const Remedy& remedy) const {
+    const std::string stocks = remedy.stocks
+                                   ? translated(SPARKOUT_NOOP("Remedy", "for every stock"))
+                                   : filled(SPARKOUT_NOOP("Remedy", "for {phases} stocks"),
+                                            {{"phases", number(remedy.phases)}});
+    return remedy.batch
+               ? stocks
+                     + filled(SPARKOUT_NOOP("Remedy", ", {bad} of {parts} bad"),
+                              {{"bad", number(static_cast<double>(remedy.batch->bad))},
+                               {"parts", number(static_cast<double>(remedy.batch->parts))}})
+               : stocks;
 }
 
 std::string RemedyWording::proof(const Project& project, RemedyGoal goal,
@@ -259,9 +320,16 @@ std::string RemedyWording::proof(const Project& project, RemedyGoal goal,
         goal == RemedyGoal::room
             ? SPARKOUT_NOOP("Remedy", "Run with {value}: nothing is close to its limit; the "
                                       "cycle takes {time}.")
-            : SPARKOUT_NOOP("Remedy",
-                            "Run with {value}: everything holds; the cycle takes {time}."),
+            : SPARKOUT_NOOP("Remedy", "Run with {value}: all requirements are met; the cycle takes "
+                                      "{time}."),
         {{"value", valueText(project, setting, remedy.value)}, {"time", time(remedy.time_s)}});
+    if (remedy.values > 1) {
+        text += ' '
+                + filled(SPARKOUT_NOOP("Remedy", "So it is with all {values} values of {interval} "
+                                                 "that can be set."),
+                         {{"values", number(remedy.values)},
+                          {"interval", intervalText(project, remedy)}});
+    }
     const char* const nearer = nearerValue(goal == RemedyGoal::room, remedy);
     if (nearer) {
         text += ' '
@@ -270,9 +338,16 @@ std::string RemedyWording::proof(const Project& project, RemedyGoal goal,
                                   {"before", valueText(project, setting, setting.before)}});
     }
     text += ' ' + heldStocks(remedy);
-    return text + ' '
-           + translated(SPARKOUT_NOOP("Remedy", "Found among the values that were tried; between "
-                                                "them others may hold, too."));
+    return remedy.batch ? text + ' ' + heldParts(*remedy.batch) : text;
+}
+
+std::string RemedyWording::heldParts(const RemedyBatch& batch) const {
+    constexpr double percent = 100;
+    return filled(SPARKOUT_NOOP("Remedy", "Of {parts} parts of the batch drawn for it {bad} are "
+                                          "bad: with 95 % confidence at most {share} % of all."),
+                  {{"parts", number(static_cast<double>(batch.parts))},
+                   {"bad", number(static_cast<double>(batch.bad))},
+                   {"share", number(std::ceil(percent * percent * mostBad(batch)) / percent)}});
 }
 
 std::string RemedyWording::heldStocks(const Remedy& remedy) const {
@@ -312,17 +387,18 @@ std::string RemedyWording::conflict(const Project& project, RemedyGoal goal,
     constexpr int stockDigits = 5;
     const bool room = goal == RemedyGoal::room;
     const char* const sentence =
-        conflict.kind == stocks                            ? whereAnotherStockFails(room, conflict)
+        conflict.kind == narrow                            ? tooFewValues(room)
+        : conflict.kind == batch                           ? wherePartsAreBad(conflict)
+        : conflict.kind == stocks                          ? whereAnotherStockFails(room, conflict)
         : conflict.kind == warned || conflict.kind == idle ? notOffered(room, conflict.kind)
         : conflict.kind == unmended                        ? whereNothingMends(room, conflict)
                                                            : whereTheFirstIsMended(room, conflict);
-    return filled(
-        sentence,
-        {{"first", conflict.first ? requirement(conflict.first->kind) : std::string()},
-         {"second", conflict.second ? requirement(conflict.second->kind) : std::string()},
-         {"stock", number(rounded(conflict.stock_mm, stockDigits))},
-         {"change", conflict.setting ? withSign(project, *conflict.setting, "=", conflict.value)
-                                     : std::string()}});
+    return filled(sentence,
+                  {{"first", conflict.first ? requirement(conflict.first->kind) : std::string()},
+                   {"second", conflict.second ? requirement(conflict.second->kind) : std::string()},
+                   {"stock", number(rounded(conflict.stock_mm, stockDigits))},
+                   {"change", conflict.setting ? equal(project, *conflict.setting, conflict.value)
+                                               : std::string()}});
 }
 
 std::string RemedyWording::extent(const RemedyResult& result) const {

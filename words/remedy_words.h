@@ -18,12 +18,14 @@ public:
     RemedyWording(const RemedyWording&) = delete;
     RemedyWording& operator=(const RemedyWording&) = delete;
 
-    /// "S_t of stage 2 ≤ 0.0031 mm". With ≤ and ≥ a value farther off was tried and holds, too;
-    /// with = it is this value that was found.
+    /// "S_t of stage 2 = 0.003 mm (0.0026…0.0034 mm)": the value to apply, and the interval of
+    /// which every value helps.
     [[nodiscard]] std::string change(const Project& project, const Remedy& remedy) const;
-    /// "+0.4 min"; "the cycle takes 0.55 min" where the cycle as it is does not end by itself.
+    /// "+24 s"; "the cycle takes 33 s" where the cycle as it is does not end by itself.
     [[nodiscard]] std::string cost(const Remedy& remedy) const;
-    /// Both: "S_t of stage 2 ≤ 0.0031 mm: +0.4 min".
+    /// "for every stock, 0 of 500 bad".
+    [[nodiscard]] std::string goodFor(const Remedy& remedy) const;
+    /// All: "S_t of stage 2 = 0.003 mm (0.0026…0.0034 mm): +24 s; for every stock, 0 of 500 bad".
     [[nodiscard]] std::string line(const Project& project, const Remedy& remedy) const;
     /// What was run for it, and how it came out.
     [[nodiscard]] std::string proof(const Project& project, RemedyGoal goal,
@@ -46,11 +48,17 @@ protected:
 
 private:
     [[nodiscard]] std::string filled(const char* text, TextPlaces places) const;
-    [[nodiscard]] std::string withSign(const Project& project, const RemedySetting& setting,
-                                       const char* sign, double value) const;
+    [[nodiscard]] std::string equal(const Project& project, const RemedySetting& setting,
+                                    double value) const;
+    [[nodiscard]] std::string withValue(const Project& project, const RemedySetting& setting,
+                                        double value, const std::string& is) const;
+    [[nodiscard]] std::string inUnit(const Project& project, const RemedySetting& setting,
+                                     const std::string& values) const;
+    [[nodiscard]] std::string intervalText(const Project& project, const Remedy& remedy) const;
     [[nodiscard]] std::string valueText(const Project& project, const RemedySetting& setting,
                                         double value) const;
     [[nodiscard]] std::string heldStocks(const Remedy& remedy) const;
+    [[nodiscard]] std::string heldParts(const RemedyBatch& batch) const;
     [[nodiscard]] std::string time(double time_s) const;
 };
 

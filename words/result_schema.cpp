@@ -107,6 +107,7 @@ ordered_json tableSchemas() {
         {"search", tableSchema("optimize", searchOutputs())},
         {"remedies", tableSchema("remedies", remedyResultOutputs())},
         {"remedy", tableSchema("remedies: one of remedies", remedyOutputs())},
+        {"remedy_batch", tableSchema("remedies: batch of one of remedies", remedyBatchOutputs())},
         {"remedy_phases",
          tableSchema("remedies: phases of one of remedies", remedyPhasesOutputs())},
         {"remedy_conflict", tableSchema("remedies: conflict", remedyConflictOutputs())},

@@ -9,6 +9,7 @@
 #include "core/project/validate.h"
 #include "core/text.h"
 #include "core/units.h"
+#include "words/issue_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,14 @@ std::string SearchWording::unit(const char* unit) const {
 
 std::string SearchWording::feed(const StageFeed& feed) const {
     return feed.key;
+}
+
+std::string SearchWording::setting(const char* key) const {
+    return key;
+}
+
+std::string SearchWording::remark(const Issue& issue) const {
+    return issue.path + ": " + issueSentence(issue);
 }
 
 std::string SearchWording::requirement(ConstraintKind kind) const {
@@ -436,9 +445,11 @@ std::vector<std::string> SearchWording::answer(const SearchOutcome& outcome,
         lines.push_back(std::move(what));
     }
     addLevels(outcome, lines);
+    addSettingEdges(outcome, lines);
     if (outcome.robust) {
         addRobustness(outcome, lines);
     }
+    addRemarks(outcome, lines);
     return lines;
 }
 
@@ -539,6 +550,38 @@ void SearchWording::addLevels(const SearchOutcome& outcome, std::vector<std::str
     }
 }
 
+void SearchWording::addSettingEdges(const SearchOutcome& outcome,
+                                    std::vector<std::string>& lines) const {
+    for (const SettingEdge& edge : outcome.settingEdges) {
+        const std::string of = unit(tableOf<Optimisation>().find(edge.key)->unit);
+        const auto value = [&](double level) {
+            return of.empty() ? number(level) : number(level) + "\u00a0" + of;
+        };
+        std::string line =
+            filled(edge.isMost ? SPARKOUT_NOOP("Search", "“%1” has the maximum level, %2;")
+                               : SPARKOUT_NOOP("Search", "“%1” has the minimum level, %2;"),
+                   {setting(edge.key), value(edge.level)});
+        line += ' ';
+        line += edge.isLimit ? translated(SPARKOUT_NOOP("Search", "no other is allowed."))
+                : edge.limit
+                    ? filled(SPARKOUT_NOOP("Search", "allowed is %1."), {value(*edge.limit)})
+                    : translated(SPARKOUT_NOOP("Search", "smaller ones are allowed."));
+        lines.push_back(std::move(line));
+    }
+}
+
+void SearchWording::addRemarks(const SearchOutcome& outcome,
+                               std::vector<std::string>& lines) const {
+    if (const std::optional<double>& ratio = outcome.remarks.ratioNearInteger) {
+        lines.push_back(filled(SPARKOUT_NOOP("Search", "The rotation ratio of wheel and work is "
+                                                       "near a whole number, %1: waviness."),
+                               {significant(*ratio, 4)}));
+    }
+    for (const Issue& issue : outcome.remarks.issues) {
+        lines.push_back(remark(issue));
+    }
+}
+
 void SearchWording::addRobustness(const SearchOutcome& outcome,
                                   std::vector<std::string>& lines) const {
     const RobustSummary& robust = *outcome.robust;
@@ -570,6 +613,15 @@ void SearchWording::addRobustness(const SearchOutcome& outcome,
                                  "no. %2 that was tried so: with 95 % confidence at most %3 % of "
                                  "the phases fail."),
                    {whole(freshPhaseCount), whole(tried), fixed(std::ceil(most * 1e4) / 1e2, 2)}));
+    }
+    if (robust.freshParts > 0) {
+        const int tried = std::max(robust.candidate, 1);
+        const double most = mostFailing(robust.freshParts, tried);
+        lines.push_back(filled(
+            SPARKOUT_NOOP("Search",
+                          "None of %1 parts of the batch drawn afresh is bad, with cycle "
+                          "no. %2 that was tried so: with 95 % confidence at most %3 % are."),
+            {whole(robust.freshParts), whole(tried), fixed(std::ceil(most * 1e4) / 1e2, 2)}));
     }
     if (robust.nominalTime_s > 0) {
         lines.push_back(

@@ -53,7 +53,10 @@ protected:
     [[nodiscard]] virtual std::string significant(double value, int digits) const;
     [[nodiscard]] virtual std::string unit(const char* unit) const;
     [[nodiscard]] virtual std::string feed(const StageFeed& feed) const;
+    /// A row of the search by its key.
+    [[nodiscard]] virtual std::string setting(const char* key) const;
     [[nodiscard]] virtual std::string requirement(ConstraintKind kind) const;
+    [[nodiscard]] virtual std::string remark(const Issue& issue) const;
 
 private:
     /// The sentence with what stands in the places %1, %2…
@@ -67,6 +70,8 @@ private:
     void addRefinement(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addLimit(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addLevels(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
+    void addSettingEdges(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
+    void addRemarks(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addRobustness(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     [[nodiscard]] std::string binding(const SearchOutcome& outcome) const;
 };

@@ -63,11 +63,13 @@ Command remediesCommand() {
         "remedies",
         Kind::project,
         {"finds changes of one setting after which a cycle that fails holds everything, or one "
-         "that is close to a limit has room: up to three, each run, the quickest first; where "
-         "none of the values tried helps, why, with the requirements that fail",
+         "that is close to a limit has room: up to three, each the middle of an interval of values "
+         "that were run, for every stock and the batch, the one that costs least first; where none "
+         "of the values tried helps, why, with the requirements that fail",
          "находит изменения одной настройки, при которых выполнены все требования нарушавшего их "
-         "цикла либо у цикла, близкого к пределу, появляется запас: до трёх, каждое рассчитано, "
-         "сначала самое быстрое; если при проверенных значениях не помогает ни одно — почему, с "
+         "цикла либо у цикла, близкого к пределу, появляется запас: до трёх, каждое — середина "
+         "интервала рассчитанных значений, для всех припусков и для партии, сначала наименее "
+         "затратное; если при проверенных значениях не помогает ни одно — почему, с "
          "нарушенными требованиями"},
         {surface, json}};
 }

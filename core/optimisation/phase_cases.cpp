@@ -22,8 +22,9 @@ namespace sparkout {
 namespace {
 
 OptimisationScenarios scenariosOf(const Project& project) {
-    return project.optimisation && project.batch ? project.optimisation->scenarios
-                                                 : OptimisationScenarios::nominal;
+    return project.optimisation && project.batch && areOfBatch(project.optimisation->scenarios)
+               ? project.optimisation->scenarios
+               : OptimisationScenarios::nominal;
 }
 
 /// The stock of the whole part among them; none: the end.

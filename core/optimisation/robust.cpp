@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/robust.h"
 
+#include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
 #include "core/phases/cycle_trial.h"
 #include "core/project/batch.h"
@@ -84,6 +85,24 @@ int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candid
                            ? candidates.size()
                            : static_cast<std::size_t>(candidates.rend() - last);
     return std::max(static_cast<int>(place), 1);
+}
+
+/// One of the parts drawn afresh for the cycle in which it fails; nothing: none, or it was stopped,
+/// or no answer for corners of a batch is asked for.
+std::optional<Project> failingFreshPart(const Project& best, int draw,
+                                        const std::stop_token& stop) {
+    if (!best.batch || best.optimisation->scenarios != OptimisationScenarios::corners) {
+        return std::nullopt;
+    }
+    const ScenarioSource source(withFreshParts(best, draw));
+    for (std::int64_t part = 0; part < source.parts(); ++part) {
+        Project drawn = source.project(part);
+        const std::optional<CycleTrial> trial = tried(drawn, stop);
+        if (!trial || !trial->holds) {
+            return trial ? std::optional(std::move(drawn)) : std::nullopt;
+        }
+    }
+    return std::nullopt;
 }
 
 /// A part that is none of a case.
@@ -216,6 +235,9 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
                 canDecide
                     ? cases.failingElse(best, stop)
                     : failingPart(failingPhase(best, static_cast<std::uint32_t>(draws), stop));
+            if (!failing && !stop.stop_requested()) {
+                failing = failingPart(failingFreshPart(best, summary.candidates, stop));
+            }
             summary.freshFailures += failing ? 1 : 0;
             if (!failing && !stop.stop_requested()) {
                 held.push_back(found);
@@ -226,6 +248,9 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
     const auto takeBest = [&] {
         summary.candidate = placeOf(*summary.search.best, candidates);
         summary.holdsInSample = true;
+        if (project.batch && project.optimisation->scenarios == OptimisationScenarios::corners) {
+            summary.freshParts = freshPartCount;
+        }
         if (canDecidePhases(project)) {
             Project best = variants.project(summary.search.best->variant);
             *best.cycle = summary.search.cycle;
@@ -305,7 +330,7 @@ TradeOff tradeOffRobustly(const Project& asked, const FreshScenarios& source, Se
 
 FreshScenarios scenariosAskedFor(const Project& project, const std::stop_token& stop) {
     const OptimisationScenarios asked = project.optimisation->scenarios;
-    if (asked == OptimisationScenarios::nominal || !project.batch) {
+    if (!areOfBatch(asked) || !project.batch) {
         return freshStockPhases;
     }
     return [asked, stop](const Project& best, int round) {

@@ -32,6 +32,7 @@ struct RobustSummary {
                                        ///< the fresh phases
     std::optional<PhaseCases> decided; ///< cases for each of which the answer holds
     int freshPhases = 0;               ///< else those that it was tried on at last, and held in all
+    int freshParts = 0;                ///< of a batch whose corners are searched: likewise
     int freshFailures = 0;             ///< cycles that failed in one of theirs; it was added
     int candidates = 0;                ///< cycles that were tried on fresh phases, each on its own
     int candidate = 0;                 ///< the answer's number among them, from 1; 0: none
@@ -50,6 +51,10 @@ struct RobustSummary {
 /// answer is one that failed in none of its own, so that with 95 % confidence no more than
 /// mostFailing() of the phases fail. A stop leaves a trial unchecked: it counts neither as one that
 /// failed nor as one that held. What it keeps is the best so far that came through all of its own.
+///
+/// With the corners of a batch a cycle that holds in all of them is tried on freshPartCount parts
+/// of it drawn at random, afresh for each: between the corners a part may be bad. One that fails
+/// joins the scenarios.
 ///
 /// Every stage of the answer makes a step on the part itself (SearchOptions::everyStageSteps). A
 /// stage that the stage before overruns there would be in use for other stocks only; a cycle with

@@ -10,6 +10,7 @@ namespace sparkout {
 template <>
 std::span<const Choice> choicesOf<OptimisationScenarios>() {
     static const std::array choices{Choice{"nominal", SPARKOUT_NOOP("Choice", "nominal part")},
+                                    Choice{"stocks", SPARKOUT_NOOP("Choice", "every stock")},
                                     Choice{"corners", SPARKOUT_NOOP("Choice", "all corners")},
                                     Choice{"batch", SPARKOUT_NOOP("Choice", "the batch")}};
     return choices;

@@ -9,7 +9,16 @@
 
 namespace sparkout {
 
-enum class OptimisationScenarios { nominal, corners, batch };
+enum class OptimisationScenarios {
+    nominal, ///< the part as stated
+    stocks,  ///< every stock within one infeed
+    corners, ///< and every corner of the batch
+    batch    ///< and the parts of the batch
+};
+/// Whether they are those of the project's batch.
+[[nodiscard]] constexpr bool areOfBatch(OptimisationScenarios scenarios) {
+    return scenarios >= OptimisationScenarios::corners;
+}
 
 /// What of a grid is the best: the quickest cycle, the cheapest, or the one for which the wheel
 /// need be dressed after the most parts.

@@ -4,11 +4,14 @@
 #include "core/project/validate.h"
 #include "core/quality/light.h"
 #include "core/remedies/remedy_trials.h"
+#include "core/statistics/intervals.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <utility>
 
 namespace sparkout {
@@ -17,6 +20,12 @@ namespace {
 
 /// So many values are tried one by one.
 constexpr std::int64_t fewValues = 24;
+
+/// A value that was run.
+struct TriedValue {
+    RemedyTrial trial;
+    bool isOffered = false; ///< it is good, and brings no fault or warning
+};
 
 /// One way from the present value: its k-th value is k places off; at 0 nothing is changed.
 class SettingWay {
@@ -43,19 +52,49 @@ public:
         const bool each = m_count <= fewValues || (m_setting.isCount() && m_last < fewValues);
         return each ? m_last + 1 : std::min(std::max(m_last + m_last / 2, m_last + 1), m_count);
     }
-    void tried(std::int64_t k, bool fails) {
-        m_last = k;
-        m_lastFails = fails;
-    }
+    /// Goes on from behind this one.
+    void pass(std::int64_t k) { m_last = std::max(m_last, k); }
     void end() { m_last = m_count; }
     [[nodiscard]] std::int64_t last() const { return m_last; }
-    [[nodiscard]] bool lastFails() const { return m_lastFails; }
+    [[nodiscard]] std::int64_t count() const { return m_count; }
+
+    [[nodiscard]] const TriedValue* known(std::int64_t k) const {
+        const auto found = m_known.find(k);
+        return found == m_known.end() ? nullptr : &found->second;
+    }
+    const TriedValue* keep(std::int64_t k, TriedValue value) {
+        return &m_known.insert_or_assign(k, std::move(value)).first->second;
+    }
 
 private:
     const RemedySetting& m_setting;
     std::int64_t m_sign, m_start = 0, m_count = 0, m_last = 0;
-    bool m_lastFails = true;
+    std::map<std::int64_t, TriedValue> m_known; ///< by distance
 };
+
+/// Values next to each other on a way, each of which is offered.
+struct ValueRun {
+    std::int64_t first = 0, last = 0; ///< distances
+    [[nodiscard]] std::int64_t count() const { return last - first + 1; }
+    [[nodiscard]] std::int64_t middle() const { return first + count() / 2; }
+};
+
+/// How much a change of a setting is of it.
+double changeOf(const Remedy& remedy) {
+    constexpr double newOne = 0.3, ofCount = 0.1, ofRatio = 0.5;
+    const RemedySetting& setting = remedy.setting;
+    if (setting.addsStage()) {
+        return newOne;
+    }
+    if (setting.isCount() || setting.isDwell()) {
+        const std::int64_t places =
+            setting.scale.firstFrom(remedy.value) - setting.scale.firstFrom(setting.before);
+        return ofCount * std::abs(static_cast<double>(places));
+    }
+    return setting.before > 0 && remedy.value > 0
+               ? ofRatio * std::abs(std::log(remedy.value / setting.before))
+               : newOne;
+}
 
 class RemedySearch {
 public:
@@ -63,13 +102,22 @@ public:
                  const RemedyOptions& options)
         : m_project(result.project), m_options(options), m_trials(result, constraints, options) {
         m_found.goal = remedyGoal(result, constraints);
+        m_isRun = result.status != RunStatus::refused && result.status != RunStatus::stopped;
         if (result.status == RunStatus::completed) {
             m_time_s = result.time_s;
         }
     }
 
     RemedyResult run() {
-        if (m_found.goal == RemedyGoal::none) {
+        if (!m_isRun) {
+            return std::move(m_found);
+        }
+        const std::optional<RemedyFault> fault = m_trials.fault();
+        m_found.fault = fault.value_or(RemedyFault::none);
+        if (m_found.fault != RemedyFault::none) {
+            m_found.goal = RemedyGoal::holds;
+        }
+        if (fault && m_found.goal == RemedyGoal::none) {
             return std::move(m_found);
         }
         const std::vector<RemedySetting> settings = remedySettings(m_project);
@@ -90,7 +138,7 @@ public:
                 m_options.progress(m_found);
             }
         }
-        if (m_found.found == 0) {
+        if (m_all.empty()) {
             m_found.conflict = conflict();
         }
         return std::move(m_found);
@@ -122,13 +170,30 @@ private:
 
     [[nodiscard]] RemedyConflict conflict() const {
         RemedyConflict found = m_trials.conflict();
-        if (m_warned) {
-            found.kind = RemedyConflict::Kind::warned;
-            found.second.reset();
-            found.setting = m_warned->first;
-            found.value = m_warned->second;
+        for (const auto& [what, kind] : {std::pair(&m_narrow, RemedyConflict::Kind::narrow),
+                                         std::pair(&m_warned, RemedyConflict::Kind::warned)}) {
+            if (*what) {
+                found.kind = kind;
+                found.second.reset();
+                found.setting = (*what)->first;
+                found.value = (*what)->second;
+                break;
+            }
         }
         return found;
+    }
+
+    /// The value k places off, run if it was not; null: it is over.
+    const TriedValue* at(const RemedySetting& setting, SettingWay& way, std::int64_t k) {
+        if (const TriedValue* known = way.known(k)) {
+            return known;
+        }
+        std::optional<RemedyTrial> trial = m_trials.run(setting, way.value(k));
+        if (!trial) {
+            return nullptr;
+        }
+        const bool offered = isOffered(setting, way.value(k), *trial);
+        return way.keep(k, {*std::move(trial), offered});
     }
 
     /// The nearer of both ways, as far as they were tried; at the same distance the quicker cycle.
@@ -144,23 +209,20 @@ private:
                 if (way.next() != k) {
                     continue;
                 }
-                std::optional<RemedyTrial> trial = m_trials.run(setting, way.value(*k));
-                if (!trial) {
+                const TriedValue* const tried = at(setting, way, *k);
+                if (!tried) {
                     return best;
                 }
-                if (!isOffered(setting, way.value(*k), *trial)) {
-                    way.tried(*k, !trial->holds);
-                    continue;
-                }
-                std::optional<Remedy> remedy = refined(setting, way, *k, *std::move(trial));
-                if (!remedy) { // refused on stocks drawn for it; farther ones may hold
-                    way.tried(*k, true);
+                std::optional<Remedy> remedy =
+                    tried->isOffered ? refined(setting, way, *k) : std::nullopt;
+                if (!remedy) { // farther ones may do
+                    way.pass(*k);
                     continue;
                 }
                 if (!best || remedy->time_s < best->time_s) {
                     best = std::move(remedy);
                 }
-                way.end(); // farther on every edge is one from a value that holds
+                way.end(); // farther on every edge is one from a value that is good
             }
         }
         return best;
@@ -171,72 +233,130 @@ private:
         return a && b ? std::min(a, b) : a ? a : b;
     }
 
-    /// The edge between the last distance tried and this one, which is offered. Nothing when it was
-    /// stopped.
-    std::optional<Remedy> refined(const RemedySetting& setting, const SettingWay& way,
-                                  std::int64_t far, RemedyTrial trial) {
+    /// The nearest value of which the next one towards the present is not offered, by bisection
+    /// from the last distance tried to this one, which is offered. Nothing: it is over.
+    std::optional<std::int64_t> edge(const RemedySetting& setting, SettingWay& way,
+                                     std::int64_t far) {
         std::int64_t near = way.last(), offered = far;
-        bool nearFails = way.lastFails();
         while (offered - near > 1) {
             const std::int64_t middle = near + (offered - near) / 2;
-            std::optional<RemedyTrial> found = m_trials.run(setting, way.value(middle));
-            if (!found) {
-                return {};
+            const TriedValue* const tried = at(setting, way, middle);
+            if (!tried) {
+                return std::nullopt;
             }
-            if (isOffered(setting, way.value(middle), *found)) {
-                offered = middle;
-                trial = *std::move(found);
-            } else {
-                near = middle;
-                nearFails = !found->holds;
-            }
+            (tried->isOffered ? offered : near) = middle;
         }
-        Remedy remedy{setting};
-        remedy.value = way.value(offered);
-        if (near == 0 && setting.kind == RemedyKind::addFeed) { // run with the present feed, too
-            const std::optional<RemedyTrial> unchanged = m_trials.run(setting, setting.before);
-            if (!unchanged) {
-                return {};
-            }
-            nearFails = !unchanged->holds;
-        }
-        remedy.failing = nearFails ? std::optional(way.value(near)) : std::nullopt;
-        remedy.holdsBeyond = offered < far;
-        if (SettingWay beyond = way; !remedy.holdsBeyond) {
-            beyond.tried(offered, false);
-            if (const std::optional<std::int64_t> next = beyond.next()) {
-                const double value = way.value(*next);
-                const std::optional<RemedyTrial> farther = m_trials.run(setting, value);
-                if (!farther) {
-                    return {};
+        return offered;
+    }
+
+    /// The values about one that is offered, towards the present one first. Nothing: it is over.
+    std::optional<ValueRun> valuesAbout(const RemedySetting& setting, SettingWay& way,
+                                        std::int64_t k) {
+        ValueRun run{k, k};
+        const auto grow = [&](std::int64_t& end, std::int64_t step, std::int64_t limit) {
+            while (run.count() < Remedy::mostValues && end != limit) {
+                const TriedValue* const tried = at(setting, way, end + step);
+                if (!tried || !tried->isOffered) {
+                    return tried != nullptr;
                 }
-                remedy.holdsBeyond = isOffered(setting, value, *farther);
+                end += step;
             }
+            return true;
+        };
+        const bool isKnown = grow(run.first, -1, 1) && grow(run.last, 1, way.count());
+        return isKnown ? std::optional(run) : std::nullopt;
+    }
+
+    /// The remedy at the edge between the last distance tried and this one, which is offered, or
+    /// else about this one. Nothing where they have too few values, the last test refuses it, or it
+    /// is over.
+    std::optional<Remedy> refined(const RemedySetting& setting, SettingWay& way, std::int64_t far) {
+        const std::int64_t least = setting.isCount() ? 1 : Remedy::leastValues;
+        const std::optional<std::int64_t> near = edge(setting, way, far);
+        std::optional<ValueRun> run = near ? valuesAbout(setting, way, *near) : std::nullopt;
+        if (run && run->count() < least && run->last < far) {
+            run = valuesAbout(setting, way, far);
         }
+        if (!run) {
+            return std::nullopt;
+        }
+        way.pass(run->last);
+        if (run->count() < least) {
+            if (!m_narrow) {
+                m_narrow.emplace(setting, way.value(run->middle()));
+            }
+            return std::nullopt;
+        }
+        return remedyWith(setting, way, *run);
+    }
+
+    std::optional<Remedy> remedyWith(const RemedySetting& setting, SettingWay& way,
+                                     const ValueRun& run) {
+        Remedy remedy{setting};
+        remedy.value = way.value(run.middle());
+        const double first = way.value(run.first), last = way.value(run.last);
+        remedy.interval = {std::min(first, last), std::max(first, last)};
+        remedy.values = static_cast<int>(run.count());
+        if (run.first > 1) {
+            const TriedValue* const nearer = way.known(run.first - 1);
+            if (nearer && !nearer->trial.holds) {
+                remedy.failing = way.value(run.first - 1);
+            }
+        } else if (setting.kind != RemedyKind::addFeed) {
+            remedy.failing = setting.before;
+        } else { // run with the present feed, too
+            const TriedValue* const unchanged = at(setting, way, 0);
+            if (!unchanged) {
+                return std::nullopt;
+            }
+            remedy.failing = unchanged->trial.holds ? std::nullopt : std::optional(setting.before);
+        }
+        if (run.last < way.count()) {
+            const TriedValue* const farther = at(setting, way, run.last + 1);
+            if (!farther) {
+                return std::nullopt;
+            }
+            remedy.holdsBeyond = farther->isOffered;
+        }
+        const RemedyTrial& trial = way.known(run.middle())->trial;
         remedy.time_s = trial.time_s;
         if (m_time_s) {
             remedy.timeChange_s = trial.time_s - *m_time_s;
         }
-        remedy.requirements = std::move(trial.worst);
+        remedy.requirements = trial.worst;
         return m_trials.confirm(remedy) ? std::optional(std::move(remedy)) : std::nullopt;
     }
 
-    void keep(Remedy remedy) {
-        ++m_found.found;
-        auto& all = m_found.remedies;
-        const auto after = std::ranges::upper_bound(all, remedy.time_s, {}, &Remedy::time_s);
-        all.insert(after, std::move(remedy));
-        if (all.size() > RemedyResult::most) {
-            all.pop_back();
+    /// What it costs: the change of time as a share of it, and the change of the setting. Of a
+    /// cycle that does not end by itself the time is that of the quickest remedy.
+    [[nodiscard]] double rankOf(const Remedy& remedy) const {
+        double usual_s = m_time_s.value_or(remedy.time_s);
+        for (const Remedy& each : m_all) {
+            usual_s = m_time_s ? usual_s : std::min(usual_s, each.time_s);
         }
+        return remedy.time_s / usual_s - 1 + changeOf(remedy);
+    }
+
+    void keep(Remedy remedy) {
+        m_all.push_back(std::move(remedy));
+        for (Remedy& each : m_all) {
+            each.rank = rankOf(each);
+        }
+        std::ranges::stable_sort(m_all, {}, &Remedy::rank);
+        m_found.found = m_all.size();
+        const auto shown = std::min(m_all.size(), RemedyResult::most);
+        m_found.remedies.assign(m_all.begin(), m_all.begin() + static_cast<std::ptrdiff_t>(shown));
     }
 
     const Project& m_project;
+    bool m_isRun = false;
     std::optional<double> m_time_s; ///< nothing: the cycle does not end by itself
     Issues m_issues;                ///< as it is
     const RemedyOptions& m_options;
     RemedyTrials m_trials;
     std::optional<std::pair<RemedySetting, double>> m_warned; ///< the first that brings a warning
+    std::optional<std::pair<RemedySetting, double>> m_narrow; ///< the first with too few beside it
+    std::vector<Remedy> m_all;                                ///< in the order of their ranks
     RemedyResult m_found;
 };
 
@@ -247,9 +367,21 @@ const char* goalKey(RemedyGoal goal) {
     return keys[static_cast<std::size_t>(goal)];
 }
 
+const char* faultKey(RemedyFault fault) {
+    constexpr std::array keys{"none", "part", "stocks", "batch"};
+    return keys[static_cast<std::size_t>(fault)];
+}
+
 const char* conflictKey(RemedyConflict::Kind kind) {
-    constexpr std::array keys{"stocks", "warned", "idle", "opposed", "several", "unmended"};
+    constexpr std::array keys{"narrow", "batch",   "stocks",  "warned",
+                              "idle",   "opposed", "several", "unmended"};
     return keys[static_cast<std::size_t>(kind)];
+}
+
+double mostBad(const RemedyBatch& batch) {
+    constexpr double risk = 0.05;
+    const double k = batch.candidate;
+    return clopperPearson(batch.bad, batch.parts, 1 - 2 * risk / (k * (k + 1))).high;
 }
 
 RemedyGoal remedyGoal(const SimulationResult& result,

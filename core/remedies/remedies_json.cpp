@@ -24,12 +24,17 @@ constexpr Output<RemedyOf> remedyRows[] = {
      [](const RemedyOf& r) { return r.remedy.setting.path(r.project); }},
     {{.key = "before", .hint = "its value as it is; none for a stage more"},
      [](const RemedyOf& r) { return r.remedy.before(); }},
-    {{.key = "value", .hint = "the value that helps"},
+    {{.key = "value", .hint = "the value to apply: the middle of the interval"},
      [](const RemedyOf& r) { return r.remedy.value; }},
-    {{.key = "failing", .hint = "the next value towards the present one, which was run and fails"},
+    {{.key = "interval", .hint = "every value in it that can be set was run and helps"},
+     [](const RemedyOf& r) { return std::optional(r.remedy.interval); }},
+    {{.key = "values", .hint = "number of the values in the interval"},
+     [](const RemedyOf& r) { return std::int64_t{r.remedy.values}; }},
+    {{.key = "failing",
+      .hint =
+          "the next value towards the present one before the interval, which was run and fails"},
      [](const RemedyOf& r) { return r.remedy.failing; }},
-    {{.key = "holds_beyond",
-      .hint = "whether the next value farther off that was tried helps, too"},
+    {{.key = "holds_beyond", .hint = "whether the next value behind the interval helps, too"},
      [](const RemedyOf& r) { return r.remedy.holdsBeyond; }},
     {{.key = "time_min", .unit = "min", .hint = "time of the cycle"},
      [](const RemedyOf& r) { return r.remedy.time_s / units::secondsPerMinute; }},
@@ -49,6 +54,10 @@ constexpr Output<RemedyOf> remedyRows[] = {
          const std::optional<StockRange>& stocks = r.remedy.stocks;
          return stocks ? std::optional(Interval{stocks->from_mm, stocks->to_mm}) : std::nullopt;
      }},
+    {{.key = "rank",
+      .hint = "what it costs, by which remedies are ordered: the change of time as a share of the "
+              "time, and how much the setting changes"},
+     [](const RemedyOf& r) { return r.remedy.rank; }},
 };
 
 constexpr Output<Remedy> phasesRows[] = {
@@ -63,13 +72,26 @@ constexpr Output<Remedy> phasesRows[] = {
     {{.key = "confidence", .hint = "confidence of that share"}, [](const Remedy&) { return 0.95; }},
 };
 
+constexpr Output<RemedyBatch> batchRows[] = {
+    {{.key = "parts", .hint = "parts of the batch drawn at random for the remedy"},
+     [](const RemedyBatch& b) { return b.parts; }},
+    {{.key = "bad", .hint = "those of them that are bad"},
+     [](const RemedyBatch& b) { return b.bad; }},
+    {{.key = "candidate",
+      .hint = "number of the remedy among the changes that were tried on such, from 1"},
+     [](const RemedyBatch& b) { return std::int64_t{b.candidate}; }},
+    {{.key = "bad_share_at_most", .hint = "share of all such parts that is bad, at most"}, mostBad},
+    {{.key = "confidence", .hint = "confidence of that share"},
+     [](const RemedyBatch&) { return 0.95; }},
+};
+
 std::optional<std::string> nameOf(const std::optional<ConstraintResult>& requirement) {
     return requirement ? std::optional<std::string>(requirementOf(requirement->kind).key)
                        : std::nullopt;
 }
 
 constexpr Output<RemedyConflictOf> conflictRows[] = {
-    {{.key = "kind", .hint = "stocks, warned, idle, opposed, several or unmended"},
+    {{.key = "kind", .hint = "narrow, batch, stocks, warned, idle, opposed, several or unmended"},
      [](const RemedyConflictOf& c) { return std::string(conflictKey(c.conflict.kind)); }},
     {{.key = "first",
       .hint = "the requirement that fails most; none where the cycle does not end by itself"},
@@ -97,6 +119,10 @@ constexpr Output<RemedyConflictOf> conflictRows[] = {
 constexpr Output<RemedyResult> resultRows[] = {
     {{.key = "goal", .hint = "holds, room or none"},
      [](const RemedyResult& r) { return std::string(goalKey(r.goal)); }},
+    {{.key = "fault",
+      .hint = "what is not good as it is: part, as stated, stocks, another one within one infeed, "
+              "batch, too many of its parts, or none"},
+     [](const RemedyResult& r) { return std::string(faultKey(r.fault)); }},
     {{.key = "status", .hint = "completed or stopped"},
      [](const RemedyResult& r) { return std::string(r.isComplete() ? "completed" : "stopped"); }},
     {{.key = "settings", .hint = "settings that there are to try"},
@@ -120,6 +146,7 @@ ordered_json remedyJson(const Project& project, const Remedy& remedy) {
     ordered_json json = outputsJson(remedyOutputs(), RemedyOf{project, remedy});
     json["phases"] =
         outputsJson(remedyPhasesOutputs(), remedy.stocks ? std::nullopt : std::optional(remedy));
+    json["batch"] = outputsJson(remedyBatchOutputs(), remedy.batch);
     json["patch"] = patchOf(project, remedy.applied(project));
     json["requirements"] = outputsJsonOfEach(requirementOutputs(), remedy.requirements);
     return json;
@@ -133,6 +160,10 @@ std::span<const Output<RemedyOf>> remedyOutputs() {
 
 std::span<const Output<Remedy>> remedyPhasesOutputs() {
     return phasesRows;
+}
+
+std::span<const Output<RemedyBatch>> remedyBatchOutputs() {
+    return batchRows;
 }
 
 std::span<const Output<RemedyConflictOf>> remedyConflictOutputs() {

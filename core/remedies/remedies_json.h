@@ -24,6 +24,8 @@ struct RemedyConflictOf {
 [[nodiscard]] std::span<const Output<RemedyOf>> remedyOutputs();
 /// The stocks drawn at random that a remedy holds for.
 [[nodiscard]] std::span<const Output<Remedy>> remedyPhasesOutputs();
+/// The parts of the batch drawn at random for a remedy.
+[[nodiscard]] std::span<const Output<RemedyBatch>> remedyBatchOutputs();
 [[nodiscard]] std::span<const Output<RemedyConflictOf>> remedyConflictOutputs();
 [[nodiscard]] std::span<const Output<RemedyResult>> remedyResultOutputs();
 

@@ -50,6 +50,9 @@ struct RemedySetting {
     [[nodiscard]] bool isCount() const {
         return kind == RemedyKind::sparkOut || kind == RemedyKind::addSparkOut;
     }
+    [[nodiscard]] bool isDwell() const {
+        return kind == RemedyKind::dwellEntry || kind == RemedyKind::dwellExit;
+    }
 };
 
 /// All settings of a valid project that a remedy may change; the finishing stages come first.

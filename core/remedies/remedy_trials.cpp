@@ -28,6 +28,12 @@ Project bare(Project project) {
     return project;
 }
 
+Project withBatch(const Project& project) {
+    Project copy = bare(project);
+    copy.batch = project.batch;
+    return copy;
+}
+
 std::ptrdiff_t idleStages(const SimulationResult& result) {
     return std::ranges::count(result.countsByStage, 0);
 }
@@ -45,6 +51,7 @@ RemedyTrials::RemedyTrials(const SimulationResult& result,
     , m_end(options.stop, options.budget)
     , m_project(bare(result.project))
     , m_goal(remedyGoal(result, constraints))
+    , m_parts(result.status == RunStatus::refused ? Project{} : withBatch(result.project))
     , m_idle(idleStages(result)) {
     if (result.status != RunStatus::completed) {
         return; // what its requirements say is of a cycle that was broken off
@@ -59,6 +66,42 @@ RemedyTrials::RemedyTrials(const SimulationResult& result,
 
 bool RemedyTrials::isMet(const ConstraintResult& constraint) const {
     return constraint.holds && (m_goal != RemedyGoal::room || !isClose(constraint));
+}
+
+std::optional<RemedyFault> RemedyTrials::fault() {
+    if (m_goal == RemedyGoal::holds) {
+        return RemedyFault::part;
+    }
+    RemedyFault fault = RemedyFault::none;
+    std::optional<Project> fails = failingStock(m_project);
+    if (fails) {
+        fault = RemedyFault::stocks;
+    } else if (!m_parts.isEmpty() && !isOver()) {
+        std::optional<RunParts> parts =
+            m_parts.run([](Project part) { return part; }, m_end.token());
+        if (parts && !parts->isGood) {
+            fault = RemedyFault::batch;
+            fails = std::move(parts->worst);
+        }
+    }
+    if (fails) {
+        m_goal = RemedyGoal::holds;
+        m_first = worstOf(*fails);
+    }
+    return isOver() ? std::nullopt : std::optional(fault);
+}
+
+std::optional<ConstraintResult> RemedyTrials::worstOf(const Project& fails) const {
+    std::optional<ConstraintResult> worst;
+    const SimulationResult result = simulateUnchecked(fails, nullptr, m_end.token());
+    if (result.status == RunStatus::completed) {
+        for (const ConstraintResult& each : evaluateConstraints(result)) {
+            if (!each.holds && (!worst || each.relativeMargin < worst->relativeMargin)) {
+                worst = each;
+            }
+        }
+    }
+    return worst;
 }
 
 std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, double value) {
@@ -92,7 +135,18 @@ std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, doubl
         }
         trial.holds = !fails;
         if (fails) {
-            learnStock(setting, value, *std::move(fails));
+            learnPart(setting, value, *fails, m_stocks);
+        }
+    }
+    if (trial.holds && !m_parts.isEmpty()) {
+        const std::optional<RunParts> parts = m_parts.run(
+            [&](Project part) { return setting.applied(std::move(part), value); }, m_end.token());
+        if (!parts) {
+            return {};
+        }
+        trial.holds = parts->isGood;
+        if (!parts->isGood) {
+            learnPart(setting, value, *parts->worst, m_batch);
         }
     }
     return trial;
@@ -121,6 +175,27 @@ std::optional<Project> RemedyTrials::failingStock(const Project& changed) const 
 }
 
 bool RemedyTrials::confirm(Remedy& remedy) {
+    return confirmStocks(remedy) && confirmBatch(remedy);
+}
+
+bool RemedyTrials::confirmBatch(Remedy& remedy) {
+    if (m_parts.isEmpty()) {
+        return true;
+    }
+    const int candidate = ++m_drawnBatches;
+    const std::optional<RunParts> parts = m_parts.runFresh(
+        [&](Project part) { return remedy.applied(std::move(part)); }, candidate, m_end.token());
+    if (!parts) {
+        return false;
+    }
+    remedy.batch = RemedyBatch{parts->parts, parts->bad, candidate};
+    if (parts->worst && !parts->isGood) {
+        learnPart(remedy.setting, remedy.value, *parts->worst, m_batch);
+    }
+    return parts->isGood;
+}
+
+bool RemedyTrials::confirmStocks(Remedy& remedy) {
     const Project changed = remedy.applied(m_project);
     if (canDecidePhases(changed)) {
         remedy.stocks = usualPhases(changed);
@@ -128,33 +203,24 @@ bool RemedyTrials::confirm(Remedy& remedy) {
     }
     remedy.candidate = ++m_candidates;
     remedy.phases = freshPhaseCount;
-    std::optional<Project> fails =
+    const std::optional<Project> fails =
         failingPhase(changed, static_cast<std::uint32_t>(m_candidates), m_end.token());
     if (fails) {
-        learnStock(remedy.setting, remedy.value, *std::move(fails));
+        learnPart(remedy.setting, remedy.value, *fails, m_stocks);
         return false;
     }
     return !isOver();
 }
 
-void RemedyTrials::learnStock(const RemedySetting& setting, double value, Project fails) {
-    const SimulationResult result = simulateUnchecked(fails, nullptr, m_end.token());
+void RemedyTrials::learnPart(const RemedySetting& setting, double value, const Project& fails,
+                             std::optional<Nearest>& nearest) {
+    const std::optional<ConstraintResult> worst = worstOf(fails);
     if (isOver()) {
         return;
     }
-    std::optional<ConstraintResult> worst;
-    double margin = -std::numeric_limits<double>::infinity();
-    if (result.status == RunStatus::completed) {
-        margin = std::numeric_limits<double>::infinity();
-        for (const ConstraintResult& each : evaluateConstraints(result)) {
-            if (!each.holds && each.relativeMargin < margin) {
-                worst = each;
-                margin = each.relativeMargin;
-            }
-        }
-    }
-    if (!m_stocks || margin > m_stocks->margin) {
-        m_stocks.emplace(Nearest{setting, value, worst, margin, fails.part->stock_mm});
+    const double margin = worst ? worst->relativeMargin : -std::numeric_limits<double>::infinity();
+    if (!nearest || margin > nearest->margin) {
+        nearest.emplace(Nearest{setting, value, worst, margin, fails.part->stock_mm});
     }
 }
 
@@ -198,11 +264,8 @@ RemedyConflict RemedyTrials::conflict() const {
     found.first = m_first;
     using enum RemedyConflict::Kind;
     const std::pair<const std::optional<Nearest>&, RemedyConflict::Kind> inOrder[] = {
-        {m_stocks, stocks},
-        {m_idleTrial, idle},
-        {m_opposed, opposed},
-        {m_several, several},
-        {m_closest, unmended}};
+        {m_batch, batch},     {m_stocks, stocks},   {m_idleTrial, idle},
+        {m_opposed, opposed}, {m_several, several}, {m_closest, unmended}};
     for (const auto& [nearest, kind] : inOrder) {
         if (!nearest) {
             continue;

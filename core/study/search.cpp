@@ -9,6 +9,8 @@
 #include "core/optimisation/trade_off.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
+#include "core/quality/remarks.h"
+#include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
 #include "core/study/refine_answer.h"
 
@@ -51,7 +53,7 @@ std::shared_ptr<SearchOutcome> checked(const Project& project, const SearchWish&
         && (isHeuristic(wish.method) || wish.refine);
     outcome->objectiveFault = objectiveFault(project, wish.phases);
     outcome->fault = Variants(project, stop).fault();
-    if (outcome->ran() && project.optimisation->scenarios != OptimisationScenarios::nominal) {
+    if (outcome->ran() && areOfBatch(project.optimisation->scenarios)) {
         outcome->batchIssues = checkBatch(project);
     }
     return outcome;
@@ -101,6 +103,7 @@ public:
         if (m_wish.refine && m_outcome->best()) {
             refineBest();
         }
+        remark();
         if (m_wish.front && m_outcome->best() && !m_outcome->stopped()
             && !isHeuristic(m_wish.method)) {
             showAnswer();
@@ -203,6 +206,8 @@ private:
         m_outcome->interval = m_now.grid.interval;
         if (m_now.grid.hasBest()) {
             m_outcome->edges = edgesReached(m_now.searched, m_outcome->search.cycle);
+            m_outcome->settingEdges = settingEdgesReached(m_now.searched, m_outcome->search.cycle,
+                                                          m_outcome->search.machine);
             // As the search lists them: without its spark-out.
             addNumber(static_cast<int>(
                           std::ranges::count_if(m_outcome->search.cycle.stages, &Stage::feeds)),
@@ -258,6 +263,25 @@ private:
         }
         const GraceStop grace(m_stop);
         m_outcome->given = givenCycle(m_outcome->project, grace.token());
+    }
+
+    /// What simulating the answer would remark.
+    void remark() {
+        const FoundCycle* const answer = m_outcome->answer();
+        if (!answer) {
+            return;
+        }
+        const GraceStop grace(m_stop);
+        const SimulationResult result =
+            simulateUnchecked(withFound(m_outcome->project, *answer), nullptr, grace.token());
+        if (result.status != RunStatus::completed) {
+            return;
+        }
+        m_outcome->remarks.issues = remarksOn(result);
+        const ShopNumbers shop = shopNumbers(result);
+        if (shop.ratioNearInteger()) {
+            m_outcome->remarks.ratioNearInteger = shop.rotationRatio;
+        }
     }
 
     void refineBest() {

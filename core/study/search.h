@@ -89,6 +89,13 @@ struct GivenCycle {
     std::vector<ConstraintKind> fails;
 };
 
+/// What simulating the answer would remark.
+struct AnswerRemarks {
+    Issues issues; ///< warnings of remarksOn()
+    /// Of the wheel's revolutions to the work's, where it is near a whole number: waviness.
+    std::optional<double> ratioNearInteger;
+};
+
 /// All that one search gives: an immutable value. Where it did not run nothing was searched.
 struct SearchOutcome {
     Project project; ///< as searched: the given cycle
@@ -109,7 +116,8 @@ struct SearchOutcome {
     int rounds = 1;                 ///< of SearchLevels
     bool areLevelsCutShort = false; ///< a further round was stopped
     std::vector<LevelEdge> edges;   ///< of its grid that the best of the grid reaches
-    SearchSummary search;           ///< of the last round
+    std::vector<SettingEdge> settingEdges;   ///< the same of the machine's settings and spark-out
+    SearchSummary search;                    ///< of the last round
     std::optional<RobustSummary> robust;     ///< of which the search is the last
     std::optional<IntervalSummary> interval; ///< of which it is that for the answer's parts
     std::optional<RefineSummary> refinement;
@@ -123,6 +131,7 @@ struct SearchOutcome {
     /// not known, as it was stopped before, or no cycle was found.
     std::optional<std::vector<ConstraintKind>> binding;
     GivenCycle given;
+    AnswerRemarks remarks;
 
     [[nodiscard]] bool ran() const {
         return issues.empty() && batchIssues.empty() && fault == GridFault::none

@@ -152,8 +152,7 @@ bool sameSearch(const Project& a, const Project& b) {
                                  free(asked.dwell_entry_s, project.machine->dwell_entry_s),
                                  free(asked.dwell_exit_s, project.machine->dwell_exit_s)});
         }
-        if (!project.optimisation
-            || project.optimisation->scenarios == OptimisationScenarios::nominal) {
+        if (!project.optimisation || !areOfBatch(project.optimisation->scenarios)) {
             project.batch.reset();
         }
         return project;

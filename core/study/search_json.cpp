@@ -81,6 +81,28 @@ ordered_json edgesJson(const SearchOutcome& outcome) {
     return edges;
 }
 
+ordered_json settingEdgesJson(const SearchOutcome& outcome) {
+    ordered_json edges = ordered_json::array();
+    for (const SettingEdge& edge : outcome.settingEdges) {
+        edges.push_back({{"setting", edge.key},
+                         {"side", edge.isMost ? "greatest" : "least"},
+                         {"level", edge.level},
+                         {"allowed", orNull(edge.limit)},
+                         {"is_allowed_end", edge.isLimit}});
+    }
+    return edges;
+}
+
+/// The inputs that simulating the answer would remark on.
+ordered_json remarksJson(const SearchOutcome& outcome) {
+    ordered_json paths = ordered_json::array();
+    for (const Issue& issue : outcome.remarks.issues) {
+        paths.push_back(issue.path);
+    }
+    return {{"inputs", std::move(paths)},
+            {"rotation_ratio_near_integer", orNull(outcome.remarks.ratioNearInteger)}};
+}
+
 ordered_json limitBoundsJson(const SteplessLimit& limit) {
     ordered_json bounds = ordered_json::array();
     for (const LimitPiece& piece : limit.pieces) {
@@ -123,6 +145,19 @@ ordered_json freshPhasesJson(const SearchOutcome& outcome) {
              phases > 0 ? ordered_json(mostFailing(phases, candidate)) : ordered_json(nullptr)},
             {"confidence", 0.95},
             {"cycles_that_failed", robust.freshFailures}};
+}
+
+/// Of a batch whose corners were searched; null: there is no answer that was tried on any.
+ordered_json freshPartsJson(const RobustSummary& robust) {
+    if (robust.freshParts == 0) {
+        return nullptr;
+    }
+    const int candidate = std::max(robust.candidate, 1);
+    return {{"tried", robust.freshParts},
+            {"bad", 0},
+            {"candidate", candidate},
+            {"bad_share_at_most", mostFailing(robust.freshParts, candidate)},
+            {"confidence", 0.95}};
 }
 
 /// Those of none of which another is both quicker and farther from its limits.
@@ -173,6 +208,8 @@ std::string searchJson(const SearchOutcome& outcome) {
     }
     root["levels"] = levelsJson(outcome);
     root["edges"] = edgesJson(outcome);
+    root["setting_edges"] = settingEdgesJson(outcome);
+    root["remarks"] = remarksJson(outcome);
     ordered_json& cuts = root["cut_by"] = ordered_json::object();
     for (const auto& [kind, count] : outcome.cuts()) {
         cuts[requirementOf(kind).key] = count;
@@ -180,6 +217,7 @@ std::string searchJson(const SearchOutcome& outcome) {
     root["given"] = givenJson(outcome);
     if (outcome.robust) {
         root["fresh_phases"] = freshPhasesJson(outcome);
+        root["fresh_parts"] = freshPartsJson(*outcome.robust);
         const FoundCycle* const answer = outcome.answer();
         root["decided_corners"] =
             answer && answer->decided ? ordered_json(answer->decided->corners) : nullptr;

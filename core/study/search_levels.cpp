@@ -3,6 +3,7 @@
 
 #include "core/optimisation/levels.h"
 #include "core/optimisation/variants.h"
+#include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/optimisation.h"
 
@@ -132,6 +133,43 @@ std::vector<LevelEdge> edgesReached(const Project& searched, const Cycle& cycle)
             }
         }
     }
+    return edges;
+}
+
+std::vector<SettingEdge> settingEdgesReached(const Project& searched, const Cycle& cycle,
+                                             const MachineSettings& machine) {
+    const Optimisation& search = *searched.optimisation;
+    std::vector<SettingEdge> edges;
+    const auto add = [&edges](const char* key, const Levels& listed, double value,
+                              const std::optional<std::vector<double>>& range) {
+        std::vector<double> levels = levelValues(listed);
+        std::ranges::sort(levels);
+        if (levels.size() < 2 || isSame(levels.front(), levels.back())) {
+            return;
+        }
+        const Range hard = tableOf<Optimisation>().find(key)->hard;
+        const bool isOfMachine = range && range->size() == 3;
+        for (const bool isMost : {false, true}) {
+            const double level = isMost ? levels.back() : levels.front();
+            if (value != level && !isSame(value, level)) {
+                continue;
+            }
+            const double limit = isMost ? isOfMachine ? std::min((*range)[1], hard.high) : hard.high
+                                 : isOfMachine ? std::max((*range)[0], hard.low)
+                                               : hard.low;
+            const bool isLimit =
+                isMost ? limit <= level * (1 + lastBits) : limit >= level * (1 - lastBits);
+            edges.push_back({key, level, isMost, limit, isLimit});
+        }
+    };
+    add("work_speed_rpm", search.work_speed_rpm, machine.work_speed_rpm,
+        searched.machine->limits.work_speed_rpm);
+    if (searched.operation->travels) {
+        add("dwell_entry_s", search.dwell_entry_s, machine.dwell_entry_s, std::nullopt);
+        add("dwell_exit_s", search.dwell_exit_s, machine.dwell_exit_s, std::nullopt);
+    }
+    add("spark_out", search.unfed_steps, cycle.stages.back().sparkOutSteps().value_or(0),
+        std::nullopt);
     return edges;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/optimisation/optimise.h"
+#include "core/optimisation/variants.h"
 #include "core/project/cycle.h"
 #include "core/project/operation.h"
 #include "core/project/project.h"
@@ -25,6 +26,20 @@ struct LevelEdge {
 /// Those of a cycle that a search of this project found, by stage; a stage without feed has none.
 /// A feed of which there is one level was not searched and has none.
 [[nodiscard]] std::vector<LevelEdge> edgesReached(const Project& searched, const Cycle& cycle);
+
+/// A setting of the machine, or the spark-out, that is the least or the greatest level of its grid.
+struct SettingEdge {
+    const char* key = ""; ///< of its row in the search: "work_speed_rpm", "spark_out"
+    double level = 0;
+    bool isMost = false;         ///< the greatest, else the least
+    std::optional<double> limit; ///< what the machine's range, or the row's own, goes on to
+    bool isLimit = false;        ///< the level itself is that: no grid goes beyond
+};
+
+/// Those of a cycle that a search of this project found, with the machine set so. What has one
+/// level, or none, was not searched and has none.
+[[nodiscard]] std::vector<SettingEdge>
+settingEdgesReached(const Project& searched, const Cycle& cycle, const MachineSettings& machine);
 
 /// A search whose levels follow its answer: with the answer of one grid in hand, levels are added
 ///

@@ -339,6 +339,8 @@ class Studies(unittest.TestCase):
                            "time_change_min"):
                 self.assertEqual(getattr(each, member), line[member], member)
             self.assertEqual(each.stock_mm, tuple(line["stock_mm"]))
+            self.assertEqual(each.interval, tuple(line["interval"]))
+            self.assertEqual(each.rank, line["rank"])
             self.assertEqual(type(each).time_min.__doc__, "time of the cycle [min]")
             self.assertEqual(each.time_s / 60, line["time_min"])
             self.assertEqual(each.time_change_s / 60, line["time_change_min"])
@@ -377,7 +379,7 @@ class Studies(unittest.TestCase):
         self.assertGreater(len(found.remedies), 0)
         for each in found.remedies:
             self.assertIsNone(each.time_change_s)
-            self.assertRegex(each.text, r": the cycle takes [0-9.]+ (min|s)$")
+            self.assertRegex(each.text, r": the cycle takes [0-9.]+ (min|s); for every stock")
 
     def test_what_cannot_be_searched_is_refused(self):
         project = sparkout.Project.read(FACTORY).with_values({"/optimisation": None})

@@ -42,8 +42,7 @@ RemedyOffers::RemedyOffers(Document& document, RemedySection& section,
 }
 
 void RemedyOffers::setOutcome(const OutcomePtr& outcome) {
-    if (m_isOffered && outcome->ran()
-        && remedyGoal(outcome->result, outcome->constraints) != RemedyGoal::none) {
+    if (m_isOffered && outcome->ran()) { // one that holds may fail for other stocks or the batch
         m_finder->request(outcome);
     } else {
         m_finder->drop();

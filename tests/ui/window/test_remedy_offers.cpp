@@ -86,8 +86,8 @@ private slots:
             if (there) {
                 const std::string line = RemedyText().line(before, found.remedies[i]);
                 QCOMPARE(take.accessibleName(),
-                         QStringLiteral("Take the change: ") + QString::fromStdString(line));
-                QVERIFY(take.toolTip().contains(QStringLiteral("everything holds")));
+                         QStringLiteral("Apply the change: ") + QString::fromStdString(line));
+                QVERIFY(take.toolTip().contains(QStringLiteral("all requirements are met")));
             }
         }
         offers.click(offers.take(1));
@@ -138,7 +138,7 @@ private slots:
         QVERIFY(feeds);
         QCOMPARE(offers.take(1).text(), QStringLiteral("Применить"));
         bench.action("english")->trigger();
-        QCOMPARE(offers.take(1).text(), QStringLiteral("Take"));
+        QCOMPARE(offers.take(1).text(), QStringLiteral("Apply"));
     }
 
     void whereNoneHelpsTheRequirementsAreNamed() {

@@ -3,6 +3,7 @@
 
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
+#include "core/project/optimisation.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
@@ -38,6 +39,12 @@ protected:
     }
     [[nodiscard]] std::string feed(const StageFeed& feed) const override {
         return inputText(tableOf<Stage>().find(feed.key)->label).toStdString();
+    }
+    [[nodiscard]] std::string setting(const char* key) const override {
+        return inputText(tableOf<Optimisation>().find(key)->label).toStdString();
+    }
+    [[nodiscard]] std::string remark(const Issue& issue) const override {
+        return Names::issue(issue).toStdString();
     }
     [[nodiscard]] std::string requirement(ConstraintKind kind) const override {
         return Names::inSentence(Names::constraint(kind)).toStdString();

@@ -130,9 +130,9 @@ void RemedySection::showLine(std::size_t index) {
     const Line& shown = m_lines[index];
     shown.text->setText(withIndices(keptTogether(line)));
     shown.text->setToolTip(proof);
-    shown.take->setText(tr("Take"));
+    shown.take->setText(tr("Apply"));
     shown.take->setToolTip(proof);
-    shown.take->setAccessibleName(tr("Take the change: %1").arg(line));
+    shown.take->setAccessibleName(tr("Apply the change: %1").arg(line));
 }
 
 QString RemedySection::note() const {
@@ -142,8 +142,8 @@ QString RemedySection::note() const {
     }
     QStringList sentences;
     if (m_result->found > m_result->remedies.size()) {
-        sentences += tr("Settings that help: %1; shown are those with the shortest cycles.")
-                         .arg(m_result->found);
+        sentences +=
+            tr("Settings that help: %1; shown are those that cost least.").arg(m_result->found);
     }
     sentences += QString::fromStdString(words.scope(*m_result));
     sentences += QString::fromStdString(words.extent(*m_result));
@@ -158,7 +158,7 @@ QString RemedySection::note() const {
 void RemedySection::retranslate() {
     for (const Line& line : m_lines) {
         line.text->setAccessibleName(tr("Change that helps"));
-        line.take->setAccessibleName(tr("Take the change"));
+        line.take->setAccessibleName(tr("Apply the change"));
     }
     m_note->setAccessibleName(tr("What was tried"));
     m_end->setText(tr("Stop"));

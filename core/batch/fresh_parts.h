@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+namespace sparkout {
+
+/// Parts drawn for the last test of a cycle: none bad among them means, with 95 % confidence, that
+/// no more than mostFailing() of all are.
+inline constexpr int freshPartCount = 500;
+
+/// The project with so many parts in its batch, drawn at random and independently of each other:
+/// other ones for every `draw` from 1 on, and than those of the batch itself.
+[[nodiscard]] Project withFreshParts(Project project, int draw, int count = freshPartCount);
+
+} // namespace sparkout

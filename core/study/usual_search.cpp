@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/usual_search.h"
+
+#include "core/batch/batch_check.h"
+#include "core/optimisation/levels.h"
+#include "core/optimisation/variants.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+#include "core/project/validate.h"
+#include "core/project/wheel.h"
+#include "core/study/search_edits.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace sparkout {
+
+namespace {
+
+/// A feed from one value to another.
+struct FeedRange {
+    double low = 0, high = 0;
+};
+
+/// By the required roughness: below 0.8 µm, from 0.8, from 1.6 µm; 0.8 where none is required.
+template <class Value>
+Value byRoughness(const Project& project, const std::array<Value, 3>& values) {
+    constexpr double usual_um = 0.8, coarse_um = 1.6;
+    const double ra_um = project.part->tolerance.roughness_ra_um.value_or(usual_um);
+    return ra_um < usual_um ? values[0] : ra_um < coarse_um ? values[1] : values[2];
+}
+
+bool isHard(const Project& project) {
+    constexpr double hard_hrc = 45;
+    return project.material->hardness_hrc.value_or(hard_hrc) >= hard_hrc;
+}
+
+/// The feeds of a stage that a machine can be set to.
+class FeedSteps {
+public:
+    /// `usual`: the step where the machine states none.
+    FeedSteps(const Project& project, const StageFeed& feed, double usual) {
+        const Range hard = tableOf<Optimisation>().find(feed.key)->hard;
+        const auto& range = project.machine->limits.*feed.range;
+        m_high = hard.high;
+        m_step = usual;
+        if (range && range->size() == 3) {
+            m_low = (*range)[0];
+            m_high = std::min(m_high, (*range)[1]);
+            m_step = (*range)[2] > 0 ? (*range)[2] : usual;
+        }
+    }
+
+    /// The nearest that can be set, above 0.
+    [[nodiscard]] double nearest(double value) const {
+        const double steps = std::round((std::clamp(value, m_low, m_high) - m_low) / m_step);
+        const double on = asWritten(m_low + steps * m_step);
+        return on > 0 ? on : asWritten(m_low + m_step);
+    }
+    /// Preferred numbers R10 of a range and both of its ends, each once, rising [ISO 3].
+    [[nodiscard]] std::vector<double> preferred(const FeedRange& range) const {
+        constexpr std::array series{1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0};
+        std::vector<double> levels{nearest(range.low), nearest(range.high)};
+        for (double decade = std::pow(10, std::floor(std::log10(range.low))); decade < range.high;
+             decade *= 10) {
+            for (const double each : series) {
+                if (each * decade > range.low && each * decade < range.high) {
+                    levels.push_back(nearest(each * decade));
+                }
+            }
+        }
+        std::ranges::sort(levels);
+        const auto rest = std::ranges::unique(levels);
+        levels.erase(rest.begin(), rest.end());
+        return levels;
+    }
+
+private:
+    double m_low = 0, m_high = 0, m_step = 0;
+};
+
+/// Fills the search of a project.
+class UsualSearch {
+public:
+    explicit UsualSearch(const Project& project) : m_project(project) {
+        for (const Stage& stage : project.cycle->stages) {
+            if ((stage.*radial().value).value_or(0) > 0) {
+                m_feeding.push_back(stage);
+            }
+        }
+        if (const auto steps = project.cycle->stages.back().sparkOutSteps()) {
+            m_sparkOut = *steps;
+        }
+    }
+
+    /// Whether there is a cycle to search about.
+    [[nodiscard]] bool hasCycle() const { return !m_feeding.empty(); }
+
+    [[nodiscard]] Optimisation search() const {
+        constexpr double step_mm = 1e-3;
+        Optimisation search;
+        search.stages = {2};
+        search.stock_step_mm = step_mm;
+        search.non_increasing = true;
+        search.scenarios = m_project.batch && checkBatch(m_project).empty()
+                               ? OptimisationScenarios::corners
+                               : OptimisationScenarios::stocks;
+        putFeeds(search);
+        putStocks(search);
+        search.unfed_steps = sparkOuts();
+        return search;
+    }
+
+private:
+    [[nodiscard]] const StageFeed& radial() const { return m_project.operation->radial(); }
+    [[nodiscard]] bool isPlunge() const { return m_project.operation->perMinute; }
+    [[nodiscard]] double rough() const { return *(m_feeding.front().*radial().value); }
+    [[nodiscard]] bool hasFinish() const { return m_feeding.size() > 1; }
+
+    [[nodiscard]] FeedRange plungeRough() const {
+        constexpr double ofBore = 0.5;
+        const Part& part = *m_project.part;
+        const bool hard = isHard(m_project);
+        const double removal_mm2_s =
+            (hard ? 2.0 : 3.0) * (part.surface == Surface::internal ? ofBore : 1);
+        const double most = std::min(removal_mm2_s * units::secondsPerMinute
+                                         / (std::numbers::pi * part.diameter_mm),
+                                     hard ? 1.2 : 1.6);
+        return {rough() / 2, std::max(most, rough())};
+    }
+    [[nodiscard]] FeedRange plungeFinish() const {
+        constexpr double least = 0.05;
+        const double now = hasFinish() ? *(m_feeding.back().*radial().value) : least;
+        return {std::min(least, now),
+                std::max(byRoughness(m_project, std::array{0.08, 0.125, 0.16}), now)};
+    }
+    [[nodiscard]] FeedRange strokeRough() const {
+        constexpr double most_mm = 0.025;
+        return {rough() / 2, std::max(std::min(1.6 * rough(), most_mm), rough())};
+    }
+    [[nodiscard]] FeedRange strokeFinish() const {
+        constexpr double most_mm = 0.005, ofRough = 0.7;
+        const double now = hasFinish() ? *(m_feeding.back().*radial().value)
+                                       : std::min(most_mm, ofRough * rough());
+        return {0.6 * now, std::max(std::min(2 * now, most_mm), now)};
+    }
+
+    void putFeeds(Optimisation& search) const {
+        constexpr double plungeStep_mm_min = 0.01, infeedStep_mm = 0.0005, axialStep_mm_min = 10;
+        const FeedSteps steps(m_project, radial(), isPlunge() ? plungeStep_mm_min : infeedStep_mm);
+        const std::vector<double> roughing =
+            steps.preferred(isPlunge() ? plungeRough() : strokeRough());
+        const std::vector<double> finishing =
+            steps.preferred(isPlunge() ? plungeFinish() : strokeFinish());
+        std::vector<double> levels;
+        std::ranges::set_union(roughing, finishing, std::back_inserter(levels));
+        search.*radial().levels = levels;
+        search.*radial().byStage = std::vector<std::vector<double>>{
+            {roughing.front(), roughing.back()}, {finishing.front(), finishing.back()}};
+        if (const StageFeed* axial = m_project.operation->axial()) {
+            constexpr double least = 0.15, most = 0.4; // of B·n
+            const double turn_mm_min =
+                m_project.wheel->width_mm * m_project.machine->work_speed_rpm;
+            search.*axial->levels = FeedSteps(m_project, *axial, axialStep_mm_min)
+                                        .preferred({least * turn_mm_min, most * turn_mm_min});
+        }
+    }
+
+    /// The least of the finishing stock is a floor: with less the lag of roughing decides on the
+    /// size.
+    void putStocks(Optimisation& search) const {
+        constexpr double least_mm = 0.015, usual_mm = 0.03, ofNow = 0.75, sparkOut_mm = 0.006;
+        const double step_mm = search.stock_step_mm, all_mm = m_project.part->stock_mm;
+        const double now_mm = hasFinish() ? m_feeding.back().stock_mm : usual_mm;
+        const auto onStep = [step_mm](double stock_mm) {
+            return asWritten(std::round(stock_mm / step_mm) * step_mm);
+        };
+        const double high_mm = std::max(std::min(onStep(2 * now_mm), onStep(all_mm / 2)), step_mm);
+        const double low_mm = std::min(onStep(std::max(least_mm, ofNow * now_mm)), high_mm);
+        std::vector<std::vector<double>> rows{{step_mm, all_mm}, {low_mm, high_mm}};
+        if (m_sparkOut > 0) {
+            rows.push_back({0, sparkOut_mm});
+        }
+        search.stage_stock_mm = std::move(rows);
+    }
+
+    [[nodiscard]] Levels sparkOuts() const {
+        if (m_sparkOut == 0) {
+            return {};
+        }
+        std::vector<double> counts{static_cast<double>(m_sparkOut)};
+        if (isPlunge()) {
+            constexpr double shortest_s = 3, longer = 1.5;
+            counts.push_back(std::max(std::round(shortest_s * m_project.machine->work_speed_rpm
+                                                 / units::secondsPerMinute),
+                                      1.0));
+            counts.push_back(std::round(longer * m_sparkOut));
+        } else {
+            counts.push_back(2);
+            counts.push_back(3);
+        }
+        std::ranges::sort(counts);
+        const auto rest = std::ranges::unique(counts);
+        counts.erase(rest.begin(), rest.end());
+        return counts;
+    }
+
+    const Project& m_project;
+    std::vector<Stage> m_feeding;
+    int m_sparkOut = 0; ///< steps; 0: the cycle has none
+};
+
+} // namespace
+
+Project usualSearch(Project project) {
+    const UsualSearch usual(project);
+    if (usual.hasCycle()) {
+        Project with = withPracticalLimits(project);
+        with.optimisation = usual.search();
+        if (!hasErrors(validate(with)) && Variants(with).fault() == GridFault::none) {
+            return with;
+        }
+    }
+    return withOfferedSearch(std::move(project));
+}
+
+} // namespace sparkout

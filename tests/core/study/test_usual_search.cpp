@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
+// A usual search about a project's cycle, and what its answer is good for.
+#include "core/study/usual_search.h"
+
+#include "core/batch/fresh_parts.h"
+#include "core/batch/scenario_source.h"
+#include "core/optimisation/levels.h"
+#include "core/phases/cycle_trial.h"
+#include "core/project/batch.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+#include "core/project/validate.h"
+#include "core/study/search.h"
+#include "tests/core/support/project_samples.h"
+#include "tests/registry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace sparkout::test_usual_search {
+
+Project example(const std::string& name) {
+    return samples::projectIn("resources/examples/" + name + ".sparkout");
+}
+
+/// A plunge of three stages as a starting cycle has them.
+Project journal() {
+    Project p = example("plunge-shaft-two-stage");
+    auto& stages = p.cycle->stages;
+    Stage finish = stages.front(), sparkOut;
+    stages.front().radial_feed_mm_min = 0.8;
+    finish.radial_feed_mm_min = 0.1;
+    finish.stock_mm = 0.04;
+    sparkOut.stock_mm = 0.004;
+    sparkOut.sparkOutFor(10);
+    stages.front().stock_mm = p.part->stock_mm - finish.stock_mm - sparkOut.stock_mm;
+    stages = {stages.front(), finish, sparkOut};
+    p.optimisation.reset();
+    return p;
+}
+
+int badFresh(const Project& project, int draw) {
+    const ScenarioSource source(withFreshParts(project, draw));
+    int bad = 0;
+    for (std::int64_t part = 0; part < source.parts(); ++part) {
+        bad += tried(source.project(part), {}).value().holds ? 0 : 1;
+    }
+    return bad;
+}
+
+class TestUsualSearch : public QObject {
+    Q_OBJECT
+
+private slots:
+    void itsGridIsAboutTheCycle() {
+        Project p = journal();
+        p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.02, 5, 0.01};
+        p.part->tolerance.roughness_ra_um = 0.8;
+        p.batch.reset();
+        const Project with = usualSearch(p);
+        QVERIFY(!hasErrors(validate(with)));
+        const Optimisation& search = *with.optimisation;
+        QCOMPARE(search.scenarios, OptimisationScenarios::stocks);
+        QVERIFY(search.non_increasing && !search.adaptive);
+        QCOMPARE(search.stages, std::vector<double>{2});
+        QCOMPARE(search.stock_step_mm, 0.001);
+        const std::vector<double> levels = levelValues(search.radial_feed_mm_min);
+        QVERIFY(std::ranges::is_sorted(levels));
+        for (const double level : levels) {
+            QVERIFY(std::abs(level * 100 - std::round(level * 100)) < 1e-6); // the machine's step
+        }
+        const auto& bounds = *search.stage_radial_feed_mm_min;
+        QCOMPARE(bounds.size(), std::size_t(2));
+        QCOMPARE(bounds[0][0], 0.4); // half of the roughing
+        QCOMPARE(bounds[1][0], 0.05);
+        QVERIFY(std::abs(bounds[1][1] - 0.125) < 0.0051); // in the machine's steps
+        const auto& stocks = *search.stage_stock_mm;
+        QCOMPARE(stocks.size(), std::size_t(3));
+        QCOMPARE(stocks[1][0], 0.03); // the floor: three quarters
+        QCOMPARE(stocks[1][1], std::min(0.08, std::round(p.part->stock_mm * 500) / 1000));
+        QCOMPARE(stocks[2][1], 0.006);
+        const std::vector<double> counts = levelValues(search.unfed_steps);
+        QVERIFY(std::ranges::count(counts, 10) == 1 && std::ranges::count(counts, 15) == 1);
+        QVERIFY(with.least_steps && with.least_overlap);
+        QVERIFY(search.work_speed_rpm == Levels());
+    }
+
+    // Half the removal rate in a bore, more in soft steel.
+    void roughingGoesToTheUsualRemovalRate() {
+        Project p = journal();
+        p.cycle->stages.front().radial_feed_mm_min = 0.2;
+        const auto most = [](const Project& project) {
+            return usualSearch(project).optimisation->stage_radial_feed_mm_min->front()[1];
+        };
+        p.material->hardness_hrc = 60;
+        const double hard = std::min(2 * 60 / (3.14159265 * p.part->diameter_mm), 1.2);
+        QVERIFY(std::abs(most(p) - hard) < 0.011);
+        p.material->hardness_hrc = 20;
+        QVERIFY(most(p) > hard);
+    }
+
+    void aProjectWithABatchIsSearchedForItsCorners() {
+        Project p = journal();
+        QVERIFY(p.batch.has_value());
+        QCOMPARE(usualSearch(p).optimisation->scenarios, OptimisationScenarios::corners);
+        p.batch->factors.stock_mm = Factor{};
+        p.batch->factors.stock_mm->uniform = std::vector<double>{-1, 5}; // cannot be run
+        QCOMPARE(usualSearch(p).optimisation->scenarios, OptimisationScenarios::stocks);
+    }
+
+    void everyExampleHasOne() {
+        for (const char* name : {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-factory",
+                                 "slender-shaft", "through-bore", "wheel-dull"}) {
+            const Project with = usualSearch(example(name));
+            QVERIFY2(!hasErrors(validate(with)), name);
+            QVERIFY2(Variants(with).fault() == GridFault::none, name);
+        }
+    }
+
+    // Between the corners a part may be bad: the answer is tried on parts drawn afresh.
+    void itsAnswerIsGoodForFreshParts() {
+        int answers = 0;
+        for (const char* name : {"plunge-shaft-two-stage", "shaft-30h6-factory"}) {
+            const Project with = usualSearch(example(name));
+            const SearchOutcomePtr found = search(with, {});
+            QVERIFY(found->ran());
+            if (!found->best()) {
+                continue;
+            }
+            ++answers;
+            QCOMPARE(found->robust->freshParts, freshPartCount);
+            const Project answer = withFound(with, *found->answer());
+            const int bad = badFresh(answer, 1000);
+            QVERIFY2(bad <= mostFailing(freshPartCount, found->robust->candidate) * freshPartCount,
+                     name);
+            QCOMPARE(badFresh(answer, found->robust->candidate), 0);
+        }
+        qInfo("usual searches with an answer: %d of 2", answers);
+    }
+
+    // The same as the search of the nominal part with every stock wished.
+    void everyStockIsASearchOfItsOwn() {
+        Project p = usualSearch(journal());
+        p.batch.reset();
+        p.optimisation->scenarios = OptimisationScenarios::stocks;
+        const SearchOutcomePtr stocks = search(p, {});
+        p.optimisation->scenarios = OptimisationScenarios::nominal;
+        const SearchOutcomePtr wished = search(p, {.phases = true});
+        QVERIFY(stocks->ran() && stocks->robust.has_value());
+        QCOMPARE(stocks->best() != nullptr, wished->best() != nullptr);
+        if (stocks->best()) {
+            QCOMPARE(stocks->answer()->time_s, wished->answer()->time_s);
+        }
+    }
+
+    void anAnswerAtAnEndOfSettingsIsSaid() {
+        Project p = example("shaft-30h6-factory");
+        p.optimisation->work_speed_rpm = std::vector<double>{150, 200};
+        p.optimisation->unfed_steps = std::vector<double>{0, 2, 4};
+        p.machine->limits.work_speed_rpm = std::vector<double>{50, 200, 1};
+        Cycle cycle = *p.cycle;
+        while (!cycle.stages.back().feeds()) {
+            cycle.stages.pop_back();
+        }
+        MachineSettings machine = machineSettings(p);
+        machine.work_speed_rpm = 200;
+        std::vector<SettingEdge> edges = settingEdgesReached(p, cycle, machine);
+        QCOMPARE(edges.size(), std::size_t(2));
+        QCOMPARE(std::string(edges[0].key), std::string("work_speed_rpm"));
+        QVERIFY(edges[0].isMost && edges[0].isLimit);
+        QCOMPARE(std::string(edges[1].key), std::string("spark_out"));
+        QVERIFY(!edges[1].isMost && edges[1].isLimit); // none: no grid goes beyond
+        machine.work_speed_rpm = 150;
+        edges = settingEdgesReached(p, cycle, machine);
+        QVERIFY(!edges[0].isMost && !edges[0].isLimit);
+        QCOMPARE(edges[0].limit, std::optional(50.0));
+        p.optimisation->work_speed_rpm = std::vector<double>{150}; // not searched
+        QCOMPARE(settingEdgesReached(p, cycle, machine).size(), std::size_t(1));
+    }
+};
+
+} // namespace sparkout::test_usual_search
+
+SPARKOUT_TEST(test_usual_search, TestUsualSearch)
+#include "test_usual_search.moc"
