@@ -178,7 +178,7 @@ private slots:
 
     void damagedPacksAreAnswered() {
         std::string text = writePack(samplePack());
-        const auto step = static_cast<std::size_t>(samples::sized(911, 6111, 97));
+        const auto step = static_cast<std::size_t>(samples::sized(911, 6111, 211));
         for (std::size_t length = 0; length < text.size(); length += step) {
             const std::string fault = faultOfPack(readPack(text.substr(0, length)));
             QVERIFY2(fault.empty(), (fault + " at " + std::to_string(length)).c_str());
@@ -193,7 +193,7 @@ private slots:
         auto pick = samples::fromSeed(20261127);
         const json whole = json::parse(text);
         int accepted = 0;
-        const int tries = samples::sized(200, 30, 10'000);
+        const int tries = samples::sized(200, 30, 4000);
         for (int i = 0; i < tries; ++i) {
             json file = whole;
             for (int changes = 1 + pick(3); changes > 0; --changes) {
