@@ -76,20 +76,31 @@ QPixmap judgedPixmap(JudgedState state, int size, qreal ratio, bool grey) {
     }
     const QPalette palette = QGuiApplication::palette();
     const bool isNominal = state == JudgedState::nominal;
-    QPixmap pixmap(QSize(size, size) * ratio);
-    pixmap.setDevicePixelRatio(ratio);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setOpacity(grey ? 0.4 : 1);
-    QPen pen(isNominal ? lightColour(Light::holds, palette)
-                       : palette.color(QPalette::PlaceholderText),
-             isNominal ? 2 : 1);
-    if (isNominal) {
-        pen.setDashPattern({1.5, 1});
+    const QColor colour =
+        isNominal ? lightColour(Light::holds, palette) : palette.color(QPalette::PlaceholderText);
+    const QString key = QStringLiteral("sparkout-ring %1 %2 %3 %4 %5")
+                            .arg(isNominal)
+                            .arg(size)
+                            .arg(ratio)
+                            .arg(grey)
+                            .arg(colour.rgb());
+    QPixmap pixmap;
+    if (!QPixmapCache::find(key, &pixmap)) {
+        pixmap = QPixmap(QSize(size, size) * ratio);
+        pixmap.setDevicePixelRatio(ratio);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setOpacity(grey ? 0.4 : 1);
+        QPen pen(colour, isNominal ? 2 : 1);
+        if (isNominal) {
+            pen.setDashPattern({1.5, 1});
+        }
+        painter.setPen(pen);
+        painter.drawEllipse(QRectF(2, 2, size - 4, size - 4));
+        painter.end();
+        QPixmapCache::insert(key, pixmap);
     }
-    painter.setPen(pen);
-    painter.drawEllipse(QRectF(2, 2, size - 4, size - 4));
     return pixmap;
 }
 
