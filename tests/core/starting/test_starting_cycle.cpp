@@ -391,14 +391,14 @@ private slots:
         QVERIFY(times >= 0.90 * all);
     }
 
-    /// n_k/n is near a part that leaves no waves, wherever 5 % either way are a whole turn of it:
-    /// from 10 on, in steps of 1 rev/min.
+    /// n_k/n is near a part that leaves no waves, wherever 5 % either way are a whole turn of it,
+    /// from 10 on, and a step of the machine does not pass such a part by.
     void workSpeedAvoidsWholeRatios() {
         constexpr std::uint64_t seed = 20261201;
-        constexpr double wholeTurn = 10;
+        constexpr double wholeTurn = 10, widthOfPart = 2 * 0.06;
         Random random(seed);
         int turns = 0;
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < 800; ++i) {
             const Drawn one = drawn(random, kinds[0]);
             const StartingCycle start = *startingProject(one.drawing, one.entries).start;
             const Machine& machine = *start.project.machine;
@@ -408,7 +408,8 @@ private slots:
             const auto& range = *machine.limits.work_speed_rpm;
             const bool isAtAnEnd =
                 machine.work_speed_rpm < 1.1 * range[0] || machine.work_speed_rpm > 0.9 * range[1];
-            if (ratio < wholeTurn || range[2] > 1 || isAtAnEnd) {
+            const double perStep = ratio / machine.work_speed_rpm * range[2];
+            if (ratio < wholeTurn || perStep > widthOfPart || isAtAnEnd) {
                 continue;
             }
             const double part = ratio - std::floor(ratio);
