@@ -107,7 +107,9 @@ std::string startText(const StartingCycle& start) {
     for (std::size_t i = 0; i < stages.size(); ++i) {
         text += labelled("stage " + std::to_string(i + 1), stageText(project, stages[i]));
     }
-    text += labelled("rough depth bound by", roughBoundText(start.bound));
+    text += labelled("rough depth bound by",
+                     std::string(roughBoundText(start.bound))
+                         + (start.isExceeded ? ", which the machine's lowest feed exceeds" : ""));
     return text + labelled("cycle", stocksText(decidePhases(project, usualPhases(project))));
 }
 

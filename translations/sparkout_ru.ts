@@ -2272,8 +2272,8 @@
             <translation>глубина прижога</translation>
         </message>
         <message>
-            <source>the machine&apos;s range of feeds</source>
-            <translation>диапазон подач станка</translation>
+            <source>the machine&apos;s highest feed</source>
+            <translation>наибольшая подача станка</translation>
         </message>
         <message>
             <source>the usual depth of cut</source>

@@ -240,6 +240,7 @@ double greatestDepth(const Rising& rising, double most) {
 struct BoundDepth {
     double depth_mm;
     RoughBound bound = RoughBound::table;
+    bool isExceeded = false; ///< by the machine's lowest feed
 
     void keepTo(double most_mm, RoughBound by) {
         if (most_mm < depth_mm) {
@@ -252,7 +253,8 @@ struct BoundDepth {
         const double wanted = depth_mm * perDepth;
         const double feed = settings.at(wanted, Rounding::down);
         const double slack = settings.step * 1e-6;
-        if (wanted < settings.low - slack || wanted > settings.high + slack) {
+        isExceeded = wanted < settings.low - slack;
+        if (wanted > settings.high + slack) {
             bound = RoughBound::range;
         }
         depth_mm = feed / perDepth;
@@ -369,7 +371,10 @@ Trial Rule::made(const BoundDepth& depth, Stage rough, Stage finish, Stage spark
     finish.stock_mm = rounded(finish.stock_mm);
     sparkOut.stock_mm = rounded(sparkOut.stock_mm);
     rough.stock_mm = rounded(m_project.part->stock_mm - finish.stock_mm - sparkOut.stock_mm);
-    Trial trial{{.project = m_project, .bound = depth.bound, .roughDepth_mm = depth.depth_mm}};
+    Trial trial{{.project = m_project,
+                 .bound = depth.bound,
+                 .isExceeded = depth.isExceeded,
+                 .roughDepth_mm = depth.depth_mm}};
     trial.cycle.project.cycle->stages = {std::move(rough), std::move(finish), std::move(sparkOut)};
     return trial;
 }
@@ -532,7 +537,7 @@ const char* roughBoundText(RoughBound bound) {
     case RoughBound::deflection:
         return SPARKOUT_NOOP("StartingCycle", "the deflection of machine and part");
     case RoughBound::burn: return SPARKOUT_NOOP("StartingCycle", "the depth of the burnt layer");
-    case RoughBound::range: return SPARKOUT_NOOP("StartingCycle", "the machine's range of feeds");
+    case RoughBound::range: return SPARKOUT_NOOP("StartingCycle", "the machine's highest feed");
     case RoughBound::table: break;
     }
     return SPARKOUT_NOOP("StartingCycle", "the usual depth of cut");

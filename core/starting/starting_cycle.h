@@ -18,7 +18,7 @@ enum class RoughBound {
     power,      ///< the wheel drive's power
     deflection, ///< of machine and part
     burn,       ///< the damaged layer
-    range,      ///< the machine's range of the feed
+    range,      ///< the machine's highest feed
 };
 /// Its name in files: "table", "power".
 [[nodiscard]] const char* roughBoundKey(RoughBound bound);
@@ -29,6 +29,7 @@ enum class RoughBound {
 struct StartingCycle {
     Project project;
     RoughBound bound = RoughBound::table;
+    bool isExceeded = false;  ///< the machine's lowest feed is more than that allows
     double roughDepth_mm = 0; ///< a, fed by a revolution or a double stroke of roughing [mm]
     double tableShare = 1;    ///< of the usual depth
 };
