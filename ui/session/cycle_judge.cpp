@@ -16,7 +16,7 @@ namespace {
 using namespace std::chrono_literals;
 
 /// While one types or drags outcomes follow each other faster.
-constexpr auto calm = 150ms;
+constexpr auto quietBefore = 150ms;
 /// Visits of a radius of a batch that is run by itself: about a second of one processor.
 constexpr std::int64_t mostVisits = 100'000'000;
 
@@ -30,7 +30,7 @@ bool isQuick(const Outcome& outcome) {
 CycleJudge::CycleJudge(const RunController& runs, Studies& studies, QObject* parent)
     : QObject(parent), m_runs(runs), m_studies(studies) {
     m_calm.setSingleShot(true);
-    m_calm.setInterval(calm);
+    m_calm.setInterval(quietBefore);
     connect(&m_calm, &QTimer::timeout, this, &CycleJudge::runBatch);
     connect(&m_runs, &RunController::stocksDecided, this, &CycleJudge::judgeAgain);
     for (StudyOf<BatchOutcome>* study : {&m_studies.batch, &m_studies.judged}) {

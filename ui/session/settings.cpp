@@ -25,7 +25,7 @@ const QString recentKey = QStringLiteral("recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString dialogKey = QStringLiteral("dialog/");
 const QString columnsKey = QStringLiteral("columns/");
-const QString stateKey = QStringLiteral("window/state");
+const QString windowStateKey = QStringLiteral("window/state");
 
 const QString english = QStringLiteral("en");
 const QString russian = QStringLiteral("ru");
@@ -183,12 +183,12 @@ QByteArray Settings::windowGeometry() const {
 }
 
 QByteArray Settings::windowState() const {
-    return asBytes(m_file->value(stateKey));
+    return asBytes(m_file->value(windowStateKey));
 }
 
 void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
     m_file->set(geometryKey, asText(geometry));
-    m_file->set(stateKey, asText(state));
+    m_file->set(windowStateKey, asText(state));
 }
 
 QByteArray Settings::dialogGeometry(const QString& name) const {

@@ -95,7 +95,8 @@ private slots:
         Project p = journal();
         p.cycle->stages.front().radial_feed_mm_min = 0.2;
         const auto most = [](const Project& project) {
-            return usualSearch(project).optimisation->stage_radial_feed_mm_min->front()[1];
+            const Project searched = usualSearch(project);
+            return searched.optimisation->stage_radial_feed_mm_min->front()[1];
         };
         p.material->hardness_hrc = 60;
         const double hard = std::min(2 * 60 / (3.14159265 * p.part->diameter_mm), 1.2);
@@ -107,10 +108,12 @@ private slots:
     void aProjectWithABatchIsSearchedForItsCorners() {
         Project p = journal();
         QVERIFY(p.batch.has_value());
-        QCOMPARE(usualSearch(p).optimisation->scenarios, OptimisationScenarios::corners);
+        const Project corners = usualSearch(p);
+        QCOMPARE(corners.optimisation->scenarios, OptimisationScenarios::corners);
         p.batch->factors.stock_mm = Factor{};
         p.batch->factors.stock_mm->uniform = std::vector<double>{-1, 5}; // cannot be run
-        QCOMPARE(usualSearch(p).optimisation->scenarios, OptimisationScenarios::stocks);
+        const Project stocks = usualSearch(p);
+        QCOMPARE(stocks.optimisation->scenarios, OptimisationScenarios::stocks);
     }
 
     void everyExampleHasOne() {

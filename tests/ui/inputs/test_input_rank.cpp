@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // Two ranks of inputs: the usual ones are seen, of the others those that say something here.
-#include "core/project/machine.h"
+#include "core/project/material.h"
 #include "core/project/measured.h"
 #include "core/project/member.h"
 #include "core/project/wheel.h"
@@ -112,10 +112,10 @@ private slots:
 
     void aChangedInputShowsAndItsDefaultHidesIt() {
         Bench bench(newProject(Operation::plunge));
-        const char* const path = "/machine/feed_change_delay_s";
+        const char* const path = "/material/friction";
         QVERIFY(!bench.shows(path));
         Project changed = bench.document.project();
-        changed.machine->feed_change_delay_s = 0.2;
+        changed.material->friction += 0.05;
         bench.document.edit(changed, {});
         QVERIFY(bench.shows(path));
         bench.document.undo();
@@ -124,10 +124,10 @@ private slots:
 
     void aCalibratedInputShows() {
         Project project = newProject(Operation::plunge);
-        const char* const path = "/machine/feed_change_delay_s";
+        const char* const path = "/material/friction";
         Calibration record;
         record.input = path;
-        record.value = project.machine->feed_change_delay_s;
+        record.value = project.material->friction;
         project.measured.emplace().calibrations.push_back(record);
         Bench bench(project);
         QVERIFY(bench.shows(path));
