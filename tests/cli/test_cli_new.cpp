@@ -77,7 +77,8 @@ private slots:
         QVERIFY(outcome.err.find("--force") != std::string::npos);
         QCOMPARE(samples::readText(file.toStdString()), std::string("mine"));
         QCOMPARE(run(arguments << "--force").status, 0);
-        QCOMPARE(projectOf(file).part->diameter_mm, 35.0);
+        const Project project = projectOf(file);
+        QCOMPARE(project.part->diameter_mm, 35.0);
     }
 
     void usageErrors_data() {
