@@ -3,8 +3,8 @@
 
 // The public face of the core: a project read and checked or made for a drawing, its cycle
 // simulated, held against the drawing, evaluated and judged, for which stocks it holds, what would
-// help, its batch, its sweep, its search; what was measured, read, judged and fitted, and the trials
-// to measure next; and the surfaces of a part that are ground in one set-up.
+// help, its batch, its sweep, its search; what was measured, read, judged and fitted, and the
+// trials to measure next; and the surfaces of a part that are ground in one set-up.
 
 #include "core/adequacy/adequacy_outputs.h"
 #include "core/batch/batch_check.h"

@@ -16716,8 +16716,8 @@ target, µm</source>
             <translation>Выполнено, но не определено: {names}</translation>
         </message>
         <message>
-            <source>Met, close to the limit: {name}, {margin} %</source>
-            <translation>Выполнено, близко к пределу: {name}, {margin} %</translation>
+            <source>Met, close to the limit: {name}, {share} %</source>
+            <translation>Выполнено, близко к пределу: {name}, {share} %</translation>
         </message>
         <message>
             <source>Fit for the batch: rejected {bad}</source>

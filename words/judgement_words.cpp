@@ -132,9 +132,9 @@ std::string JudgementWording::headline(const Judgement& judgement) const {
         return filled(SPARKOUT_NOOP("Judgement", "Met, except {names}: not decided"),
                       {{"names", names(judgement.notDecided)}});
     case JudgedState::close:
-        return filled(SPARKOUT_NOOP("Judgement", "Met, close to the limit: {name}, {margin} %"),
+        return filled(SPARKOUT_NOOP("Judgement", "Met, close to the limit: {name}, {share} %"),
                       {{"name", requirement(judgement.worst->kind)},
-                       {"margin", percent(std::max(judgement.worst->relativeMargin, 0.0))}});
+                       {"share", percent(std::max(judgement.worst->relativeMargin, 0.0))}});
     case JudgedState::batchHolds:
         return filled(SPARKOUT_NOOP("Judgement", "Fit for the batch: rejected {bad}"),
                       {{"bad", bad(*judgement.batch)}});

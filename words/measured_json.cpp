@@ -113,8 +113,9 @@ constexpr Output<HoldOutRow> holdOutRows[] = {
     {{.key = "trace", .hint = "its number in the project; no calibrated input rests on it"},
      [](const HoldOutRow& r) { return std::int64_t{r.trace}; }},
     {{.key = "quantity",
-      .hint = "time: between two sizes, from the middle of the first feed to the end of the last; "
-              "spark_out: removed of the diameter after the last feed; power: mean over the feeds"},
+      .hint =
+          "time: between two sizes, from the middle of the first feed to the end of the last; "
+          "after_feeds: removed of the diameter after the last feed; power: mean over the feeds"},
      [](const HoldOutRow& r) { return std::string(wordsOf(r.quantity).key); }},
     {{.key = "unit"}, [](const HoldOutRow& r) { return std::string(unitOf(r.quantity)); }},
     {{.key = "measured"}, [](const HoldOutRow& r) { return r.measured; }},

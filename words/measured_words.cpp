@@ -93,9 +93,9 @@ MeasuredWords wordsOf(SupportedLaw law) {
 
 MeasuredWords wordsOf(HoldOutQuantity quantity) {
     switch (quantity) {
-    case HoldOutQuantity::spark_out:
-        return {"spark_out", SPARKOUT_NOOP("Measured", "removed after the last feed, on the "
-                                                       "diameter")};
+    case HoldOutQuantity::after_feeds:
+        return {"after_feeds", SPARKOUT_NOOP("Measured", "removed after the last feed, on the "
+                                                         "diameter")};
     case HoldOutQuantity::power:
         return {"power", SPARKOUT_NOOP("Measured", "mean wheel power over the feeds")};
     case HoldOutQuantity::time: break;
@@ -201,7 +201,7 @@ const char* unitOf(FittedKind kind) {
 
 const char* unitOf(HoldOutQuantity quantity) {
     switch (quantity) {
-    case HoldOutQuantity::spark_out: return SPARKOUT_NOOP("Unit", "µm");
+    case HoldOutQuantity::after_feeds: return SPARKOUT_NOOP("Unit", "µm");
     case HoldOutQuantity::power: return SPARKOUT_NOOP("Unit", "kW");
     case HoldOutQuantity::time: break;
     }

@@ -220,11 +220,12 @@ void compareSizes(const HeldOutTrace& trace, const std::vector<Predicted>& ends,
                              })));
     }
     const double rest_s = nominal.end_s - nominal.lastFeed_s;
-    if (rest_s > 0 && trace.covers(nominal.lastFeed_s + rest_s / 2, nominal.end_s)) {
-        constexpr double tail = 0.25; // of the spark-out, where it hardly removes any more
+    constexpr double tail = 0.25; // of the spark-out, where it hardly removes any more
+    if (rest_s > 0
+        && trace.covers(nominal.lastFeed_s + rest_s / 2, nominal.end_s - tail / 2 * rest_s)) {
         const Excess end = trace.excess(nominal.end_s - tail * rest_s, nominal.end_s);
         constexpr double um = 1e3;
-        rows.push_back(rowOf(trace.number(), HoldOutQuantity::spark_out,
+        rows.push_back(rowOf(trace.number(), HoldOutQuantity::after_feeds,
                              um * (to_mm - nominal.sizeAt(nominal.end_s)),
                              um * (last.mean - end.mean), um * std::hypot(last.error, end.error),
                              rangeOf(nominal, ends, [](const Predicted& p) {

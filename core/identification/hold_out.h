@@ -15,9 +15,9 @@ namespace sparkout {
 /// What is compared. None depends on the clock of the recorder, and the first two do not depend on
 /// the zero of the gauge more than the alignment of the curves does.
 enum class HoldOutQuantity {
-    time,      ///< s between two sizes: from the middle of the first feed to the end of the last
-    spark_out, ///< µm of diameter removed after the last feed
-    power      ///< kW, mean over the feeds; where the idle power is stated
+    time,        ///< s between two sizes: from the middle of the first feed to the end of the last
+    after_feeds, ///< µm of diameter removed after the last feed
+    power        ///< kW, mean over the feeds; where the idle power is stated
 };
 
 struct HoldOutRow {

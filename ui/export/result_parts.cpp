@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/result_parts.h"
 
+#include "core/judgement/judgement.h"
 #include "core/process/profile.h"
 #include "core/project/part.h"
-#include "core/quality/result_json.h"
 #include "core/quality/run_summary.h"
 #include "core/units.h"
 #include "ui/charts/result_tables.h"
@@ -14,6 +14,7 @@
 #include "ui/text/example_texts.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
+#include "words/judgement_json.h"
 
 #include <QCoreApplication>
 
@@ -127,7 +128,9 @@ std::size_t traceRows(const Outcome& outcome) {
 }
 
 QByteArray resultJsonBytes(const Outcome& outcome) {
-    return QByteArray::fromStdString(resultJson(outcome.result, outcome.constraints));
+    return QByteArray::fromStdString(judgedResultJson(
+        outcome.result, outcome.constraints,
+        judge(outcome.result, outcome.constraints, judgeStocks(outcome.result), std::nullopt)));
 }
 
 } // namespace sparkout

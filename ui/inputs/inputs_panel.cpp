@@ -9,7 +9,6 @@
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/theme_icon.h"
-#include "ui/session/settings.h"
 #include "ui/text/texts.h"
 
 #include <QApplication>
@@ -74,10 +73,7 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent, Settings* settings
             noteRefusals();
             emit refusalsChanged();
         });
-        connect(page, &FormPage::allInputsChosen, this, [this, settings](bool all) {
-            if (settings) {
-                settings->setAllInputs(all);
-            }
+        connect(page, &FormPage::allInputsChosen, this, [this](bool all) {
             for (FormPage* one : m_pages) {
                 one->setAllInputs(all);
             }

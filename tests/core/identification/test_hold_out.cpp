@@ -100,7 +100,7 @@ private slots:
     void aMachineThatHasChangedDoesNot() {
         const std::vector<HoldOutRow> found = holdOut(heldAgainst(1.2, 1.5, 3, 5));
         QCOMPARE(found.size(), std::size_t{2});
-        QVERIFY(found.back().quantity == HoldOutQuantity::spark_out);
+        QVERIFY(found.back().quantity == HoldOutQuantity::after_feeds);
         for (const HoldOutRow& row : found) {
             qInfo("%s: measured %.3f, predicted %.3f", wordsOf(row.quantity).key, row.measured,
                   row.predicted);

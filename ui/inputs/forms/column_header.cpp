@@ -18,7 +18,7 @@ namespace sparkout {
 namespace {
 
 /// Of a title, left and right; where the columns have no room the narrower one.
-constexpr int wideMargin = 3, narrowMargin = 1;
+constexpr int wideMargin = 3, narrowMargin = 0;
 
 } // namespace
 

@@ -6,7 +6,7 @@
 #include "core/project/member.h"
 #include "core/setup/shared_members.h"
 #include "core/study/batch_edits.h"
-#include "core/study/search_edits.h"
+#include "core/study/usual_search.h"
 #include "ui/fields/reason_label.h"
 #include "ui/fields/shared_mark.h"
 #include "ui/inputs/forms/catalogue_bar.h"
@@ -97,7 +97,12 @@ void FormPage::build() {
     m_all->setAutoRaise(true);
     m_all->setChecked(m_rank.showsAll);
     layout->addWide(m_all);
-    connect(m_all, &QToolButton::toggled, this, &FormPage::allInputsChosen);
+    connect(m_all, &QToolButton::toggled, this, [this](bool all) {
+        if (m_settings) {
+            m_settings->setAllInputs(all);
+        }
+        emit allInputsChosen(all);
+    });
     retranslate();
     giveAccess();
     showProject(true);
@@ -201,6 +206,8 @@ void FormPage::addRow(const Field& field, const std::string& path, Place into) {
     connectRow(*row);
     if (helper && !helper->standsFirst()) {
         addHelper(helper, path, into);
+    } else if (helper) { // from top to bottom, as one sees them
+        setTabOrder(helper, row->editor().widget());
     }
     if (auto* line = qobject_cast<QLineEdit*>(row->editor().widget()); line && helper) {
         connect(line, &QLineEdit::editingFinished, helper, [row, line, helper] {
@@ -289,7 +296,7 @@ void FormPage::toggleOptional(const Box& box, bool given) {
     if (given && box.path == batchPath) {
         project = withUsualBatch(std::move(project));
     } else if (given && box.path == searchPath) {
-        project = withOfferedSearch(std::move(project));
+        project = usualSearch(std::move(project));
     } else if (given) {
         box.field->object(member.owner, true);
     } else {
@@ -333,6 +340,12 @@ void FormPage::showRank(const InputRank& rank) {
     for (const auto& [helper, path] : m_helpers) {
         const FormRow* const row = rowAt(path);
         FormAccess::hide(*helper, row && !row->isShown());
+    }
+    if (m_projectBox) {
+        m_projectBox->setVisible(std::ranges::any_of(m_rows, [](const FormRow* row) {
+            return row->isShown() && row->editor().field().kind == Kind::text
+                   && row->editor().path().rfind('/') == 0;
+        }));
     }
     for (const Box& box : m_boxes) { // those within another come before it
         const auto isIn = [&box](const std::string& path) {

@@ -8,7 +8,7 @@
 #include "core/project/wheel.h"
 #include "core/study/batch_edits.h"
 #include "core/study/measured_form.h"
-#include "core/study/search_edits.h"
+#include "core/study/usual_search.h"
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/kit/font_size.h"
 #include "ui/session/document.h"
@@ -58,11 +58,11 @@ const Offer usualBatch{
                       "50 parts whose stock, runout and dullness scatter about the present "
                       "inputs")};
 
-const Offer usualSearch{
+const Offer searchOffer{
     "noSearch",
     "addSearch",
     [](const Project& project) { return project.optimisation.has_value(); },
-    withOfferedSearch,
+    usualSearch,
     {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")},
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "What a search is for"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
@@ -136,7 +136,7 @@ RowHelper* makeRowHelper(const std::string& path, Document& document, QWidget* p
         return new OfferHelper(usualBatch, document, parent);
     }
     if (path == "/optimisation") {
-        return new OfferHelper(usualSearch, document, parent);
+        return new OfferHelper(searchOffer, document, parent);
     }
     if (path == "/machine/geometric_runout_um") {
         return new OfferHelper(formOfMachine, document, parent);
@@ -244,6 +244,7 @@ SizeHelper::SizeHelper(Document& document, QWidget* parent)
     , m_size(new QLineEdit(this))
     , m_meaning(noteLabel(this, "sizeMeaning")) {
     m_size->setObjectName(QStringLiteral("sizeField"));
+    setFocusProxy(m_size);
     setTextWidth(*m_size, metrics::field);
     m_size->setMaxLength(40);
     m_label->setTextFormat(Qt::PlainText);

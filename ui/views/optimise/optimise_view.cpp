@@ -5,6 +5,7 @@
 #include "core/project/optimisation.h"
 #include "core/setup/surface_wear.h"
 #include "core/study/search_edits.h"
+#include "core/study/usual_search.h"
 #include "ui/charts/compare_plot.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/value_model.h"
@@ -118,7 +119,7 @@ void OptimiseView::connectParts() {
         // The view is of the inputs that were accepted last; those of now may have a grid.
         emit editWanted(
             [](Project project) {
-                return project.optimisation ? project : withOfferedSearch(std::move(project));
+                return project.optimisation ? project : usualSearch(std::move(project));
             },
             {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")});
     });

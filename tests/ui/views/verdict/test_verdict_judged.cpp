@@ -151,7 +151,7 @@ private slots:
                  QStringLiteral("Годен для партии: брак 0 из 50 (≤ 7,1 %)"));
         QCOMPARE(said(JudgedState::nominal), QStringLiteral("Только номинальная деталь"));
         QCOMPARE(said(JudgedState::fails),
-                 QStringLiteral("Не выполнено: мин. диаметр на 10,70 мкм"));
+                 QStringLiteral("Не выполнено: наим. диаметр на 10,70 мкм"));
         language.apply(QStringLiteral("en"));
         QLocale::setDefault(QLocale::c());
     }
