@@ -33,10 +33,9 @@ std::string pathOfStage(std::size_t stage) {
     return std::string(inStages) + std::to_string(stage);
 }
 
-/// A machine's step, or a tenfold of it that is still fine for such a value: from a fiftieth of it
-/// down, so that the values of a remedy's interval differ noticeably.
+/// A machine's step, or a tenfold of it that is still fine for such a value.
 double stepFor(double value, double step) {
-    constexpr double fineEnough = 50;
+    constexpr double fineEnough = 500;
     while (step * 10 * fineEnough <= std::abs(value)) {
         step *= 10;
     }

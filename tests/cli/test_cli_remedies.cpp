@@ -38,7 +38,7 @@ private slots:
     void initTestCase() { begin(); }
 
     void jsonSaysWhatTheEngineFindsAndItsPatchesHold() {
-        const QString file = examplePath("slender-shaft");
+        const QString file = examplePath("wheel-dull");
         const Outcome outcome = run({"remedies", file, "--json"});
         QCOMPARE(outcome.status, 0);
         const json answer = json::parse(outcome.out);
@@ -79,9 +79,9 @@ private slots:
     }
 
     void peopleReadALineForEach() {
-        const Outcome outcome = run({"remedies", examplePath("slender-shaft")});
+        const Outcome outcome = run({"remedies", examplePath("wheel-dull")});
         QCOMPARE(outcome.status, 0);
-        QVERIFY2(outcome.out.starts_with("diameter_min fails in rz1\n  "), outcome.out.c_str());
+        QVERIFY2(outcome.out.starts_with("diameter_min fails in "), outcome.out.c_str());
         QVERIFY2(outcome.out.find(" of stage ") != std::string::npos, outcome.out.c_str());
         QVERIFY2(outcome.out.find("all requirements are met; the cycle takes ")
                      != std::string::npos,

@@ -323,7 +323,7 @@ class Studies(unittest.TestCase):
             sparkout.check_work("{}")
 
     def test_remedies_are_those_of_the_command_line_and_hold(self):
-        file = EXAMPLES / "slender-shaft.sparkout"
+        file = EXAMPLES / "wheel-dull.sparkout"
         found = sparkout.remedies(sparkout.Project.read(file))
         stated = cli("remedies", file, "--json")
         self.assertEqual(found.to_dict(), stated)

@@ -203,9 +203,9 @@ private slots:
             wrong.erase("grid_size");
             QVERIFY(!faultOf("search", wrong).empty());
         }
-        const SimulationResult slender = simulate(example("slender-shaft"));
-        const json remedies = json::parse(
-            remediesJson(slender.project, findRemedies(slender, evaluateConstraints(slender))));
+        const SimulationResult dull = simulate(example("wheel-dull"));
+        const json remedies =
+            json::parse(remediesJson(dull.project, findRemedies(dull, evaluateConstraints(dull))));
         QCOMPARE(faultOf("remedies", remedies), std::string());
         QVERIFY(!remedies.at("remedies").empty());
         for (const json& remedy : remedies.at("remedies")) {

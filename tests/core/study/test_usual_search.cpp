@@ -10,6 +10,7 @@
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
+#include "core/project/material.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
@@ -42,6 +43,10 @@ Project journal() {
     stages = {stages.front(), finish, sparkOut};
     p.optimisation.reset();
     return p;
+}
+
+OptimisationScenarios scenariosOf(const Project& project) {
+    return project.optimisation->scenarios;
 }
 
 int badFresh(const Project& project, int draw) {
@@ -95,8 +100,8 @@ private slots:
         Project p = journal();
         p.cycle->stages.front().radial_feed_mm_min = 0.2;
         const auto most = [](const Project& project) {
-            const Project searched = usualSearch(project);
-            return searched.optimisation->stage_radial_feed_mm_min->front()[1];
+            const Project with = usualSearch(project);
+            return with.optimisation->stage_radial_feed_mm_min->front()[1];
         };
         p.material->hardness_hrc = 60;
         const double hard = std::min(2 * 60 / (3.14159265 * p.part->diameter_mm), 1.2);
@@ -108,12 +113,10 @@ private slots:
     void aProjectWithABatchIsSearchedForItsCorners() {
         Project p = journal();
         QVERIFY(p.batch.has_value());
-        const Project corners = usualSearch(p);
-        QCOMPARE(corners.optimisation->scenarios, OptimisationScenarios::corners);
+        QCOMPARE(scenariosOf(usualSearch(p)), OptimisationScenarios::corners);
         p.batch->factors.stock_mm = Factor{};
         p.batch->factors.stock_mm->uniform = std::vector<double>{-1, 5}; // cannot be run
-        const Project stocks = usualSearch(p);
-        QCOMPARE(stocks.optimisation->scenarios, OptimisationScenarios::stocks);
+        QCOMPARE(scenariosOf(usualSearch(p)), OptimisationScenarios::stocks);
     }
 
     void everyExampleHasOne() {

@@ -70,7 +70,7 @@ class TestRemedyOffers : public QObject {
 
 private slots:
     void aClickTakesARemedyAndUndoBringsBackWhatWas() {
-        OpenBench bench(QStringLiteral("en"), examplePath("slender-shaft"));
+        OpenBench bench(QStringLiteral("en"), examplePath("wheel-dull"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         QVERIFY(offers.section.isVisible());
@@ -107,7 +107,7 @@ private slots:
     }
 
     void theKeyboardReachesAndTakesIt() {
-        OpenBench bench(QStringLiteral("en"), examplePath("slender-shaft"));
+        OpenBench bench(QStringLiteral("en"), examplePath("wheel-dull"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         const OutcomePtr outcome = bench.window->outcome();
@@ -122,7 +122,7 @@ private slots:
     }
 
     void aRussianWindowHasRussianWordsAndNumbers() {
-        OpenBench bench(QStringLiteral("ru"), examplePath("slender-shaft"));
+        OpenBench bench(QStringLiteral("ru"), examplePath("wheel-dull"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         bool feeds = false;
@@ -171,7 +171,7 @@ private slots:
     }
 
     void anEditEndsTheSearchOfTheInputsBefore() {
-        OpenBench bench(QStringLiteral("en"), examplePath("slender-shaft"));
+        OpenBench bench(QStringLiteral("en"), examplePath("wheel-dull"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         QSignalSpy found(&offers.finder, &RemedyFinder::found);
@@ -219,7 +219,7 @@ private slots:
     void theLinesHaveRoomAlsoInLargeType() {
         for (const char* language : {"en", "ru"}) {
             for (const int percent : {100, 130}) {
-                OpenBench bench(QString::fromUtf8(language), examplePath("slender-shaft"));
+                OpenBench bench(QString::fromUtf8(language), examplePath("wheel-dull"));
                 if (percent != usualFontSize) {
                     bench.action(("fontSize-" + QByteArray::number(percent)).constData())
                         ->trigger();
