@@ -4,6 +4,7 @@
 #include "core/batch/scenario_source.h"
 #include "core/judgement/judgement.h"
 #include "core/project/batch.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/requirement_cells.h"
 #include "ui/text/judgement_text.h"
