@@ -168,7 +168,7 @@ std::vector<SettingEdge> settingEdgesReached(const Project& searched, const Cycl
         add("dwell_entry_s", search.dwell_entry_s, machine.dwell_entry_s, std::nullopt);
         add("dwell_exit_s", search.dwell_exit_s, machine.dwell_exit_s, std::nullopt);
     }
-    add("spark_out", search.unfed_steps, cycle.stages.back().sparkOutSteps().value_or(0),
+    add(Stage::sparkOutKey, search.unfed_steps, cycle.stages.back().sparkOutSteps().value_or(0),
         std::nullopt);
     return edges;
 }

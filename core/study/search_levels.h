@@ -29,7 +29,7 @@ struct LevelEdge {
 
 /// A setting of the machine, or the spark-out, that is the least or the greatest level of its grid.
 struct SettingEdge {
-    const char* key = ""; ///< of its row in the search: "work_speed_rpm", "spark_out"
+    const char* key = ""; ///< of its row in the search: "work_speed_rpm"
     double level = 0;
     bool isMost = false;         ///< the greatest, else the least
     std::optional<double> limit; ///< what the machine's range, or the row's own, goes on to
