@@ -16095,7 +16095,7 @@ target, µm</source>
         </message>
         <message>
             <source>Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would begin with for this part, wheel and machine; an estimate</source>
-            <translation>Частота вращения детали, подачи, припуски, выхаживание, перебеги и выстой, с которых начал бы цех для этой детали, круга и станка; оценка</translation>
+            <translation>Частота вращения заготовки, подачи, припуски, выхаживание, перебеги и выстой, с которых начал бы цех для этой детали, круга и станка; оценка</translation>
         </message>
     </context>
     <context>

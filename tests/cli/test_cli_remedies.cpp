@@ -124,6 +124,7 @@ private slots:
             json::parse(samples::readText(examplePath("plunge-shaft-two-stage").toStdString()));
         waits["cycle"]["stages"][1]["radial_feed_mm_min"] = 0;
         waits["cycle"]["stages"][1]["spark_out"] = "until_size";
+        waits.erase("batch");
         const QString file = save("waits.sparkout", waits.dump());
         const Outcome outcome = run({"remedies", file});
         QVERIFY2(outcome.out.starts_with("the cycle does not end by itself\n  "),

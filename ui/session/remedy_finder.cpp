@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/remedy_finder.h"
 
+#include "core/remedies/remedy_setting.h"
+
 #include <chrono>
 #include <utility>
 
@@ -42,8 +44,25 @@ void RemedyFinder::end() {
     m_end.request_stop();
 }
 
+/// A first setting of a slow cycle takes its time: that it is tried is shown before.
+void RemedyFinder::reportBegun(const OutcomePtr& outcome) {
+    if (remedyGoal(outcome->result, outcome->constraints) == RemedyGoal::none) {
+        return; // stocks and batch are asked first
+    }
+    QTimer::singleShot(betweenReports, this, [this, outcome, search = m_search] {
+        if (m_running && !m_hasReported && search == m_search) {
+            RemedyResult none;
+            none.settings = remedySettings(outcome->result.project).size();
+            emit found(outcome, std::make_shared<const RemedyResult>(std::move(none)));
+        }
+    });
+}
+
 void RemedyFinder::start() {
     m_end = std::stop_source();
+    m_hasReported = false;
+    ++m_search;
+    reportBegun(m_outcome);
     m_job.start([this, outcome = std::exchange(m_outcome, nullptr),
                  ended = m_end](const std::stop_token& stop, const NewestJob::Post& post) {
         std::stop_source either;
@@ -52,6 +71,7 @@ void RemedyFinder::start() {
         const auto report = [&](const RemedyResult& result, bool isLast) {
             post([this, outcome, isLast, result = std::make_shared<const RemedyResult>(result)] {
                 m_running = !isLast;
+                m_hasReported = true;
                 emit found(outcome, result);
             });
         };

@@ -35,12 +35,15 @@ signals:
 
 private:
     void start();
+    void reportBegun(const OutcomePtr& outcome);
 
     OutcomePtr m_outcome; ///< that waits
     QTimer m_calm;
     std::stop_source m_end;
     bool m_running = false;
-    NewestJob m_job; ///< last: stopped before what it uses is gone
+    bool m_hasReported = false;
+    int m_search = 0; ///< its number
+    NewestJob m_job;  ///< last: stopped before what it uses is gone
 };
 
 } // namespace sparkout

@@ -98,14 +98,13 @@ private slots:
     }
 
     void aMachineThatHasChangedDoesNot() {
-        const std::vector<HoldOutRow> found = holdOut(heldAgainst(1.2, 1.5, 3, 5));
-        QCOMPARE(found.size(), std::size_t{2});
-        QVERIFY(found.back().quantity == HoldOutQuantity::after_feeds);
+        const std::vector<HoldOutRow> found = holdOut(heldAgainst(1.2, 1.5, 6, 5));
+        QVERIFY(!found.empty());
         for (const HoldOutRow& row : found) {
-            qInfo("%s: measured %.3f, predicted %.3f", wordsOf(row.quantity).key, row.measured,
-                  row.predicted);
+            qInfo("%s: measured %.3f, predicted %.3f (%.3f…%.3f)", wordsOf(row.quantity).key,
+                  row.measured, row.predicted, row.predicted95.low, row.predicted95.high);
         }
-        QVERIFY(!found.back().agrees()); // a duller wheel leaves more for the spark-out
+        QVERIFY(!std::ranges::all_of(found, &HoldOutRow::agrees)); // a duller wheel lags more
     }
 
     void nothingIsHeldOutWithoutACalibrationOrAnotherTrace() {

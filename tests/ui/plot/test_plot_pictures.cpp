@@ -195,8 +195,8 @@ private slots:
         QVERIFY(bytes.startsWith("%PDF-") && bytes.trimmed().endsWith("%%EOF"));
         const QString text =
             output(QStringLiteral("pdftotext"), {path("document.pdf"), QStringLiteral("-")});
-        for (const char* part : {"Подачи по ступеням", "Shaft 30h6", "Время, мин",
-                                 "Продольная,", "фактическая подача", "РЗ1"}) {
+        for (const char* part : {"Подачи по ступеням", "Shaft 30h6", "Время, мин", "Продольная,",
+                                 "фактическая подача", "РЗ1"}) {
             QVERIFY2(text.contains(QString::fromUtf8(part)), qPrintable(text));
         }
         // Every font is embedded, no page is a picture.

@@ -177,7 +177,7 @@ private slots:
         QSignalSpy found(&offers.finder, &RemedyFinder::found);
         Project project = bench.window->document().project();
         for (int i = 0; i < 20; ++i) {
-            project.machine->wheel_speed_m_s = 30 + 0.1 * i;
+            project.machine->wheel_speed_m_s = 30.05 + 0.1 * i;
             bench.window->document().edit(project, {"Edit", "x"});
             QVERIFY(!offers.take(1).isEnabled());
             QTest::qWait(10);

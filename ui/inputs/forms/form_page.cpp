@@ -207,7 +207,7 @@ void FormPage::addRow(const Field& field, const std::string& path, Place into) {
     if (helper && !helper->standsFirst()) {
         addHelper(helper, path, into);
     } else if (helper) { // from top to bottom, as one sees them
-        setTabOrder(helper, row->editor().widget());
+        setTabOrder(helper->focusProxy(), row->editor().widget());
     }
     if (auto* line = qobject_cast<QLineEdit*>(row->editor().widget()); line && helper) {
         connect(line, &QLineEdit::editingFinished, helper, [row, line, helper] {
