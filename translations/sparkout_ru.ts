@@ -16009,9 +16009,9 @@ target, µm</source>
         <message numerus="yes">
             <source>%n double strokes</source>
             <translation>
-                <numerusform>%n дв. ход</numerusform>
-                <numerusform>%n дв. хода</numerusform>
-                <numerusform>%n дв. ходов</numerusform>
+                <numerusform>%n дв. х.</numerusform>
+                <numerusform>%n дв. х.</numerusform>
+                <numerusform>%n дв. х.</numerusform>
             </translation>
         </message>
         <message numerus="yes">

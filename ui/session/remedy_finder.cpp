@@ -46,12 +46,14 @@ void RemedyFinder::end() {
 
 /// A first setting of a slow cycle takes its time: that it is tried is shown before.
 void RemedyFinder::reportBegun(const OutcomePtr& outcome) {
-    if (remedyGoal(outcome->result, outcome->constraints) == RemedyGoal::none) {
+    const RemedyGoal goal = remedyGoal(outcome->result, outcome->constraints);
+    if (goal == RemedyGoal::none) {
         return; // stocks and batch are asked first
     }
-    QTimer::singleShot(betweenReports, this, [this, outcome, search = m_search] {
+    QTimer::singleShot(betweenReports, this, [this, outcome, goal, search = m_search] {
         if (m_running && !m_hasReported && search == m_search) {
             RemedyResult none;
+            none.goal = goal;
             none.settings = remedySettings(outcome->result.project).size();
             emit found(outcome, std::make_shared<const RemedyResult>(std::move(none)));
         }
