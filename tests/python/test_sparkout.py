@@ -374,7 +374,8 @@ class Studies(unittest.TestCase):
     def test_a_cycle_that_does_not_end_is_no_measure_of_time(self):
         project = sparkout.Project.read(EXAMPLES / "plunge-shaft-two-stage.sparkout").with_values({
             "/cycle/stages/1/radial_feed_mm_min": 0,
-            "/cycle/stages/1/spark_out": "until_size"})
+            "/cycle/stages/1/spark_out": "until_size",
+            "/batch": None})
         found = sparkout.remedies(project)
         self.assertGreater(len(found.remedies), 0)
         for each in found.remedies:

@@ -129,7 +129,7 @@ private slots:
         QVERIFY(bench.open());
         const QString file = bench.folder.filePath(QStringLiteral("other.pdf"));
         trouble::write(file, QByteArrayLiteral("%PDF-1.4 of somebody else"));
-        DialogAnswers answers({QStringLiteral("ok")});
+        DialogAnswers answers({QStringLiteral("Enter")});
         bench.window->files().openInstead(file);
         ANSWERED(answers);
         QCOMPARE(bench.document().filePath(), bench.path);
@@ -142,7 +142,7 @@ private slots:
         QSignalSpy chosen(&bench.window->files(), &FileCommands::measurementsChosen);
         const QString file = bench.folder.filePath(QStringLiteral("parts.csv"));
         trouble::write(file, QByteArrayLiteral("part;diameter_mm\n1;30.001\n2;30.002\n"));
-        DialogAnswers answers({QStringLiteral("cancel")});
+        DialogAnswers answers({QStringLiteral("Escape")});
         bench.window->files().openInstead(file);
         ANSWERED(answers);
         QCOMPARE(chosen.size(), 1);

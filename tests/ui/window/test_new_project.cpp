@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A new project: its drawing is yet to be given, and until then nothing is said of it.
+#include "core/format/difference.h"
+#include "core/phases/phase_decision.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/starting/starting_project.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -18,6 +24,7 @@
 #include "ui/window/file_commands.h"
 
 #include <QAction>
+#include <QPushButton>
 
 #include <map>
 
@@ -161,6 +168,44 @@ private slots:
         QCOMPARE(bench.window->document().openInputs().size(), std::size_t(1));
         bench.window->document().redo();
         QTRY_VERIFY(bench.window->outcome()->ran());
+    }
+
+    // The cycle is the starting one of the drawing, and follows it until something else is changed.
+    void aCompleteDrawingHasAStartingCycleThatFollowsIt() {
+        NewBench bench("newPlunge");
+        QVERIFY(bench.incomplete());
+        bench.type("/part/diameter_mm", QStringLiteral("35k6"));
+        bench.type("/part/length_mm", QStringLiteral("28"));
+        bench.type("/part/stock_mm", QStringLiteral("0.15"));
+        Document& document = bench.window->document();
+        QVERIFY(document.openInputs().empty());
+        const auto startingOf = [](const Project& project) {
+            return firstDifference(withStartingCycle(project), project);
+        };
+        QCOMPARE(startingOf(document.project()), std::string());
+        QCOMPARE(document.project().cycle->stages.size(), 3u);
+        QVERIFY(!document.project().cycle->stages.back().feeds());
+        QCOMPARE(document.project().machine->name, std::string("3М151"));
+        const auto segments = document.project().part->shaft.segments;
+        QCOMPARE(segments.size(), 1u);
+        QCOMPARE(segments.front().length_mm, 28.0);
+        QTRY_VERIFY(bench.window->outcome()->ran());
+        QVERIFY(decidePhases(document.project(), usualPhases(document.project())).holds());
+        const double before = document.project().cycle->stages.front().stock_mm;
+        bench.type("/part/stock_mm", QStringLiteral("0.2"));
+        QCOMPARE(startingOf(document.project()), std::string());
+        QVERIFY(document.project().cycle->stages.front().stock_mm > before);
+        Project changed = document.project();
+        *changed.cycle->stages.front().radial_feed_mm_min = 0.5; // by hand
+        document.edit(changed, {"Edit", "x"});
+        bench.type("/part/length_mm", QStringLiteral("20"));
+        QCOMPARE(document.project().cycle->stages.front().radial_feed_mm_min, std::optional(0.5));
+        auto* const button = bench.window->findChild<QPushButton*>(QStringLiteral("startingCycle"));
+        bench.window->inputs().showCycle();
+        button->click();
+        QCOMPARE(startingOf(document.project()), std::string());
+        document.undo();
+        QCOMPARE(document.project().cycle->stages.front().radial_feed_mm_min, std::optional(0.5));
     }
 
     void aNumberThatIsDeletedAgainIsAskedForAgain() {
