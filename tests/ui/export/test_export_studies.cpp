@@ -3,7 +3,7 @@
 // Batch, sweep and search as workbooks, all parts as rows: by the window's own ways and by
 // sparkout --export.
 #include "core/batch/batch_verdict.h"
-#include "core/quality/result_json.h"
+#include "core/judgement/judgement.h"
 #include "core/setup/setup_run.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -19,6 +19,7 @@
 #include "ui/views/batch/part_rows.h"
 #include "ui/views/optimise/optimise_text.h"
 #include "ui/window/studies_shown.h"
+#include "words/judgement_json.h"
 
 #include <QComboBox>
 #include <QTemporaryDir>
@@ -414,7 +415,9 @@ private slots:
         QFile json(all);
         QVERIFY(json.open(QIODevice::ReadOnly));
         const SurfaceRun run = runSetup(setup).surfaces[2];
-        const std::string wanted = resultJson(run.result, run.constraints);
+        const std::string wanted = judgedResultJson(
+            run.result, run.constraints,
+            judge(run.result, run.constraints, judgeStocks(run.result), std::nullopt));
         QCOMPARE(json.readAll().trimmed().toStdString(),
                  QByteArray::fromStdString(wanted).trimmed().toStdString());
     }
