@@ -22,7 +22,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double normal95 = 1.959964;
+constexpr double errorsOf95 = 1.959964;
 
 bool isUsed(const Project& project, const MeasuredTrace& trace) {
     return std::ranges::any_of(project.measured->calibrations, [&](const Calibration& record) {
@@ -184,8 +184,8 @@ HoldOutRow rowOf(int trace, HoldOutQuantity quantity, double predicted, double e
             measured,
             predicted,
             predicted95,
-            {measured - predicted95.high - normal95 * error,
-             measured - predicted95.low + normal95 * error}};
+            {measured - predicted95.high - errorsOf95 * error,
+             measured - predicted95.low + errorsOf95 * error}};
 }
 
 /// The values of the predicted curve and of the ends of the inputs' intervals.

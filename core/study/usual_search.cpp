@@ -80,8 +80,7 @@ public:
             }
         }
         std::ranges::sort(levels);
-        const auto rest = std::ranges::unique(levels);
-        levels.erase(rest.begin(), rest.end());
+        levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
         return levels;
     }
 
@@ -210,8 +209,7 @@ private:
             counts.push_back(3);
         }
         std::ranges::sort(counts);
-        const auto rest = std::ranges::unique(counts);
-        counts.erase(rest.begin(), rest.end());
+        counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
         return counts;
     }
 
