@@ -234,7 +234,10 @@ int measureOne(Project project, const Surfaces& surfaces, std::size_t surface,
     if (const int failed = judge(project, name, options, answer)) {
         return failed;
     }
-    answer.holdOut = holdOut(project);
+    if (caughtSignal() == 0) {
+        const BatchWatch watch(BatchWatch::uncounted, false, "cycles");
+        answer.holdOut = holdOut(project, watch.stop());
+    }
     if (!parameters.empty() && caughtSignal() == 0) {
         const BatchWatch watch(BatchWatch::uncounted, false, "cycles");
         answer.fit = identify(project,

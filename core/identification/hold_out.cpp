@@ -47,6 +47,7 @@ std::vector<Calibration> variedInputs(const Project& project) {
 
 /// A cycle as gauge and drive show it, with the times its stages end at.
 struct Predicted {
+    std::vector<int> steps; ///< of each stage
     CycleResponse shown;
     double firstFeed_s = 0; ///< its middle
     double lastFeed_s = 0;  ///< its end
@@ -70,7 +71,7 @@ struct Predicted {
     [[nodiscard]] double meanPower_kw() const {
         double energy = 0;
         for (std::size_t i = 0; i + 1 < shown.end_s.size() && shown.end_s[i] < lastFeed_s; ++i) {
-            energy += (shown.chip_kw[i] + shown.friction_kw[i])
+            energy += (shown.chip_kw[i + 1] + shown.friction_kw[i + 1]) // the first is idle
                       * (std::min(shown.end_s[i + 1], lastFeed_s) - shown.end_s[i]);
         }
         return energy / lastFeed_s;
@@ -79,11 +80,13 @@ struct Predicted {
 
 std::optional<Predicted> predictedOf(const Project& project, const std::stop_token& stop) {
     const CycleFactors factors = factorsOf(project);
-    const std::vector<int> steps = stepsByGauge(project, factors, stop);
+    Predicted made;
+    made.steps = stepsByGauge(project, factors, stop);
+    const std::vector<int>& steps = made.steps;
     if (steps.empty()) {
         return std::nullopt;
     }
-    Predicted made{.shown = respond(project, factors, steps, false, stop)};
+    made.shown = respond(project, factors, steps, false, stop);
     if (!made.shown.ran) {
         return std::nullopt;
     }
@@ -102,17 +105,15 @@ std::optional<Predicted> predictedOf(const Project& project, const std::stop_tok
     return isFirst ? std::nullopt : std::optional(std::move(made));
 }
 
-/// The project with its calibrated inputs at their ends, one bit of `ends` each; nothing where that
-/// is no valid project.
+/// The project with its calibrated inputs at their ends, one bit of `ends` each; nothing where the
+/// inputs are refused.
 std::optional<Project> atEnds(Project project, const std::vector<Calibration>& inputs,
                               unsigned ends) {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const double value = ((ends >> i) & 1U) ? *inputs[i].high : *inputs[i].low;
         setNumberInput(project, inputs[i].input, value);
     }
-    const bool isRefused = std::ranges::any_of(
-        validate(project), [](const Issue& issue) { return issue.severity == Severity::error; });
-    return isRefused ? std::nullopt : std::optional(std::move(project));
+    return hasErrors(validate(project)) ? std::nullopt : std::optional(std::move(project));
 }
 
 void widen(Interval& interval, double value) {
@@ -270,8 +271,7 @@ std::vector<HoldOutRow> holdOut(const Project& project, const std::stop_token& s
             ends.push_back(std::move(*predicted));
         }
     }
-    const std::vector<int> steps = stepsByGauge(project, factorsOf(project), stop);
-    for (const TraceComparison& one : compareTraces(project, steps, stop)) {
+    for (const TraceComparison& one : compareTraces(project, nominal->steps, stop)) {
         const MeasuredTrace& trace = traces[static_cast<std::size_t>(one.trace)];
         if (!isLeft(trace)) {
             continue;

@@ -38,6 +38,28 @@ void paintLight(QPainter& painter, Light light, const QRectF& box) {
 
 } // namespace
 
+namespace {
+
+/// Drawn once for each key, into a square of this size.
+template <class Draw>
+QPixmap keptPixmap(const QString& key, int size, qreal ratio, bool grey, Draw draw) {
+    QPixmap pixmap;
+    if (!QPixmapCache::find(key, &pixmap)) {
+        pixmap = QPixmap(QSize(size, size) * ratio);
+        pixmap.setDevicePixelRatio(ratio);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setOpacity(grey ? 0.4 : 1);
+        draw(painter);
+        painter.end();
+        QPixmapCache::insert(key, pixmap);
+    }
+    return pixmap;
+}
+
+} // namespace
+
 QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey) {
     const QColor colour = lightColour(light, QGuiApplication::palette());
     // Qt keeps what it draws of an icon by the identity of its picture: a new one for every result
@@ -48,21 +70,11 @@ QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey) {
                             .arg(ratio)
                             .arg(grey)
                             .arg(colour.rgb());
-    QPixmap pixmap;
-    if (!QPixmapCache::find(key, &pixmap)) {
-        pixmap = QPixmap(QSize(size, size) * ratio);
-        pixmap.setDevicePixelRatio(ratio);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        painter.setRenderHint(QPainter::Antialiasing);
+    return keptPixmap(key, size, ratio, grey, [&](QPainter& painter) {
         painter.setPen(Qt::NoPen);
-        painter.setOpacity(grey ? 0.4 : 1);
         painter.setBrush(colour);
         paintLight(painter, light, QRectF(1, 1, size - 2, size - 2));
-        painter.end();
-        QPixmapCache::insert(key, pixmap);
-    }
-    return pixmap;
+    });
 }
 
 QPixmap judgedPixmap(JudgedState state, int size, qreal ratio, bool grey) {
@@ -84,24 +96,14 @@ QPixmap judgedPixmap(JudgedState state, int size, qreal ratio, bool grey) {
                             .arg(ratio)
                             .arg(grey)
                             .arg(colour.rgb());
-    QPixmap pixmap;
-    if (!QPixmapCache::find(key, &pixmap)) {
-        pixmap = QPixmap(QSize(size, size) * ratio);
-        pixmap.setDevicePixelRatio(ratio);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.setOpacity(grey ? 0.4 : 1);
+    return keptPixmap(key, size, ratio, grey, [&](QPainter& painter) {
         QPen pen(colour, isNominal ? 2 : 1);
         if (isNominal) {
             pen.setDashPattern({1.5, 1});
         }
         painter.setPen(pen);
         painter.drawEllipse(QRectF(2, 2, size - 4, size - 4));
-        painter.end();
-        QPixmapCache::insert(key, pixmap);
-    }
-    return pixmap;
+    });
 }
 
 namespace {

@@ -13,7 +13,7 @@ namespace sparkout {
 /// Whether the member has its default; true where there is none.
 [[nodiscard]] bool isDefault(const Field& field, const void* owner);
 /// Whether the member is as a new project has it, be it required or not; of an object all in it is,
-/// of a list there is no item.
+/// a list is empty.
 [[nodiscard]] bool isAsNew(const Field& field, const void* owner);
 /// "0.3", "210 GPa", "between centres", or what "not given" means.
 [[nodiscard]] QString defaultText(const Field& field);

@@ -135,6 +135,17 @@ private slots:
         QCOMPARE(found.size(), std::size_t{3});
         const HoldOutRow& row = found.back();
         QVERIFY(row.quantity == HoldOutQuantity::power);
+        // The mean over the revolutions that feed, another way.
+        const Record cycle = record(later);
+        const std::vector<int> counts = simulate(later).countsByStage;
+        const auto fed = static_cast<std::size_t>(counts[0] + counts[1]);
+        double energy = 0;
+        for (std::size_t i = 0; i < fed; ++i) {
+            energy += cycle.power_kw[i + 1] * (cycle.end_s[i + 1] - cycle.end_s[i]);
+        }
+        const double mean_kw = energy / cycle.end_s[fed];
+        QVERIFY2(std::abs(row.predicted / mean_kw - 1) < 1e-9,
+                 qPrintable(QString::number(row.predicted / mean_kw - 1)));
         QVERIFY2(row.agrees(), qPrintable(QString::number(row.measured - row.predicted)));
         project.measured->traces.back().idle.reset();
         QCOMPARE(holdOut(project).size(), std::size_t{2});

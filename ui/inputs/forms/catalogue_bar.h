@@ -27,7 +27,7 @@ public:
     ~CatalogueBar() override;
 
     void retranslate();
-    /// The project as the entry of its name makes it; nothing where there is no such entry.
+    /// The project as the entry of its name makes it; nothing where the catalogue has none.
     [[nodiscard]] std::optional<Project> asInCatalogue();
 
 private:
