@@ -62,7 +62,7 @@ private slots:
         QCOMPARE(whole.status, 0);
         const auto took_ms = static_cast<int>(timer.elapsed());
         const QString file = m_folder.filePath("progress.json");
-        const int kills = sparkout::samples::sized(5, 2, 50);
+        const int kills = sparkout::samples::sized(5, 2, 25);
         int gainedOn = 0, killed = 0;
         QRandomGenerator random(20261126);
         for (int i = 0; i < kills; ++i) {

@@ -43,7 +43,7 @@ private slots:
     void everyVariantIsSolvableAndUnsolved() {
         QFETCH(QString, file);
         const Lesson lesson = readLesson(samples::readText(file.toStdString())).lesson.value();
-        const auto count = static_cast<std::size_t>(samples::sized(6, 2, 150));
+        const auto count = static_cast<std::size_t>(samples::sized(6, 2, 60));
         RunningTimer timer;
         const MadeVariants made = makeVariants(lesson, count, 2026);
         qInfo("%zu variants in %lld tries and %.1f s", made.variants.size(), made.tries,

@@ -77,7 +77,7 @@ private slots:
 
     void theDelayIsFittedOrWarnedOf() {
         QFETCH(double, amount);
-        const int seeds = samples::sized(2, 1, 15);
+        const int seeds = samples::sized(2, 1, 8);
         int covered = 0, delayCovered = 0, noticed = 0, wrong = 0;
         for (int seed = 1; seed <= seeds; ++seed) {
             const Project project = recorded(amount, static_cast<std::uint32_t>(seed));
@@ -115,7 +115,7 @@ private slots:
 
     /// The threshold is that of one fit in 2,000.
     void clocksThatAgreeAreHardlyEverDoubted() {
-        const int seeds = samples::sized(6, 2, 80);
+        const int seeds = samples::sized(6, 2, 40);
         int warned = 0, covered = 0;
         for (int seed = 1; seed <= seeds; ++seed) {
             const Identification found = fit(recorded(0, static_cast<std::uint32_t>(seed)), false);

@@ -193,7 +193,7 @@ private slots:
         auto pick = samples::fromSeed(20261127);
         const json whole = json::parse(text);
         int accepted = 0;
-        const int tries = samples::sized(200, 30, 4000);
+        const int tries = samples::sized(200, 30, 2000);
         for (int i = 0; i < tries; ++i) {
             json file = whole;
             for (int changes = 1 + pick(3); changes > 0; --changes) {

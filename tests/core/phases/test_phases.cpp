@@ -169,7 +169,7 @@ private slots:
     }
 
     void everyStockIsAsItsPieceStates() {
-        const int projects = samples::sized(60, 10, 1000);
+        const int projects = samples::sized(60, 10, 400);
         const int stocks = samples::sized(60, 20, 400);
         int decided = 0, held = 0, failed = 0, tooMany = 0;
         std::mt19937_64 random(20261126);

@@ -475,7 +475,7 @@ class TestRemedies : public QObject {
 
 private slots:
     void everyRemedyOfRandomFailingProjectsHolds() {
-        const int count = samples::sized(200, 30, 1000);
+        const int count = samples::sized(200, 30, 500);
         int helped = 0, opposed = 0, several = 0, unmended = 0, closest = 0, idle = 0, warned = 0;
         int worst = 0, stocks = 0;
         std::array<int, 10> kinds{};
@@ -526,7 +526,7 @@ private slots:
     void noRemedyFailsForTheStocksOfAPhaseNorMorePartsThanPromised() {
         constexpr int stocks = 200, parts = 500,
                       seed = 7'654'321; // other parts than it was tried on
-        const int count = samples::sized(60, 20, 100);
+        const int count = samples::sized(60, 20, 60);
         int helped = 0, remedies = 0, batches = 0, bad = 0, most = 0;
         const std::vector<Project> projects = samples::failingProjects(count);
         for (int i = 0; i < count; ++i) {

@@ -49,7 +49,7 @@ private slots:
     /// every cycle of it; and it stands at no edge that the machine would let it pass.
     void theLevelsFollowTheAnswer() {
         int extended = 0, quicker = 0;
-        const auto cases = static_cast<unsigned>(samples::sized(24, 12, 500));
+        const auto cases = static_cast<unsigned>(samples::sized(24, 12, 150));
         for (unsigned seed = 0; seed < cases; ++seed) {
             const Project p = wideMachine(seed);
             if (p.sections_coupled) {
