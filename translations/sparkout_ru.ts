@@ -6898,6 +6898,30 @@ With another name both versions stay as they are.</source>
             <translation>До этой разности измеренное и прогнозируемое средние считаются одинаковыми. Если допуска нет и на чертеже, это половина прогнозируемого стандартного отклонения.</translation>
         </message>
         <message>
+            <source>Measuring uncertainty of form</source>
+            <translation>Неопределённость измерения формы</translation>
+        </message>
+        <message>
+            <source>as of the size</source>
+            <translation>как у размера</translation>
+        </message>
+        <message>
+            <source>Standard uncertainty of one measured roundness, runout or cylindricity of a finished part.</source>
+            <translation>Стандартная неопределённость одного измерения круглости, биения или цилиндричности готовой детали.</translation>
+        </message>
+        <message>
+            <source>Limit of bias of form</source>
+            <translation>Предел смещения формы</translation>
+        </message>
+        <message>
+            <source>as of the size, otherwise a tenth of the tolerance</source>
+            <translation>как у размера, иначе десятая доля допуска</translation>
+        </message>
+        <message>
+            <source>Up to this difference the means of measured and predicted roundness, runout or cylindricity count as the same.</source>
+            <translation>До этой разности средние измеренных и прогнозируемых отклонений от круглости, биения или цилиндричности считаются одинаковыми.</translation>
+        </message>
+        <message>
             <source>Force law</source>
             <translation>Закон силы</translation>
         </message>

@@ -97,8 +97,13 @@ AdequacyLimits adequacyLimits(const Project& project, const MeasuredStatistics& 
     const auto tolerance = toleranceOf(*project.part, measured.quantity);
     limits.bias = tolerance ? shareOfTolerance * *tolerance : shareOfDeviation * deviation;
     if (project.batch && measured.quantity != MeasuredQuantity::roughness_ra) {
-        limits.uncertainty = project.batch->measuring_uncertainty_um;
-        limits.bias = project.batch->bias_limit_um.value_or(limits.bias);
+        const Batch& batch = *project.batch;
+        limits.uncertainty = batch.measuring_uncertainty_um;
+        limits.bias = batch.bias_limit_um.value_or(limits.bias);
+        if (measured.quantity != MeasuredQuantity::diameter_deviation) {
+            limits.uncertainty = batch.form_measuring_uncertainty_um.value_or(limits.uncertainty);
+            limits.bias = batch.form_bias_limit_um.value_or(limits.bias);
+        }
     }
     return limits;
 }

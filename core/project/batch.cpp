@@ -204,6 +204,25 @@ const StructInfo& tableOf<Batch>() {
                                     "count as the same. Where the drawing has no tolerance either, "
                                     "it is half the predicted standard deviation."),
                        .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Batch, form_measuring_uncertainty_um,
+            .label = SPARKOUT_NOOP("Input", "Measuring uncertainty of form"), .symbol = "u_f",
+            .unit = "µm", .hard = {0, 1000}, .soft = {0, 5},
+            .nullMeaning = SPARKOUT_NOOP("Input", "as of the size"), .sparse = true,
+            .page = Page::batch,
+            .hint = SPARKOUT_NOOP("Input", "Standard uncertainty of one measured roundness, runout "
+                                           "or cylindricity of a finished part."),
+            .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Batch, form_bias_limit_um, .label = SPARKOUT_NOOP("Input", "Limit of bias of form"),
+            .unit = "µm", .hard = {1e-3, 1e5},
+            .nullMeaning = SPARKOUT_NOOP("Input", "as of the size, otherwise a tenth of the "
+                                                  "tolerance"),
+            .sparse = true, .page = Page::batch,
+            .hint = SPARKOUT_NOOP("Input", "Up to this difference the means of measured and "
+                                           "predicted roundness, runout or cylindricity count as "
+                                           "the same."),
+            .source = "MODEL-8"),
     };
     static const StructInfo info = makeTable<Batch>(SPARKOUT_NOOP("Struct", "Batch"), rows);
     return info;

@@ -49,6 +49,8 @@ struct Batch {
     // Of measured parts that are held against the batch.
     double measuring_uncertainty_um = 0; ///< standard uncertainty u of one measured value
     std::optional<double> bias_limit_um; ///< up to which measured and predicted mean are the same
+    // The same of roundness, runout and cylindricity; as of the size where they are not given.
+    std::optional<double> form_measuring_uncertainty_um, form_bias_limit_um;
 };
 
 template <>

@@ -239,6 +239,26 @@ private slots:
         project.part->tolerance.roughness_ra_um = 0.8;
         QCOMPARE(limitOf(MeasuredQuantity::diameter_deviation), 3.0);
         QCOMPARE(limitOf(MeasuredQuantity::roughness_ra), 0.08); // of the drawing in any case
+        QCOMPARE(limitOf(MeasuredQuantity::roundness), 3.0);
+        project.batch->form_bias_limit_um = 0.5; // of form alone
+        QCOMPARE(limitOf(MeasuredQuantity::roundness), 0.5);
+        QCOMPARE(limitOf(MeasuredQuantity::diameter_deviation), 3.0);
+    }
+
+    /// The instrument for the size is seldom that for the form.
+    void sizeAndFormAreMeasuredEachByItsOwnInstrument() {
+        Project project = samples::project("smallest-plunge");
+        const auto uncertaintyOf = [&project](MeasuredQuantity quantity) {
+            MeasuredStatistics parts;
+            parts.quantity = quantity;
+            return adequacyLimits(project, parts, standard).uncertainty;
+        };
+        project.batch.emplace().measuring_uncertainty_um = 0.8;
+        QCOMPARE(uncertaintyOf(MeasuredQuantity::radial_runout), 0.8);
+        project.batch->form_measuring_uncertainty_um = 0.1;
+        QCOMPARE(uncertaintyOf(MeasuredQuantity::radial_runout), 0.1);
+        QCOMPARE(uncertaintyOf(MeasuredQuantity::diameter_deviation), 0.8);
+        QCOMPARE(uncertaintyOf(MeasuredQuantity::roughness_ra), 0.0);
     }
 
     void oneOrNoPart() {
