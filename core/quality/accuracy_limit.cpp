@@ -251,6 +251,10 @@ std::optional<AccuracyLimit> accuracyLimit(const SimulationResult& result,
     const ForceLaw law = forceLaw(project);
     const double b = group.stages.back().width_mm, gamma = gammaOf(project, group);
     AccuracyLimit limit;
+    if (!(greatestSpread(project, SpreadOf::oneOfTwo, proof) > 0)) { // what is printed takes it all
+        limit.curve = {{std::min(series.least_mm, 0.0), 0}, {series.deepest_mm, 0}};
+        return limit;
+    }
     limit.lastCut_mm =
         std::min(spreadLimit(project, law, b, gamma, proof), roughnessLimit(project, b));
     if (!(gamma > 0) || !(limit.lastCut_mm > 0) || limit.lastCut_mm == infinite) {

@@ -190,6 +190,17 @@ private slots:
                 ->lastCut_mm;
         };
         QVERIFY(last(strict) < last(drawn));
+        // A machine that takes the whole runout leaves no feed, which is not the same as no limit.
+        rounder.machine->geometric_runout_um = 5;
+        const Drawn spent(rounder);
+        for (const AccuracyProof proof : {AccuracyProof::proved, AccuracyProof::estimate}) {
+            const auto none =
+                accuracyLimit(spent.result, spent.series, spent.series.groups[2], proof);
+            QVERIFY(none.has_value());
+            QCOMPARE(none->lastCut_mm, 0.0);
+            QCOMPARE(valueAt(none->curve, 0), 0.0);
+            QCOMPARE(none->curve.back().stock_mm, spent.series.deepest_mm);
+        }
     }
 
     void alikeSectionsHaveNoBoundUnlessRoughnessIsCalibrated() {
