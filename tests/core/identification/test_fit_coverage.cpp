@@ -212,9 +212,9 @@ class TestFitCoverage : public QObject {
         std::vector<Stage>& stages = project.cycle->stages;
         *stages[0].radial_feed_mm_min *= chance.between(0.5, 1.5);
         *stages[1].radial_feed_mm_min *= chance.between(0.5, 1.5);
-        const double moved_mm = chance.between(-0.3, 0.3) * *stages[1].stock_mm;
-        *stages[0].stock_mm += moved_mm;
-        *stages[1].stock_mm -= moved_mm;
+        const double moved_mm = chance.between(-0.3, 0.3) * stages[1].stock_mm;
+        stages[0].stock_mm += moved_mm;
+        stages[1].stock_mm -= moved_mm;
         CycleFactors factors = factorsOf(project);
         factors.alpha *= chance.between(0.7, 1.5);
         factors.beta *= chance.between(0.7, 1.5);
