@@ -2,6 +2,7 @@
 #include "core/judgement/judgement.h"
 
 #include "core/phases/failing_share.h"
+#include "core/process/printed_form.h"
 #include "core/project/batch.h"
 #include "core/quality/roughness.h"
 
@@ -43,7 +44,7 @@ void keepWorst(std::optional<ConstraintResult>& worst,
 }
 
 JudgedStocks judgedStocks(const PhaseDecision& decision) {
-    JudgedStocks stocks{decision.range, decision.failing.empty(), 0, RunStatus::completed, {}};
+    JudgedStocks stocks{.range = decision.range, .holds = decision.failing.empty()};
     for (const DecidedPiece& piece : decision.pieces) {
         keepWorst(stocks.worst, piece.low.constraints);
         keepWorst(stocks.worst, piece.high.constraints);
@@ -126,10 +127,22 @@ std::optional<JudgedStocks> judgeStocks(const SimulationResult& result,
     if (most < 1) {
         return std::nullopt;
     }
-    const PhaseDecision decision =
-        decidePhases(project, usualPhases(project), stop,
-                     std::min(static_cast<std::size_t>(most), mostDecidedPieces));
-    return decision.isDecided ? std::optional(judgedStocks(decision)) : std::nullopt;
+    const auto decided = [&](const Project& of) {
+        const PhaseDecision decision = decidePhases(
+            of, usualPhases(of), stop, std::min(static_cast<std::size_t>(most), mostDecidedPieces));
+        return decision.isDecided ? std::optional(judgedStocks(decision)) : std::nullopt;
+    };
+    std::optional<JudgedStocks> stocks = decided(project);
+    if (stocks && stocks->holds && areLobesUnknown(*project.machine)) {
+        const std::optional<JudgedStocks> even = decided(withEvenLobes(project));
+        if (!even) {
+            return std::nullopt;
+        }
+        if (!even->holds && even->worst) {
+            stocks->failsIfEven = even->worst->kind;
+        }
+    }
+    return stocks;
 }
 
 JudgedBatch judgeBatch(const BatchResult& result, const BatchSummary& summary) {
@@ -154,6 +167,10 @@ Judgement judge(const SimulationResult& result, const std::vector<ConstraintResu
     judgement.stocks = std::move(stocks);
     judgement.batch = std::move(batch);
     judgement.notDecided = undecided(result.project, constraints);
+    if (!fails && judgement.stocks && judgement.stocks->failsIfEven) {
+        judgement.notDecided.push_back({*judgement.stocks->failsIfEven,
+                                        UndecidedReason::machineNotKnown, "/machine/form/lobes"});
+    }
     judgement.state = stateOf(judgement, fails);
     return judgement;
 }

@@ -50,6 +50,9 @@ struct JudgedStocks {
     /// The requirement to speak of first, at the stock where it is worst; of the settings only one
     /// that fails. Nothing where none is checked.
     std::optional<ConstraintResult> worst;
+    /// Of a machine whose number of lobes is not known, where all holds with an odd one: the
+    /// requirement that fails for some stocks with an even one.
+    std::optional<ConstraintKind> failsIfEven;
 };
 
 /// Visits of a radius that a decision on the stocks may take, estimated before it begins: some

@@ -206,6 +206,31 @@ private slots:
         QVERIFY(hasFailed && hasHeld);
     }
 
+    /// An odd number of lobes leaves every diameter as it is, an even one does not: where it is not
+    /// known and matters, nothing is said to hold.
+    void unknownLobesThatMatterAreNotDecided() {
+        Project project = fixtures::plungeProject(3);
+        project.part->radii_per_section = 36;
+        project.part->upper_deviation_um = 2;
+        project.part->lower_deviation_um = -2;
+        project.machine->form.emplace().roundness_um = std::vector<double>{3, 3, 3};
+        project.machine->form->runout_um = std::vector<double>{0, 0, 0};
+        const auto judgedWith = [&project](std::optional<int> lobes) {
+            project.machine->form->lobes = lobes;
+            const SimulationResult result = simulate(project);
+            return judge(result, evaluateConstraints(result), judgeStocks(result));
+        };
+        const Judgement odd = judgedWith(3), even = judgedWith(2), unknown = judgedWith({});
+        QVERIFY(odd.stocks->holds && odd.notDecided.empty());
+        QVERIFY(isFailure(even.state));
+        QVERIFY(unknown.stocks->holds);
+        QVERIFY(unknown.state == JudgedState::undecided);
+        QCOMPARE(unknown.notDecided.size(), std::size_t{1});
+        QCOMPARE(unknown.notDecided.front().path, std::string("/machine/form/lobes"));
+        project.machine->form->roundness_um = std::vector<double>{0.1, 0.1, 0.1};
+        QVERIFY(judgedWith({}).notDecided.empty()); // too little to matter
+    }
+
     void stocksOfPositionControlAreNotDecided() {
         Project project = fixtures::plungeProject(3);
         project.gauge->control = Control::position;
