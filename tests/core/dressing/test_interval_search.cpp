@@ -241,7 +241,7 @@ private slots:
             QCOMPARE(parts, longest.held->parts);
             QVERIFY(same(searched(project, wear, most).search, longest.search));
         }
-        QVERIFY(grows > samples::sized(5, 2, 20));
+        QVERIFY(grows > samples::sized(5, 2, 10));
     }
 
     /// p = 1: the power grows evenly from part to part, and each feed has its life.
@@ -302,7 +302,7 @@ private slots:
                 found += quickest.best ? 1 : 0;
             }
         }
-        QVERIFY(found > samples::sized(10, 0, 40));
+        QVERIFY(found > samples::sized(10, 0, 20));
     }
 
     /// As dull as can be from a part on, and nothing fails: no dressing is needed.
@@ -459,7 +459,7 @@ private slots:
                 }
             }
         }
-        QVERIFY(found > samples::sized(6, 0, 24));
+        QVERIFY(found > samples::sized(6, 0, 12));
     }
 };
 
