@@ -6494,6 +6494,14 @@ With another name both versions stay as they are.</source>
             <translation>Относительный запас, который должен остаться у худшего требования.</translation>
         </message>
         <message>
+            <source>For every stock</source>
+            <translation>Для всех припусков</translation>
+        </message>
+        <message>
+            <source>Under gauge control the requirements are to hold for every stock within one infeed of the last stage, as the verdict judges it; else for the part that is run.</source>
+            <translation>При управлении по прибору требования должны выполняться для всех припусков в пределах одной подачи последней ступени, как их оценивает заключение; иначе для рассчитанной детали.</translation>
+        </message>
+        <message>
             <source>Below</source>
             <translation>Не дольше</translation>
         </message>
@@ -21206,12 +21214,16 @@ s</source>
             <translation>Зона или сечение</translation>
         </message>
         <message>
-            <source>Every requirement is to hold, with a margin of at least %1 %.</source>
-            <translation>Требуется выполнить все требования с запасом не менее %1 %.</translation>
+            <source>%1, with a margin of at least %2 %.</source>
+            <translation>%1 с запасом не менее %2 %.</translation>
         </message>
         <message>
-            <source>Every requirement is to hold.</source>
-            <translation>Требуется выполнить все требования.</translation>
+            <source>Every requirement is to hold for every stock</source>
+            <translation>Требуется выполнить все требования для всех припусков</translation>
+        </message>
+        <message>
+            <source>Every requirement is to hold</source>
+            <translation>Требуется выполнить все требования</translation>
         </message>
         <message>
             <source>The cycle is to take at most %1 min.</source>
@@ -22119,6 +22131,14 @@ s</source>
             <translation>Требуется: выполнены все требования.</translation>
         </message>
         <message>
+            <source>To pass: every requirement holds for every stock, with a margin of at least %1 %.</source>
+            <translation>Требуется: все требования выполнены для всех припусков, запас не менее %1 %.</translation>
+        </message>
+        <message>
+            <source>To pass: every requirement holds for every stock.</source>
+            <translation>Требуется: все требования выполнены для всех припусков.</translation>
+        </message>
+        <message>
             <source>To pass: cycle time at most %1 min, every requirement holds.</source>
             <translation>Требуется: время цикла не более %1 мин, выполнены все требования.</translation>
         </message>
@@ -22149,6 +22169,10 @@ s</source>
         <message>
             <source>within the tolerance at %1 % of the places, asked %2 %</source>
             <translation>в допуске %1 % точек, требуется %2 %</translation>
+        </message>
+        <message>
+            <source>fails for %1 % of stocks</source>
+            <translation>не выполнено для %1 % припусков</translation>
         </message>
         <message>
             <source>fails: %1</source>

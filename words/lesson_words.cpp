@@ -46,6 +46,9 @@ std::string placeOf(const Figure& figure) {
 
 std::string failingText(const GoalResult& result) {
     std::string text;
+    if (result.failingStocks_percent) {
+        text += "; fails for " + withUnit(*result.failingStocks_percent, "%", 0) + " of stocks";
+    }
     for (const ConstraintKind kind : result.failing) {
         text += (text.empty() ? "; fails: " : ", ") + std::string(requirementOf(kind).key);
     }

@@ -8,6 +8,7 @@
 #include "core/project/validate.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
+#include "core/study/search.h"
 
 #include <algorithm>
 #include <array>
@@ -249,9 +250,17 @@ private:
                                               const BestAnswer& best) const {
         const Goal& goal = timed.steps[step].goal;
         Project project = best.project;
-        if (goal.requirements
-            && inMillionths(best.margin_percent) <= goal.requirements->least_margin_percent
-            && goal.requirements->least_margin_percent > 0) {
+        if (goal.requirements && goal.requirements->every_stock) {
+            Project given = timed.base.surfaces[m_surface].project;
+            given.optimisation->scenarios = OptimisationScenarios::stocks;
+            const SearchOutcomePtr found = search(given, {}, m_stop);
+            if (!found->answer()) {
+                return VariantFault::noAnswer;
+            }
+            project = withFound(timed.base.surfaces[m_surface].project, *found->answer());
+        } else if (goal.requirements
+                   && inMillionths(best.margin_percent) <= goal.requirements->least_margin_percent
+                   && goal.requirements->least_margin_percent > 0) {
             SearchOptions options;
             options.stop = m_stop;
             options.beyondMargin = goal.requirements->least_margin_percent / inPercent;

@@ -45,8 +45,7 @@ double likeness(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 /// Every so many values of a trace serve to find where to begin.
-std::size_t strideOf(const FitGroup& group) {
-    constexpr std::size_t enough = 400;
+std::size_t strideOf(const FitGroup& group, std::size_t enough = 400) {
     return (group.values.size() + enough - 1) / enough;
 }
 
@@ -272,7 +271,10 @@ bool FitProblem::keepsStep(const FitGroup& group) const {
 /// The best of shifts all over the traces, each with its own offset: one is fitted near the truth.
 double FitProblem::startOfShift(Scalars scalars) const {
     constexpr int tries = 200;
+    constexpr std::size_t enough = 100; // values of a trace: most of a fit's time goes here
+    std::vector<double> apart;
     const double cycle_s = m_response.end_s.back();
+    scalars.offset_mm = 0;
     const bool hasOffset = has(FittedKind::size_offset);
     double best = 0, least = std::numeric_limits<double>::infinity();
     double from = 0, to = 0;
@@ -285,14 +287,26 @@ double FitProblem::startOfShift(Scalars scalars) const {
     for (int i = 0; i <= tries && !isStopped(); ++i) {
         // 0 is tried too, and stays where nothing is better.
         const double shift = i == 0 ? 0 : from + (to - from) * (i - 1) / (tries - 1);
-        scalars.offset_mm = hasOffset ? startOfOffset(scalars, shift) : 0;
         scalars.shift_s = shift;
         double sum = 0;
+        std::optional<double> offset_mm; // of the first trace of sizes
         for (std::size_t g = 0; g < m_data.groups.size(); ++g) {
             const FitGroup& group = m_data.groups[g];
-            const std::size_t stride = strideOf(group);
-            for (std::size_t k = 0; keepsStep(group) && k < group.values.size(); k += stride) {
-                const double r = (group.values[k] - predicted(group, k, scalars)) / m_noise[g];
+            if (!keepsStep(group)) {
+                continue;
+            }
+            const std::size_t stride = strideOf(group, enough);
+            apart.clear();
+            for (std::size_t k = 0; k < group.values.size(); k += stride) {
+                apart.push_back(group.values[k] - predicted(group, k, scalars));
+            }
+            if (group.source == FitSource::size && hasOffset) {
+                offset_mm = offset_mm.value_or(std::accumulate(apart.begin(), apart.end(), 0.0)
+                                               / static_cast<double>(apart.size()));
+            }
+            const double off = group.source == FitSource::size ? offset_mm.value_or(0) : 0;
+            for (const double each : apart) {
+                const double r = (each - off) / m_noise[g];
                 sum += r * r * static_cast<double>(stride);
             }
         }

@@ -72,6 +72,13 @@ const StructInfo& tableOf<RequirementsGoal>() {
             .label = SPARKOUT_NOOP("Input", "Minimum margin"), .unit = "%", .hard = {0, 100},
             .hint = SPARKOUT_NOOP(
                 "Input", "The relative margin that the worst requirement is to have left.")),
+        SPARKOUT_FIELD(RequirementsGoal, every_stock,
+                       .label = SPARKOUT_NOOP("Input", "For every stock"), .sparse = true,
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "Under gauge control the requirements are to hold for "
+                                             "every stock within one infeed of the last stage, as "
+                                             "the verdict judges it; else for the part that is "
+                                             "run.")),
     };
     static const StructInfo info =
         makeTable<RequirementsGoal>(SPARKOUT_NOOP("Struct", "Requirements hold"), rows);

@@ -14,6 +14,7 @@ namespace sparkout {
 /// The cycle ends by itself and holds every requirement of the drawing and the machine.
 struct RequirementsGoal {
     double least_margin_percent = 0; ///< that the worst requirement is to have left
+    bool every_stock = false; ///< within one infeed, where that can be decided; else the part run
 };
 
 /// The cycle is quick enough.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lesson/goal_check.h"
 
+#include "core/judgement/judgement.h"
 #include "core/project/validate.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
@@ -49,9 +50,13 @@ public:
         m_result.failing = failingOf(m_run);
         m_result.value = figureValue(leastMarginFigure, m_run);
         m_result.asked = goal.least_margin_percent;
+        if (goal.every_stock && m_result.failing.empty()) {
+            judgeEveryStock();
+        }
         const bool hasMargin = goal.least_margin_percent <= 0
                                || (m_result.value && *m_result.value >= goal.least_margin_percent);
-        return done(passedIf(m_result.failing.empty() && hasMargin));
+        return done(
+            passedIf(m_result.failing.empty() && !m_result.failingStocks_percent && hasMargin));
     }
 
     GoalResult check(const TimeGoal& goal) {
@@ -139,6 +144,20 @@ public:
     }
 
 private:
+    /// The worst of all stocks; what cannot be decided so stays as the run says.
+    void judgeEveryStock() {
+        const std::optional<JudgedStocks> stocks = judgeStocks(m_run.result);
+        if (stocks && stocks->worst) {
+            m_result.value = hundred * stocks->worst->relativeMargin;
+        }
+        if (stocks && !stocks->holds) {
+            m_result.failingStocks_percent = hundred * stocks->failingShare;
+            if (stocks->worst) {
+                m_result.failing.push_back(stocks->worst->kind);
+            }
+        }
+    }
+
     GoalResult done(Finding finding) {
         m_result.finding = finding;
         return std::move(m_result);

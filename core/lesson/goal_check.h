@@ -46,9 +46,11 @@ struct GoalResult {
     std::optional<double> value, asked;
     double tolerance = 0;                ///< either way
     std::vector<ConstraintKind> failing; ///< requirements that do not hold
-    std::vector<ComparedPoint> curve;    ///< of a predicted curve
-    std::vector<std::size_t> order;      ///< places by the engine, the largest first
-    std::optional<double> time_min;      ///< of the cycle that was run, when it ended by itself
+    /// Of a cycle that holds for the part that was run: the share of stocks for which it does not.
+    std::optional<double> failingStocks_percent;
+    std::vector<ComparedPoint> curve; ///< of a predicted curve
+    std::vector<std::size_t> order;   ///< places by the engine, the largest first
+    std::optional<double> time_min;   ///< of the cycle that was run, when it ended by itself
     RunStatus status = RunStatus::completed;
     std::vector<std::string> forbidden; ///< paths of inputs changed that are not free
     Issues issues;                      ///< of a set-up that cannot be run

@@ -118,11 +118,16 @@ QString LessonText::along(const CurvePrediction& goal, const Project& project) {
 
 QString LessonText::asked(const Goal& goal, const Project& project) {
     switch (goal.kind()) {
-    case GoalKind::requirements:
+    case GoalKind::requirements: {
+        const bool all = goal.requirements->every_stock;
         return goal.requirements->least_margin_percent > 0
-                   ? tr("To pass: every requirement holds, with a margin of at least %1 %.")
+                   ? (all ? tr("To pass: every requirement holds for every stock, with a margin of "
+                               "at least %1 %.")
+                          : tr("To pass: every requirement holds, with a margin of at least %1 %."))
                          .arg(printedNumber(goal.requirements->least_margin_percent))
-                   : tr("To pass: every requirement holds.");
+               : all ? tr("To pass: every requirement holds for every stock.")
+                     : tr("To pass: every requirement holds.");
+    }
     case GoalKind::time:
         if (!goal.time->below_min) {
             return {};
@@ -186,6 +191,9 @@ QString LessonText::numbers(const Goal& goal, const GoalResult& result) {
     case GoalKind::order:
     case GoalKind::choice:
     case GoalKind::text: break;
+    }
+    if (result.failingStocks_percent) {
+        parts += tr("fails for %1 % of stocks").arg(withDecimals(*result.failingStocks_percent, 0));
     }
     if (!result.failing.empty()) {
         parts += tr("fails: %1").arg(failingNames(result));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Goals against the engine: figures are those of the run, a goal passes up to its tolerance and not
 // beyond, and what is not free stays as it was given.
+#include "core/judgement/judgement.h"
 #include "core/lesson/goal_check.h"
 #include "core/quality/run_summary.h"
 #include "core/setup/setup_file.h"
@@ -8,6 +9,7 @@
 #include "core/units.h"
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/registry.h"
+#include "tests/two_stage_projects.h"
 #include "tests/whole_project.h"
 
 #include <cmath>
@@ -178,6 +180,27 @@ private slots:
         const GoalResult timed =
             checkGoal(goalOf(&Goal::time, TimeGoal{100, {}, true}), run.figures(), {});
         QVERIFY(timed.finding == Finding::failed);
+    }
+
+    /// A cycle that suits the part that is run, and others of its batch not.
+    void aGoalForEveryStockIsJudgedByThePhases() {
+        bool differs = false;
+        for (double field_um = 16; field_um >= 1; field_um *= 0.8) {
+            Project project = fixtures::plungeProject(3);
+            project.part->upper_deviation_um = field_um / 2;
+            project.part->lower_deviation_um = -field_um / 2;
+            const StudiedRun run = studyRun(project, false);
+            const GoalResult one =
+                checkGoal(goalOf(&Goal::requirements, RequirementsGoal{}), run.figures(), {});
+            const GoalResult all = checkGoal(goalOf(&Goal::requirements, RequirementsGoal{0, true}),
+                                             run.figures(), {});
+            const bool holds = judgeStocks(run.result)->holds;
+            QCOMPARE(all.passed(), one.passed() && holds);
+            QCOMPARE(all.failingStocks_percent.has_value(), one.passed() && !holds);
+            QVERIFY(*all.value <= *one.value);
+            differs = differs || one.passed() != all.passed();
+        }
+        QVERIFY(differs);
     }
 
     void aFigurePassesWithinItsTolerance() {

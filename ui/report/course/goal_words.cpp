@@ -101,11 +101,15 @@ QString GoalWords::asked(const Goal& goal, const Project& project) {
         return amount(figure, value);
     };
     switch (goal.kind()) {
-    case GoalKind::requirements:
+    case GoalKind::requirements: {
+        const QString holds = goal.requirements->every_stock
+                                  ? tr("Every requirement is to hold for every stock")
+                                  : tr("Every requirement is to hold");
         return goal.requirements->least_margin_percent > 0
-                   ? tr("Every requirement is to hold, with a margin of at least %1 %.")
-                         .arg(printedNumber(goal.requirements->least_margin_percent))
-                   : tr("Every requirement is to hold.");
+                   ? tr("%1, with a margin of at least %2 %.")
+                         .arg(holds, printedNumber(goal.requirements->least_margin_percent))
+                   : holds + u'.';
+    }
     case GoalKind::time: {
         const QString time = goal.time->below_min ? tr("The cycle is to take at most %1 min.")
                                                         .arg(printedNumber(*goal.time->below_min))
@@ -113,8 +117,9 @@ QString GoalWords::asked(const Goal& goal, const Project& project) {
                                  ? tr("The cycle is to take at most %1 % more than the best one.")
                                        .arg(printedNumber(*goal.time->within_percent_of_best))
                                  : tr("The cycle is to be quick.");
-        return goal.time->requirements_hold ? time + u' ' + tr("Every requirement is to hold.")
-                                            : time;
+        return goal.time->requirements_hold
+                   ? time + u' ' + tr("Every requirement is to hold") + u'.'
+                   : time;
     }
     case GoalKind::figure:
         return tr("To be reached: %1 of %2 ± %3.")
