@@ -157,7 +157,11 @@ private slots:
             const SearchSummary full = search(p, SearchMethod::full);
             QVERIFY(same(search(p, SearchMethod::pruned), full));
             QVERIFY(same(full, PlainSearch(p)));
-            found += full.best ? 1 : 0;
+            if (full.best) {
+                ++found;
+                const double time_s = static_cast<double>(full.best->time_us) / 1e6;
+                QVERIFY(steplessLimit_s(p) <= time_s + 1e-5);
+            }
         }
         QVERIFY(found > 0);
     }
