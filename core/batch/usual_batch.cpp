@@ -25,8 +25,10 @@ namespace {
 
 constexpr double gaugeSetEach_h = 1;   ///< time from one setting of the gauge to the next
 constexpr double usualHandling_s = 30; ///< of a piece beside its cycle
-constexpr double gaugeReach = 3;       ///< standard deviations to which an error is truncated
-constexpr double warmth_k = 2;         ///< standard deviation of a part's temperature at the gauge
+constexpr double secondsPerHour = 3600;
+constexpr double gaugeReach = 3; ///< standard deviations to which an error is truncated
+constexpr double warmth_k = 2;   ///< standard deviation of a part's temperature at the gauge
+constexpr double outsideOfPpk1 = 0.0027; ///< share of a normal law beyond 3 s
 
 std::vector<double> sharesOf(double value, std::initializer_list<double> shares) {
     std::vector<double> values;
@@ -66,7 +68,8 @@ int partsOfGauge(const Project& project) {
     Project alone = project;
     alone.batch.reset();
     const double piece_s = usualHandling_s + simulate(alone).time_s;
-    return std::max(1, static_cast<int>(std::lround(gaugeSetEach_h * 3600 / piece_s)));
+    const auto parts = static_cast<int>(std::lround(gaugeSetEach_h * secondsPerHour / piece_s));
+    return std::max(2, parts); // the drift has two ends
 }
 
 /// Causes that are usual and that the project has.
@@ -145,7 +148,9 @@ Factor usualFactor(FactorKind kind, const Project& project) {
 }
 
 Project withUsualBatch(Project project) {
-    project.batch = Batch{};
+    Batch usual;
+    usual.most_outside_share = outsideOfPpk1;
+    project.batch = usual;
     const std::vector<FactorKind> kinds = usualKinds(project);
     for (const FactorKind kind : kinds) {
         lawIn(project, kind) = usualFactor(kind, project);
@@ -153,7 +158,7 @@ Project withUsualBatch(Project project) {
     if (checkBatch(project).empty()) {
         return project;
     }
-    project.batch = Batch{}; // those alone with which every part is valid
+    project.batch = std::move(usual); // and those alone with which every part is valid
     for (const FactorKind kind : kinds) {
         lawIn(project, kind) = usualFactor(kind, project);
         if (!checkBatch(project).empty()) {

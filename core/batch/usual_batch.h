@@ -21,8 +21,9 @@ inline constexpr int usualPartsBetweenDressings = 25;
 
 /// The project with a usual batch: 50 parts whose stock, runout, dullness and compliance scatter,
 /// as do what the machine prints, where a runout is required, the gauge, as far as the machine's is
-/// known, and the part's temperature at it; as far as every one of them is a valid project. What it
-/// leaves out notCounted() says.
+/// known, and the part's temperature at it; as far as every one of them is a valid project. 0.27 %
+/// may be bad, the share of P_pk 1: none of the 50, one of 500. What it leaves out notCounted()
+/// says.
 [[nodiscard]] Project withUsualBatch(Project project);
 
 } // namespace sparkout
