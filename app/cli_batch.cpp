@@ -152,17 +152,26 @@ std::string characteristicText(const CharacteristicSummary& summary, bool isSamp
     return text + unstatedText(summary) + '\n';
 }
 
+/// Usual causes of scatter that the batch leaves out.
+std::string notCountedText(const Project& project) {
+    std::string text;
+    for (const FactorKind kind : notCounted(project)) {
+        text += std::string(text.empty() ? "not counted: " : ", ") + factorKey(kind);
+    }
+    return text.empty() ? text : text + '\n';
+}
+
 } // namespace
 
 std::string batchText(const BatchResult& result, const std::optional<SobolIndices>& indices) {
     const BatchSummary summary = summarise(result);
-    std::string text = std::to_string(summary.parts) + " of " + std::to_string(result.batchParts)
-                       + " parts, " + batchStatusKey(result.status) + "\nverdict "
-                       + verdictText(weigh(summary, result), summary) + "\nnot good "
-                       + shareText(summary.bad) + "; did not reach size "
-                       + std::to_string(summary.failed) + "\n" + strippedText(summary)
-                       + "worst part " + std::to_string(summary.worstPart) + " (from 0)"
-                       + factorsText(result, summary.worstPart) + '\n';
+    std::string text =
+        std::to_string(summary.parts) + " of " + std::to_string(result.batchParts) + " parts, "
+        + batchStatusKey(result.status) + "\nverdict "
+        + verdictText(weigh(summary, result), summary) + "\nnot good " + shareText(summary.bad)
+        + "; did not reach size " + std::to_string(summary.failed) + "\n" + strippedText(summary)
+        + "worst part " + std::to_string(summary.worstPart) + " (from 0)"
+        + factorsText(result, summary.worstPart) + '\n' + notCountedText(result.project);
     const auto regressions = rankRegressions(result);
     const auto factors = scatteredFactors(result.project);
     for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {

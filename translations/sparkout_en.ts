@@ -99,6 +99,13 @@
             </translation>
         </message>
         <message numerus="yes">
+            <source>%1, %n part(s) between settings of the gauge</source>
+            <translation>
+                <numerusform>%1, %n part between settings of the gauge</numerusform>
+                <numerusform>%1, %n parts between settings of the gauge</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
             <source>%1, %n part(s) between dressings</source>
             <translation>
                 <numerusform>%1, %n part between dressings</numerusform>

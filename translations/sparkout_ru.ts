@@ -88,6 +88,10 @@
             <translation>Не годны: %1.</translation>
         </message>
         <message>
+            <source>Not counted: %1.</source>
+            <translation>Не учтено: %1.</translation>
+        </message>
+        <message>
             <source>%1 of %2 parts have no size, form and Ra: strips stay uncut, so no Ppk is given.</source>
             <translation>У %1 из %2 деталей нет размера, формы и Ra: остаются непрошлифованные полосы, поэтому Ppk не указан.</translation>
         </message>
@@ -5022,6 +5026,78 @@ With another name both versions stay as they are.</source>
             <translation>Деталей между правками</translation>
         </message>
         <message>
+            <source>Thermal expansion</source>
+            <translation>Тепловое расширение</translation>
+        </message>
+        <message>
+            <source>By how much a metre of the part grows with each kelvin: what the gauge reads too large on a warm part.</source>
+            <translation>На сколько метр детали удлиняется с каждым кельвином: на столько больше показывает прибор по тёплой детали.</translation>
+        </message>
+        <message>
+            <source>Gauge error</source>
+            <translation>Погрешность прибора</translation>
+        </message>
+        <message>
+            <source>What the gauge reads too large on the diameter. Under gauge control the part, and a bore too, ends smaller by as much. In a batch its random part and its drift are factors.</source>
+            <translation>На сколько прибор показывает диаметр больше. При управлении по прибору деталь, и отверстие тоже, выходит меньше на столько же. В партии её случайная часть и дрейф — факторы.</translation>
+        </message>
+        <message>
+            <source>Part warmer at the gauge</source>
+            <translation>Деталь теплее у прибора</translation>
+        </message>
+        <message>
+            <source>How much warmer the part is at the gauge than the gauge is set for. It cools to a size smaller by α·d·ΔT. How warm grinding makes it is not computed.</source>
+            <translation>На сколько деталь у прибора теплее, чем при его настройке. Остыв, она меньше на α·d·ΔT. Нагрев шлифованием не рассчитывается.</translation>
+        </message>
+        <message>
+            <source>Highest wheel speed</source>
+            <translation>Наибольшая скорость круга</translation>
+        </message>
+        <message>
+            <source>Peripheral speed up to which the machine drives a wheel; a starting cycle takes it where the wheel stands it.</source>
+            <translation>Окружная скорость, до которой станок вращает круг; исходный цикл берёт её, если круг её допускает.</translation>
+        </message>
+        <message>
+            <source>Gauge repeatability</source>
+            <translation>Повторяемость прибора</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the in-process gauge's reading of a diameter. A batch with the factor of the gauge's error scatters by it.</source>
+            <translation>Среднее квадратическое отклонение отсчёта диаметра прибором активного контроля. По ней рассеивается партия с фактором погрешности прибора.</translation>
+        </message>
+        <message>
+            <source>Gauge drift</source>
+            <translation>Дрейф прибора</translation>
+        </message>
+        <message>
+            <source>By how much more the in-process gauge reads with each hour since it was set. A batch with the factor of that time drifts by it.</source>
+            <translation>На сколько больше показывает прибор активного контроля с каждым часом после настройки. По нему смещается партия с фактором этого времени.</translation>
+        </message>
+        <message>
+            <source>Random error of the gauge</source>
+            <translation>Случайная погрешность прибора</translation>
+        </message>
+        <message>
+            <source>In standard deviations: it multiplies the machine's gauge repeatability. Normal with the mean 0 and the deviation 1 is the gauge as the machine has it.</source>
+            <translation>В средних квадратических отклонениях: умножает повторяемость прибора станка. Нормальный закон со средним 0 и отклонением 1 — прибор, каков он у станка.</translation>
+        </message>
+        <message>
+            <source>Time since the gauge was set</source>
+            <translation>Время с настройки прибора</translation>
+        </message>
+        <message>
+            <source>it does not drift</source>
+            <translation>дрейфа нет</translation>
+        </message>
+        <message>
+            <source>It multiplies the machine's gauge drift. Growing part by part from 0: the last part is ground the time of a piece later for each part before it; the parts between dressings are those from one setting of the gauge to the next.</source>
+            <translation>Умножает дрейф прибора станка. Растёт от детали к детали с 0: каждая деталь шлифуется на штучное время позже предыдущей; деталей между правками — столько, сколько от настройки прибора до следующей.</translation>
+        </message>
+        <message>
+            <source>By how much more than the gauge is set for: the part cools to a size smaller by α·d·ΔT.</source>
+            <translation>На сколько теплее, чем при настройке прибора: остыв, деталь меньше на α·d·ΔT.</translation>
+        </message>
+        <message>
             <source>the whole batch</source>
             <translation>вся партия</translation>
         </message>
@@ -7010,8 +7086,8 @@ With another name both versions stay as they are.</source>
             <translation>Угол на детали от места, где грань сошлифована глубже всего, до места, где глубже всего шлифует эксцентриситет. В партии может рассеиваться по всему обороту.</translation>
         </message>
         <message>
-            <source>Factor on the roundness deviation and runout that the machine prints, of all zones or sections.</source>
-            <translation>Множитель отклонения от круглости и биения от станка, во всех зонах или сечениях.</translation>
+            <source>Factor on the roundness deviation and runout that the machine prints, of all zones or sections; without a form on its geometric runout.</source>
+            <translation>Множитель отклонения от круглости и биения от станка, во всех зонах или сечениях; без формы — его геометрического биения.</translation>
         </message>
         <message>
             <source>Uniform from 0 to 360° where parts are clamped as it comes.</source>
@@ -8493,6 +8569,10 @@ With another name both versions stay as they are.</source>
             <translation>Негодных деталей в партии</translation>
         </message>
         <message>
+            <source>Not counted in the batch</source>
+            <translation>Не учтено в партии</translation>
+        </message>
+        <message>
             <source>Minimum Ppk</source>
             <translation>Наименьший Ppk</translation>
         </message>
@@ -8662,6 +8742,14 @@ With another name both versions stay as they are.</source>
         <message>
             <source>grows part by part from %1 to %2</source>
             <translation>растёт от детали к детали с %1 до %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1, %n part(s) between settings of the gauge</source>
+            <translation>
+                <numerusform>%1, между настройками прибора %n деталь</numerusform>
+                <numerusform>%1, между настройками прибора %n детали</numerusform>
+                <numerusform>%1, между настройками прибора %n деталей</numerusform>
+            </translation>
         </message>
         <message numerus="yes">
             <source>%1, %n part(s) between dressings</source>
@@ -11105,6 +11193,18 @@ With another name both versions stay as they are.</source>
         <message>
             <source>K</source>
             <translation>К</translation>
+        </message>
+        <message>
+            <source>µm/(m·K)</source>
+            <translation>мкм/(м·К)</translation>
+        </message>
+        <message>
+            <source>µm/h</source>
+            <translation>мкм/ч</translation>
+        </message>
+        <message>
+            <source>h</source>
+            <translation>ч</translation>
         </message>
         <message>
             <source>°</source>

@@ -25,9 +25,11 @@ Issues errorsOf(Issues issues) {
 Issues faultsOfExtremes(Project project) {
     project.batch->scenarios = Scenarios::corners;
     const ScenarioSource corners(std::move(project));
-    const std::size_t all = corners.factors().size();
-    const auto ofPart = static_cast<std::size_t>(
-        std::ranges::count_if(corners.factors(), [](const GivenFactor& f) { return f.place < 0; }));
+    const std::size_t all = corneredCount(corners.factors());
+    const auto ofPart =
+        static_cast<std::size_t>(std::ranges::count_if(corners.factors(), [](const GivenFactor& f) {
+            return f.place < 0 && !isOfReading(f.kind);
+        }));
     const std::int64_t zones = ((std::int64_t{1} << all) - 1) >> ofPart << ofPart;
     for (std::int64_t part = 0; part < std::int64_t{1} << ofPart; ++part) {
         for (const std::int64_t corner : {part, part | zones}) {

@@ -35,6 +35,14 @@ ordered_json characteristicJson(const CharacteristicFigures& figures) {
     return json;
 }
 
+ordered_json notCountedJson(const Project& project) {
+    ordered_json json = ordered_json::array();
+    for (const FactorKind kind : notCounted(project)) {
+        json.push_back(factorKey(kind));
+    }
+    return json;
+}
+
 /// Parts by what makes them bad, the most frequent first.
 ordered_json rejectsJson(const BatchSummary& summary) {
     ordered_json json = ordered_json::object();
@@ -126,6 +134,7 @@ std::string batchJson(const BatchResult& result, const std::optional<SobolIndice
                          {"rejects", rejectsJson(summary)},
                          {"verdict", verdictJson(weigh(summary, result), summary)},
                          {"drifts", summary.drifts},
+                         {"not_counted", notCountedJson(result.project)},
                          {"exact_percentiles", summary.exactPercentiles},
                          {"characteristics", ordered_json::array()},
                          {"worst", worstJson(result, summary.worstPart)}};

@@ -5,6 +5,7 @@
 #include "core/process/recipe_force.h"
 #include "core/process/scaled_compliance.h"
 #include "core/project/batch.h"
+#include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
@@ -116,6 +117,11 @@ double lawValue(const GivenFactor& factor, std::int64_t part, std::int64_t parts
     return ends[0] + share * (ends[1] - ends[0]);
 }
 
+double factorMiddle(const GivenFactor& factor) {
+    return factor.isLaw() ? (factor.law.grows->front() + factor.law.grows->back()) / 2
+                          : factorQuantile(factor, 0.5);
+}
+
 FactorEnds cornerEnds(const GivenFactor& factor) {
     if (!factor.law.normal) {
         const Factor& law = factor.law;
@@ -164,6 +170,10 @@ void putFactor(FactorKind kind, double value, Project& project) {
     case FactorKind::flowStress: project.material->flow_stress_mpa = value; break;
     case FactorKind::compliance: scaleCompliance(project, value); break;
     case FactorKind::machineForm:
+        if (!project.machine->form) {
+            project.machine->geometric_runout_um *= value;
+            break;
+        }
         for (auto* const own :
              {&project.machine->form->roundness_um, &project.machine->form->runout_um}) {
             for (std::size_t i = 0; *own && i < (*own)->size(); ++i) {
@@ -172,6 +182,13 @@ void putFactor(FactorKind kind, double value, Project& project) {
         }
         break;
     case FactorKind::runoutAt: project.machine->form->runout_at_deg = value; break;
+    case FactorKind::gaugeError:
+        project.gauge->error_um += value * project.machine->gauge_repeatability_um.value_or(0);
+        break;
+    case FactorKind::gaugeAge:
+        project.gauge->error_um += value * project.machine->gauge_drift_um_h.value_or(0);
+        break;
+    case FactorKind::partWarmer: project.gauge->part_warmer_k = value; break;
     case FactorKind::contactWidth:
         (project.operation->travels ? project.wheel->width_mm : project.part->length_mm) = value;
         break;

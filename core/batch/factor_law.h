@@ -23,6 +23,9 @@ namespace sparkout {
 /// constant.
 [[nodiscard]] double factorRank(const GivenFactor& factor, double value);
 
+/// The median; of a law over the batch the mean of its ends.
+[[nodiscard]] double factorMiddle(const GivenFactor& factor);
+
 /// The ends between which corners are taken: the least and greatest value; of a normal factor the
 /// bounds it is truncated to, else m ± 3s.
 struct FactorEnds {
@@ -33,7 +36,9 @@ struct FactorEnds {
 /// Puts a value of a factor into a project. The wheel speed falls with the wheel's diameter at
 /// the same rev/min; the compliance factor multiplies every γ, or divides every stiffness and E; a
 /// measured profile is stretched to the runout; the contact width is the wheel's width in traverse,
-/// the ground length in plunge; the machine's form is printed so many times as high.
+/// the ground length in plunge; the machine's form is printed so many times as high, and without
+/// one its geometric runout; the gauge's error grows by z repeatabilities and by the drift of t
+/// hours.
 void putFactor(FactorKind kind, double value, Project& project);
 /// The same of a factor that may be one of a zone or section alone: what its input says is
 /// replaced.

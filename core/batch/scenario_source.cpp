@@ -34,7 +34,7 @@ ScenarioSource::ScenarioSource(Project project)
     if (m_isSample) {
         m_parts = m_batch.parts;
     } else {
-        m_parts = std::int64_t{1} << m_factors.size();
+        m_parts = cornerCount(m_factors);
     }
 }
 
@@ -63,9 +63,14 @@ double ScenarioSource::share(std::int64_t part, std::size_t factor) const {
 std::vector<double> ScenarioSource::values(std::int64_t part) const {
     std::vector<double> values(m_factors.size());
     if (!m_isSample) {
+        int bit = 0;
         for (std::size_t f = 0; f < values.size(); ++f) {
+            if (isOfReading(m_factors[f].kind)) {
+                values[f] = factorMiddle(m_factors[f]);
+                continue;
+            }
             const FactorEnds ends = cornerEnds(m_factors[f]);
-            values[f] = (part >> f & 1) != 0 ? ends.high : ends.low;
+            values[f] = (part >> bit++ & 1) != 0 ? ends.high : ends.low;
         }
         return values;
     }

@@ -131,7 +131,7 @@ private:
         const Run& run = end.steps.run();
         Label label;
         label.time_s = run.time_s();
-        label.deflection_mm = run.fed_mm - (m_runs.totalInfeed_mm() - end.steps.remaining());
+        label.deflection_mm = run.fed_mm - (run.sizeDepth_mm() - end.steps.remaining());
         std::shared_ptr<const CycleSteps> steps; // one for all ends on this step
         for (int taken = end.first; taken <= end.last; ++taken) {
             std::vector<Label>& state = next[{taken, m_keepsSetting ? setting : 0}];

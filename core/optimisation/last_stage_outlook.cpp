@@ -19,7 +19,7 @@ LastStageOutlook outlook(const CycleSteps& part, const FollowedRadii& telling,
                          const LastStage& stage, const PassCuts& cuts) {
     const RadiusFollower& follower = *part.follower();
     const Run& run = part.run();
-    const double size_mm = run.blank().totalInfeed_mm - stageSlack_mm - followedRounding_mm;
+    const double size_mm = run.sizeDepth_mm() - stageSlack_mm - followedRounding_mm;
     const auto isTooDeep = [&](const FollowedRadii& at) {
         return cuts.isTooDeep(run.diameterDeviation(at.radii[1].depth_mm, at.radii[2].depth_mm));
     };

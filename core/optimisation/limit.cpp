@@ -429,7 +429,10 @@ SteplessLimit limitOf(const Project& project, const LimitedCycles& cycles, bool 
     if (times.infeed_mm <= 0 && cycles.continuousFeed_mm_min <= 0) {
         return limit;
     }
-    const double left = sparksOut ? leftByField_mm(*project.part) : 0;
+    // where the gauge ends the cycle, and reads too small, more is left
+    const double all_mm = blank.totalInfeed_mm;
+    const double short_mm = std::max(all_mm - depthAtEnd_mm(project, all_mm), 0.0);
+    const double left = sparksOut ? leftByField_mm(*project.part) : short_mm;
     const double end = left + 2 * stageSlack_mm + mostOfDiameters_mm(project); ///< stock left there
     const double all = blank.totalInfeed_mm - end;
     // a datum of the position control may be nearer than the first touch; the wear of the wheel

@@ -40,7 +40,7 @@ std::vector<std::int64_t> cornersOf(const std::vector<GivenFactor>& factors) {
     const std::int64_t bit =
         stock == factors.end() ? 0 : std::int64_t{1} << (stock - factors.begin());
     std::vector<std::int64_t> corners;
-    const std::int64_t all = std::int64_t{1} << factors.size();
+    const std::int64_t all = cornerCount(factors);
     for (std::int64_t i = 0; i < all; ++i) {
         if ((i & bit) == 0) {
             corners.push_back(i);

@@ -64,7 +64,7 @@ PhaseOutlook::PhaseOutlook(const PhaseCase& of, const Grid& grid, std::size_t me
     m_unbegun = stateOf(*m_blank);
     m_lags.emplace(*follower, m_feeds, m_blank->gaugePoint());
     const Run& run = m_blank->run();
-    m_sure_mm = run.blank().totalInfeed_mm - stageSlack_mm - 8 * m_doubt_mm;
+    m_sure_mm = run.sizeDepth_mm() - stageSlack_mm - 8 * m_doubt_mm;
     m_excess_mm =
         (m_runner.cuts().left_mm(run.diameterDeviation(m_sure_mm, m_sure_mm)) + larger_mm(0)) / 2;
 }
@@ -223,7 +223,7 @@ bool PhaseOutlook::endsTooDeep(const State& state, const GridCycle& cycle, Stock
     const int sparkOut = m_grid.settings()[setting].sparkOut;
     const RadiusFollower& follower = *m_blank->follower();
     const Run& run = m_blank->run();
-    const double size_mm = run.blank().totalInfeed_mm - stageSlack_mm - roundings_mm;
+    const double size_mm = run.sizeDepth_mm() - stageSlack_mm - roundings_mm;
     const long long mostPasses = maxVisits / run.radii();
     const double most_mm = range.to_mm - m_doubt_mm;
     FollowedRadii strokes = state.telling;

@@ -97,7 +97,6 @@ public:
     }
     [[nodiscard]] const TimeBound& bound() const { return *m_bound; }
     [[nodiscard]] bool isGauged() const { return m_gauge; }
-    [[nodiscard]] double totalInfeed_mm() const { return m_total; }
 
 private:
     struct Ends {

@@ -39,7 +39,7 @@ double blankInfeed_mm(const Project& project, double total_mm) {
 double sureInfeed_mm(const Project& project, double total_mm) {
     const double before_mm =
         project.gauge->control == Control::gauge ? mostOfDiameters_mm(project) : 0;
-    return blankInfeed_mm(project, total_mm) - before_mm;
+    return depthAtEnd_mm(project, blankInfeed_mm(project, total_mm)) - before_mm;
 }
 
 } // namespace

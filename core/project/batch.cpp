@@ -12,6 +12,15 @@ namespace {
 bool hasMachineForm(const Project& p, const void*) {
     return p.machine->form.has_value();
 }
+bool printsRunout(const Project& p, const void*) {
+    return p.machine->form.has_value() || p.machine->geometric_runout_um > 0;
+}
+bool knowsRepeatability(const Project& p, const void*) {
+    return p.machine->gauge_repeatability_um.has_value();
+}
+bool knowsDrift(const Project& p, const void*) {
+    return p.machine->gauge_drift_um_h.has_value();
+}
 
 } // namespace
 
@@ -101,10 +110,11 @@ const StructInfo& tableOf<Factors>() {
                                            "cut follow. Plunge: the ground length.")),
         SPARKOUT_FIELD(Factors, machine_form, .label = SPARKOUT_NOOP("Input", "Machine's form"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-                       .relevant = hasMachineForm, .page = Page::batch,
+                       .relevant = printsRunout, .page = Page::batch,
                        .hint = SPARKOUT_NOOP("Input", "Factor on the roundness deviation and "
                                                       "runout that the machine prints, of all "
-                                                      "zones or sections."),
+                                                      "zones or sections; without a form on its "
+                                                      "geometric runout."),
                        .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Factors, runout_at_deg,
@@ -114,6 +124,31 @@ const StructInfo& tableOf<Factors>() {
             .hint = SPARKOUT_NOOP("Input", "Uniform from 0 to 360° where parts are clamped as it "
                                            "comes."),
             .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            Factors, gauge_error, .label = SPARKOUT_NOOP("Input", "Random error of the gauge"),
+            .symbol = "z", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
+            .relevant = knowsRepeatability, .page = Page::batch, .usual = true,
+            .hint = SPARKOUT_NOOP("Input", "In standard deviations: it multiplies the machine's "
+                                           "gauge repeatability. Normal with the mean 0 and the "
+                                           "deviation 1 is the gauge as the machine has it."),
+            .formula = "e_g = z·s_g + v_g·t", .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Factors, gauge_age_h, .label = SPARKOUT_NOOP("Input", "Time since the gauge was set"),
+            .symbol = "t", .unit = "h", .nullMeaning = SPARKOUT_NOOP("Input", "it does not drift"),
+            .relevant = knowsDrift, .page = Page::batch, .usual = true,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "It multiplies the machine's gauge drift. Growing part by part "
+                                  "from 0: the last part is ground the time of a piece later for "
+                                  "each part before it; the parts between dressings are those from "
+                                  "one setting of the gauge to the next."),
+            .formula = "e_g = z·s_g + v_g·t", .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Factors, part_warmer_k, .label = SPARKOUT_NOOP("Input", "Part warmer at the gauge"),
+            .symbol = "ΔT", .unit = "K", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
+            .page = Page::batch, .usual = true,
+            .hint = SPARKOUT_NOOP("Input", "By how much more than the gauge is set for: the part "
+                                           "cools to a size smaller by α·d·ΔT."),
+            .formula = "D + e_g + α·d·ΔT", .source = "MODEL-7"),
     };
     static const StructInfo info = makeTable<Factors>(SPARKOUT_NOOP("Struct", "Factors"), rows);
     return info;

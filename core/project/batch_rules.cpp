@@ -39,10 +39,14 @@ private:
     void checkForm(const GivenFactor& factor) {
         const std::string path = std::string("/batch/factors/") + factorKey(factor.kind);
         const Factor& law = factor.law;
-        const bool isOfForm =
-            factor.kind == FactorKind::machineForm || factor.kind == FactorKind::runoutAt;
-        if (isOfForm && !m_project.machine->form) {
+        if (factor.kind == FactorKind::runoutAt && !m_project.machine->form) {
             add(IssueCode::notUsedHere, path, {}, Keys{{"/machine/form"}});
+            return;
+        }
+        if (factor.kind == FactorKind::machineForm && !m_project.machine->form
+            && m_project.machine->geometric_runout_um <= 0) {
+            add(IssueCode::notUsedHere, path, {},
+                Keys{{"/machine/form", "/machine/geometric_runout_um"}});
             return;
         }
         const int forms =

@@ -3,8 +3,10 @@
 
 #include "core/project/conditions.h"
 #include "core/project/cycle.h"
+#include "core/project/material.h"
 #include "core/project/part.h"
 #include "core/text.h"
+#include "core/units.h"
 
 namespace sparkout {
 
@@ -25,6 +27,19 @@ bool gaugeFree(const Project& p, const void*) {
 }
 
 } // namespace
+
+double readsTooLarge_mm(const Project& project) {
+    constexpr double perMetre = 1e-6; // of µm/m
+    const Gauge& gauge = *project.gauge;
+    return gauge.error_um / units::umPerMm
+           + project.material->expansion_um_m_k * perMetre * project.part->diameter_mm
+                 * gauge.part_warmer_k;
+}
+
+double deeperAtSize_mm(const Project& project) {
+    const double half_mm = readsTooLarge_mm(project) / 2;
+    return project.part->surface == Surface::external ? half_mm : -half_mm;
+}
 
 template <>
 std::span<const Choice> choicesOf<Control>() {
@@ -115,6 +130,24 @@ const StructInfo& tableOf<Gauge>() {
                                   "the gauge ends goes on for the whole double strokes or "
                                   "revolutions that it lasts, the last one too."),
             .formula = "t ≥ t_m + τ_g", .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            Gauge, error_um, .label = SPARKOUT_NOOP("Input", "Gauge error"), .symbol = "e_g",
+            .unit = "µm", .hard = {-100, 100}, .soft = {-5, 5}, .relevant = gaugeEndsAStage,
+            .sparse = true, .page = Page::gauge,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "What the gauge reads too large on the diameter. Under gauge "
+                                  "control the part, and a bore too, ends smaller by as much. In a "
+                                  "batch its random part and its drift are factors."),
+            .formula = "D + e_g + α·d·ΔT", .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            Gauge, part_warmer_k, .label = SPARKOUT_NOOP("Input", "Part warmer at the gauge"),
+            .symbol = "ΔT", .unit = "K", .hard = {-200, 200}, .soft = {-20, 20},
+            .relevant = gaugeEndsAStage, .sparse = true, .page = Page::gauge,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "How much warmer the part is at the gauge than the gauge is set "
+                                  "for. It cools to a size smaller by α·d·ΔT. How warm grinding "
+                                  "makes it is not computed."),
+            .formula = "D + e_g + α·d·ΔT", .source = "MODEL-7"),
     };
     static const StructInfo info = makeTable<Gauge>(SPARKOUT_NOOP("Struct", "Gauge"), rows);
     return info;

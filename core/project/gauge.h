@@ -21,7 +21,15 @@ struct Gauge {
     bool spans_gaps = true;         ///< reads across the gaps of an interrupted surface
     int commands = 5;               ///< stages the gauge can switch
     std::optional<double> delay_s;  ///< from the reading to the command; not given: none [s]
+    double error_um = 0;            ///< e_g, what it reads too large on the diameter [µm]
+    double part_warmer_k = 0; ///< ΔT, part at the gauge over the temperature it is set for [K]
 };
+
+/// What the gauge reads too large on the diameter [mm]: e_g + α·d·ΔT [MODEL-7].
+[[nodiscard]] double readsTooLarge_mm(const Project& project);
+/// How much deeper than at the target the radii stand when it reads the size [mm]: half of that,
+/// in a bore half of it less.
+[[nodiscard]] double deeperAtSize_mm(const Project& project);
 
 template <>
 std::span<const Choice> choicesOf<Control>();

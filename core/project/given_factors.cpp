@@ -2,6 +2,7 @@
 #include "core/project/given_factors.h"
 
 #include "core/project/batch.h"
+#include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
@@ -17,6 +18,8 @@ namespace sparkout {
 namespace {
 
 constexpr double mostFormFactor = 100;
+constexpr double mostGaugeError = 10; ///< standard deviations
+constexpr double longestGaugeAge_h = 1000;
 
 Range allowedValues(FactorKind kind, Operation operation) {
     switch (kind) {
@@ -30,6 +33,9 @@ Range allowedValues(FactorKind kind, Operation operation) {
                                   : tableOf<Part>().find("length_mm")->hard;
     case FactorKind::machineForm: return {0, mostFormFactor};
     case FactorKind::runoutAt: return tableOf<MachineForm>().find("runout_at_deg")->hard;
+    case FactorKind::gaugeError: return {-mostGaugeError, mostGaugeError};
+    case FactorKind::gaugeAge: return {0, longestGaugeAge_h};
+    case FactorKind::partWarmer: return tableOf<Gauge>().find("part_warmer_k")->hard;
     case FactorKind::compliance: break;
     }
     return {1e-3, 1e3}; // a factor on γ: between a thousandth and a thousand times
@@ -101,12 +107,40 @@ std::vector<GivenFactor> scatteredFactors(const Project& project) {
     return all;
 }
 
+std::size_t corneredCount(const std::vector<GivenFactor>& factors) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        factors, [](const GivenFactor& each) { return !isOfReading(each.kind); }));
+}
+
+std::vector<FactorKind> notCounted(const Project& project) {
+    const bool corners = project.batch && project.batch->scenarios == Scenarios::corners;
+    const std::vector<GivenFactor> given = scatteredFactors(project);
+    std::vector<FactorKind> left;
+    const auto fields = tableOf<Factors>().fields;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const auto kind = static_cast<FactorKind>(i);
+        const Field& field = fields[i];
+        const bool hasEffect = !field.relevant || field.relevant(project, nullptr);
+        const bool isGiven = std::ranges::find(given, kind, &GivenFactor::kind) != given.end();
+        const bool isCounted = isGiven && hasEffect && !(corners && isOfReading(kind));
+        const bool isUsual = field.usual || kind == FactorKind::machineForm;
+        if (isUsual && !isCounted) {
+            left.push_back(kind);
+        }
+    }
+    return left;
+}
+
 const char* factorLabel(const GivenFactor& factor) {
     return factor.place < 0
-               ? tableOf<Factors>().fields[static_cast<std::size_t>(factor.kind)].label
+               ? factorLabel(factor.kind)
                : tableOf<Batch>()
                      .find(std::ranges::find(zoneRows, factor.kind, &ZoneRows::kind)->key)
                      ->label;
+}
+
+const char* factorLabel(FactorKind kind) {
+    return tableOf<Factors>().fields[static_cast<std::size_t>(kind)].label;
 }
 
 std::string factorKey(const GivenFactor& factor) {

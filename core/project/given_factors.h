@@ -4,6 +4,8 @@
 #include "core/project/batch.h"
 #include "core/project/project.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,8 +25,17 @@ enum class FactorKind {
     compliance,
     contactWidth,
     machineForm,
-    runoutAt
+    runoutAt,
+    gaugeError,
+    gaugeAge,
+    partWarmer
 };
+
+/// Whether it is an error of what the gauge reads. Corners leave those at their middle: they are
+/// random and independent, and no cycle makes up for them.
+[[nodiscard]] constexpr bool isOfReading(FactorKind kind) {
+    return kind >= FactorKind::gaugeError;
+}
 
 /// A factor of a batch that is given, with what its input allows.
 struct GivenFactor {
@@ -48,11 +59,23 @@ struct GivenFactor {
 /// All that scatter: those of the part, then those of its zones or sections.
 [[nodiscard]] std::vector<GivenFactor> scatteredFactors(const Project& project);
 
+/// Of the factors those that have corners, and how many corners there are; 1 without any.
+[[nodiscard]] std::size_t corneredCount(const std::vector<GivenFactor>& factors);
+[[nodiscard]] inline std::int64_t cornerCount(const std::vector<GivenFactor>& factors) {
+    return std::int64_t{1} << corneredCount(factors);
+}
+
+/// The usual causes of scatter that the batch of a project leaves out, in the order of their table:
+/// not given, or without the machine's number they multiply, or left at their middle by corners. Of
+/// a project without a batch all of them.
+[[nodiscard]] std::vector<FactorKind> notCounted(const Project& project);
+
 /// Key of a factor in the file, "stock_mm".
 [[nodiscard]] const char* factorKey(FactorKind kind);
 /// The same of a zone or section, "zone_stock_mm rz1", "zone_compliance section 2" (from 0).
 [[nodiscard]] std::string factorKey(const GivenFactor& factor);
 /// Label of its input.
 [[nodiscard]] const char* factorLabel(const GivenFactor& factor);
+[[nodiscard]] const char* factorLabel(FactorKind kind);
 
 } // namespace sparkout

@@ -169,6 +169,14 @@ const StructInfo& tableOf<MachineLimits>() {
                        .unit = "mm", .hard = {1, 1e5},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Length that the machine takes.")),
+        SPARKOUT_FIELD(
+            MachineLimits, wheel_speed_m_s, .label = SPARKOUT_NOOP("Input", "Highest wheel speed"),
+            .symbol = "V_m", .unit = "m/s", .hard = {1, 250},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .sparse = true,
+            .page = Page::machine,
+            .hint = SPARKOUT_NOOP("Input", "Peripheral speed up to which the machine drives a "
+                                           "wheel; a starting cycle takes it where the wheel "
+                                           "stands it.")),
     };
     static const StructInfo info =
         makeTable<MachineLimits>(SPARKOUT_NOOP("Struct", "Machine ranges"), rows);
@@ -255,6 +263,28 @@ Field geometricRunout() {
         .hint = SPARKOUT_NOOP("Input", "Runout of centres and spindle; it adds to every runout. At "
                                        "0 it is not known."),
         .source = "MODEL-7");
+}
+
+Field gaugeRepeatability() {
+    return SPARKOUT_FIELD(
+        Machine, gauge_repeatability_um, .label = SPARKOUT_NOOP("Input", "Gauge repeatability"),
+        .symbol = "s_g", .unit = "µm", .hard = {0, 100}, .soft = {0.1, 3},
+        .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .sparse = true, .page = Page::machine,
+        .hint = SPARKOUT_NOOP("Input", "Standard deviation of the in-process gauge's reading of a "
+                                       "diameter. A batch with the factor of the gauge's error "
+                                       "scatters by it."),
+        .formula = "e_g = z·s_g + v_g·t", .source = "MODEL-8");
+}
+
+Field gaugeDrift() {
+    return SPARKOUT_FIELD(
+        Machine, gauge_drift_um_h, .label = SPARKOUT_NOOP("Input", "Gauge drift"), .symbol = "v_g",
+        .unit = "µm/h", .hard = {-1000, 1000}, .soft = {-5, 5},
+        .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .sparse = true, .page = Page::machine,
+        .hint = SPARKOUT_NOOP("Input", "By how much more the in-process gauge reads with each hour "
+                                       "since it was set. A batch with the factor of that time "
+                                       "drifts by it."),
+        .formula = "e_g = z·s_g + v_g·t", .source = "MODEL-8");
 }
 
 Field machineForm() {
@@ -357,6 +387,8 @@ const StructInfo& tableOf<Machine>() {
         zoneCompliance(),
         geometricRunout(),
         machineForm(),
+        gaugeRepeatability(),
+        gaugeDrift(),
         SPARKOUT_FIELD(Machine, wheel_drive_kw,
                        .label = SPARKOUT_NOOP("Input", "Wheel drive power"), .symbol = "N_k",
                        .unit = "kW", .hard = {0, 1000, true},

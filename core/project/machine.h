@@ -34,6 +34,7 @@ struct MachineLimits {
     std::optional<std::vector<double>> work_speed_rpm;
     std::optional<double> part_diameter_mm; ///< largest; not given: not limited [mm]
     std::optional<double> part_length_mm;   ///< largest; not given: not limited [mm]
+    std::optional<double> wheel_speed_m_s;  ///< highest V_k; not given: not limited [m/s]
 };
 
 /// What centres, headstock and spindle print onto every part, by zone or section: their axis moves
@@ -66,10 +67,13 @@ struct Machine {
     GivenCompliance compliance_mm_per_n; ///< γ; not given: from stiffness and shaft [mm/N]
     std::optional<Stiffness> stiffness_n_um;
     std::optional<std::vector<double>> zone_compliance; ///< factor on γ of each zone or section
-    double geometric_runout_um = 0;       ///< of centres and spindle, adds to runout [µm]
-    std::optional<MachineForm> form;      ///< then geometric_runout_um is not used
-    std::optional<double> wheel_drive_kw; ///< [kW]; not given: not limited
-    std::optional<double> work_drive_kw;  ///< [kW]; not given: not limited
+    double geometric_runout_um = 0;  ///< of centres and spindle, adds to runout [µm]
+    std::optional<MachineForm> form; ///< then geometric_runout_um is not used
+    // Of its in-process gauge; not given: not known, and no scatter of a batch.
+    std::optional<double> gauge_repeatability_um; ///< s_g, standard deviation of a reading [µm]
+    std::optional<double> gauge_drift_um_h;       ///< v_g, of the reading since it was set [µm/h]
+    std::optional<double> wheel_drive_kw;         ///< [kW]; not given: not limited
+    std::optional<double> work_drive_kw;          ///< [kW]; not given: not limited
     /// From the gauge's command to the next stage's feed; not given: none [s]
     std::optional<double> feed_change_delay_s;
     EntrySide entry_side = EntrySide::headstock;

@@ -120,6 +120,14 @@ const StructInfo& tableOf<Material>() {
             .symbol = "ε_w", .hard = {0, 1, true}, .soft = {0.05, 1}, .page = Page::material,
             .hint = SPARKOUT_NOOP("Input", "Share of the grinding heat that enters the part."),
             .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Material, expansion_um_m_k, .label = SPARKOUT_NOOP("Input", "Thermal expansion"),
+            .symbol = "α", .unit = "µm/(m·K)", .hard = {0, 100}, .soft = {5, 25}, .sparse = true,
+            .page = Page::material,
+            .hint =
+                SPARKOUT_NOOP("Input", "By how much a metre of the part grows with each kelvin: "
+                                       "what the gauge reads too large on a warm part."),
+            .formula = "α·d·ΔT", .source = "MODEL-7"),
     };
     static const StructInfo info = makeTable<Material>(SPARKOUT_NOOP("Struct", "Material"), rows);
     return info;

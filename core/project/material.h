@@ -30,6 +30,7 @@ struct Material {
     double diffusivity_mm2_s = 9;                        ///< Ω [mm²/s]
     std::optional<double> burn_rise_k; ///< U_burn, temperature rise that burns [K]
     double heat_share = 1;             ///< ε_w, share of the heat that goes into the part
+    double expansion_um_m_k = 11.5;    ///< α, of length with temperature [µm/(m·K)]
 };
 
 template <>

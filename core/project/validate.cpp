@@ -97,6 +97,7 @@ public:
         checkMachineLimits();
         checkRoom();
         checkWheelSpeed();
+        checkReading();
         checkRecipe();
         checkForceLaw();
         checkStages();
@@ -582,6 +583,14 @@ private:
 
     void checkWheelSpeed() {
         const double speed = project().machine->wheel_speed_m_s;
+        const std::optional<double>& driven = project().machine->limits.wheel_speed_m_s;
+        if (driven && speed > *driven
+            && sound({"/machine/wheel_speed_m_s", "/machine/limits/wheel_speed_m_s"})) {
+            add(IssueCode::outOfRange, "/machine/wheel_speed_m_s", Amount{speed, "m/s"},
+                Bounds{.range = {.high = *driven},
+                       .unit = "m/s",
+                       .field = "/machine/limits/wheel_speed_m_s"});
+        }
         const std::optional<double>& highest = project().wheel->max_speed_m_s;
         if (highest && speed > *highest
             && sound({"/machine/wheel_speed_m_s", "/wheel/max_speed_m_s"})) {
@@ -589,6 +598,31 @@ private:
                 Bounds{
                     .range = {.high = *highest}, .unit = "m/s", .field = "/wheel/max_speed_m_s"});
         }
+    }
+
+    /// What the gauge reads too large on the diameter, or too small, is no more than the stock per
+    /// side: else it would read the size before the wheel has touched.
+    void checkReading() {
+        const Gauge& gauge = *project().gauge;
+        const double error_mm = std::abs(gauge.error_um) / units::umPerMm;
+        const double wrong_mm = std::abs(readsTooLarge_mm(project()));
+        const double most_mm = project().part->stock_mm;
+        if (wrong_mm <= most_mm
+            || !sound({"/part/stock_mm", "/part/diameter_mm", "/gauge/error_um",
+                       "/gauge/part_warmer_k", "/material/expansion_um_m_k"})) {
+            return;
+        }
+        if (error_mm > most_mm) {
+            const double most_um = roundedDown(most_mm * units::umPerMm);
+            add(IssueCode::outOfRange, "/gauge/error_um", um(gauge.error_um),
+                Bounds{{-most_um, most_um}, "µm", "/part/stock_mm"});
+            return;
+        }
+        const double perKelvin_mm =
+            project().material->expansion_um_m_k * 1e-6 * project().part->diameter_mm; // of µm/m
+        const double most_k = roundedDown((most_mm - error_mm) / perKelvin_mm);
+        add(IssueCode::outOfRange, "/gauge/part_warmer_k", Amount{gauge.part_warmer_k, "K"},
+            Bounds{{-most_k, most_k}, "K", "/part/stock_mm"});
     }
 
     void checkCompliance() {

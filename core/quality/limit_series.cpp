@@ -8,6 +8,7 @@
 #include "core/project/material.h"
 #include "core/project/part.h"
 #include "core/quality/constraints.h"
+#include "core/simulation/stage_control.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,9 +42,10 @@ class LimitSeriesBuilder {
 public:
     LimitSeriesBuilder(const SimulationResult& result, const Trajectory& trajectory)
         : m_project(result.project), m_trajectory(trajectory), m_blank(makeBlank(*m_project.part)) {
-        m_series.deepest_mm = m_blank.totalInfeed_mm;
+        m_series.deepest_mm = depthAtEnd_mm(m_project, m_blank.totalInfeed_mm);
+        m_beyondTarget_mm = m_series.deepest_mm - m_blank.totalInfeed_mm;
         if (const auto& U = m_project.material->burn_rise_k) {
-            m_burn.emplace(BurnModel(m_project), *U, m_blank.totalInfeed_mm);
+            m_burn.emplace(BurnModel(m_project), *U, m_series.deepest_mm);
         }
     }
 
@@ -76,8 +78,8 @@ private:
             if (!(a > 0) || !std::isfinite(a) || !std::isfinite(visit.radius_mm)) {
                 continue;
             }
-            const double stock =
-                m_sign * (visit.radius_mm - m_blank.targetRadius_mm) + visit.printed_mm;
+            const double stock = m_sign * (visit.radius_mm - m_blank.targetRadius_mm)
+                                 + visit.printed_mm + m_beyondTarget_mm;
             double usage = fixed > 0 ? a / fixed : unlimited;
             if (m_burn) {
                 const double root = m_burn->usage(std::sqrt(a), stock);
@@ -169,6 +171,7 @@ private:
     const Project& m_project;
     const Trajectory& m_trajectory;
     Blank m_blank;
+    double m_beyondTarget_mm = 0; ///< where a gauge that reads wrong ends the cycle
     double m_sign = m_project.part->surface == Surface::external ? 1 : -1;
     std::optional<BurnTable> m_burn;
     LimitSeries m_series;

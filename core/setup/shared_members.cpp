@@ -21,7 +21,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::array<std::string_view, 23> members{"/title",
+constexpr std::array<std::string_view, 25> members{"/title",
                                                    "/author",
                                                    "/notes",
                                                    "/coolant",
@@ -39,6 +39,8 @@ constexpr std::array<std::string_view, 23> members{"/title",
                                                    "/machine/wheel_speed_control",
                                                    "/machine/stiffness_n_um",
                                                    "/machine/geometric_runout_um",
+                                                   "/machine/gauge_repeatability_um",
+                                                   "/machine/gauge_drift_um_h",
                                                    "/machine/wheel_drive_kw",
                                                    "/machine/work_drive_kw",
                                                    "/machine/wheel_contact",
@@ -135,6 +137,8 @@ void copyShared(const Project& from, Project& to) {
     machine.wheel_speed_control = shared.wheel_speed_control;
     machine.stiffness_n_um = shared.stiffness_n_um;
     machine.geometric_runout_um = shared.geometric_runout_um;
+    machine.gauge_repeatability_um = shared.gauge_repeatability_um;
+    machine.gauge_drift_um_h = shared.gauge_drift_um_h;
     machine.wheel_drive_kw = shared.wheel_drive_kw;
     machine.work_drive_kw = shared.work_drive_kw;
     machine.wheel_contact = shared.wheel_contact;

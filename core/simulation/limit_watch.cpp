@@ -3,6 +3,7 @@
 
 #include "core/project/material.h"
 #include "core/project/part.h"
+#include "core/simulation/stage_control.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,7 +12,7 @@ namespace sparkout {
 
 LimitWatch::LimitWatch(const Project& project, const Blank& blank)
     : m_radii(blank.depth_mm.size())
-    , m_total(blank.totalInfeed_mm)
+    , m_total(depthAtEnd_mm(project, blank.totalInfeed_mm))
     , m_keepsLast(project.part->tolerance.roughness_ra_um.has_value()) {
     if (const auto& rise = project.material->burn_rise_k) {
         m_burn = std::make_shared<const BurnTable>(BurnModel(project), *rise, m_total);

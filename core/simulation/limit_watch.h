@@ -80,7 +80,7 @@ private:
     void keep(const Lanes& lanes, const PassRange& range, const Place* places);
 
     std::size_t m_radii;
-    double m_total; ///< |R_first − R_t| [mm]
+    double m_total; ///< depth at which the cycle ends: depthAtEnd_mm() [mm]
     bool m_keepsLast;
     std::vector<std::optional<Place>> m_sectionLast; ///< where all radii were cut last, if at once
     std::vector<Place> m_laneLast;                   ///< else where each of them was

@@ -75,6 +75,7 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     : m_project(project)
     , m_isShaft(project.part->surface == Surface::external)
     , m_blank(makeBlank(*project.part))
+    , m_sizeDepth_mm(m_blank.totalInfeed_mm + deeperAtSize_mm(project))
     , m_printed_mm(printedLanes(project, points.size()))
     , m_diameters(wholeDiameters(m_blank))
     , m_radii(project.part->radii_per_section)
@@ -281,8 +282,8 @@ double Run::remaining(std::size_t point) const {
         m_printed_mm ? ofPart.data() : m_lanes.depth_mm.data() + point * K;
     const GaugeRule rule = m_project.gauge->rule;
     return m_diameters.empty()
-               ? remainingStock(depth_mm, m_radii, rule, m_blank.totalInfeed_mm)
-               : remainingStock(depth_mm, m_radii, m_diameters, rule, m_blank.totalInfeed_mm);
+               ? remainingStock(depth_mm, m_radii, rule, m_sizeDepth_mm)
+               : remainingStock(depth_mm, m_radii, m_diameters, rule, m_sizeDepth_mm);
 }
 
 double Run::takeLargestRoot() {

@@ -57,6 +57,8 @@ public:
 
     [[nodiscard]] double remaining(std::size_t point) const;
     [[nodiscard]] const Blank& blank() const { return m_blank; }
+    /// How deep below first touch a diameter stands when the gauge reads the size [mm].
+    [[nodiscard]] double sizeDepth_mm() const { return m_sizeDepth_mm; }
 
     /// Largest √a since the last call [√mm]: whether the cycle still makes progress.
     double takeLargestRoot();
@@ -166,6 +168,7 @@ private:
     const Project& m_project;
     bool m_isShaft; ///< not a bore
     Blank m_blank;
+    double m_sizeDepth_mm; ///< |R_first − R_t|, more by half of what the gauge reads too large
     std::shared_ptr<const std::vector<double>> m_printed_mm; ///< c of each lane; null: no form
     std::vector<std::size_t> m_diameters; ///< k of those that no gap interrupts; empty: all
     int m_radii;

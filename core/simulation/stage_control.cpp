@@ -116,7 +116,7 @@ namespace {
 
 /// `depthOf(i)` is depth_k + depth_{k+K/2} of the i-th of `count` diameters.
 template <class DepthOf>
-double remainingOf(int count, GaugeRule rule, double totalInfeed_mm, const DepthOf& depthOf) {
+double remainingOf(int count, GaugeRule rule, double sizeDepth_mm, const DepthOf& depthOf) {
     // D_k/2 stands (depth_k + depth_{k+K/2})/2 beyond first touch, in a shaft as in a bore; the
     // smallest diameter of a shaft and the largest of a bore are the deepest.
     double deepest = depthOf(0);
@@ -129,28 +129,33 @@ double remainingOf(int count, GaugeRule rule, double totalInfeed_mm, const Depth
         sum += depth;
     }
     switch (rule) {
-    case GaugeRule::min: return totalInfeed_mm - deepest / 2;
-    case GaugeRule::max: return totalInfeed_mm - shallowest / 2;
+    case GaugeRule::min: return sizeDepth_mm - deepest / 2;
+    case GaugeRule::max: return sizeDepth_mm - shallowest / 2;
     case GaugeRule::mean: break;
     }
-    return totalInfeed_mm - sum / count / 2;
+    return sizeDepth_mm - sum / count / 2;
 }
 
 } // namespace
 
-double remainingStock(const double* depth_mm, int radii, GaugeRule rule, double totalInfeed_mm) {
+double remainingStock(const double* depth_mm, int radii, GaugeRule rule, double sizeDepth_mm) {
     const int half = radii / 2;
-    return remainingOf(half, rule, totalInfeed_mm,
+    return remainingOf(half, rule, sizeDepth_mm,
                        [&](int k) { return depth_mm[k] + depth_mm[k + half]; });
 }
 
 double remainingStock(const double* depth_mm, int radii, std::span<const std::size_t> diameters,
-                      GaugeRule rule, double totalInfeed_mm) {
+                      GaugeRule rule, double sizeDepth_mm) {
     const int half = radii / 2;
-    return remainingOf(static_cast<int>(diameters.size()), rule, totalInfeed_mm, [&](int i) {
+    return remainingOf(static_cast<int>(diameters.size()), rule, sizeDepth_mm, [&](int i) {
         const double* const one = depth_mm + diameters[static_cast<std::size_t>(i)];
         return one[0] + one[half];
     });
+}
+
+double depthAtEnd_mm(const Project& project, double totalInfeed_mm) {
+    return project.gauge->control == Control::gauge ? totalInfeed_mm + deeperAtSize_mm(project)
+                                                    : totalInfeed_mm;
 }
 
 double standsBack_mm(const Project& project) {

@@ -68,19 +68,24 @@ private:
 };
 
 /// What the gauge reads of one section: remaining stock per side Π_rem [mm] from the depths of its
-/// radii, D_k = R_k + R_{k+K/2}, by the gauge's rule; mirrored in a bore.
+/// radii, D_k = R_k + R_{k+K/2}, by the gauge's rule, and the depth at which it reads the size;
+/// mirrored in a bore.
 [[nodiscard]] double remainingStock(const double* depth_mm, int radii, GaugeRule rule,
-                                    double totalInfeed_mm);
+                                    double sizeDepth_mm);
 
 /// The same of the diameters with these k alone, which no gap interrupts; at least one.
 [[nodiscard]] double remainingStock(const double* depth_mm, int radii,
                                     std::span<const std::size_t> diameters, GaugeRule rule,
-                                    double totalInfeed_mm);
+                                    double sizeDepth_mm);
 
 /// w under position control [mm]: the head stands where it would with a new wheel, and the worn
 /// one's surface that much farther from the part [MODEL-7]. Under gauge control 0, for there
 /// feeding starts at the touch and ends by the reading.
 [[nodiscard]] double standsBack_mm(const Project& project);
+
+/// How deep below first touch a cycle that ends by itself leaves a radius [mm]: |R_first − R_t|,
+/// under gauge control more by half of what the gauge reads too large.
+[[nodiscard]] double depthAtEnd_mm(const Project& project, double totalInfeed_mm);
 
 /// t_П at which position control takes the part to be at size [mm]: |R_first − R_t| − w.
 [[nodiscard]] double fedAtSize(const Project& project, double totalInfeed_mm);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/starting/starting_project.h"
 
+#include "core/batch/usual_batch.h"
 #include "core/catalogue/shipped_catalogue.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
@@ -102,6 +103,10 @@ Project withoutCycle(const StartingDrawing& drawing, const StartingEntries& entr
     applyEntry(entries.material, project);
     applyEntry(entries.wheel, project);
     applyEntry(entries.machine, project);
+    const std::optional<double>& driven = project.machine->limits.wheel_speed_m_s;
+    if (const auto& stood = project.wheel->max_speed_m_s; driven && stood) {
+        project.machine->wheel_speed_m_s = std::min(*driven, *stood);
+    }
     if (!project.machine->stiffness_n_um) {
         project.machine->stiffness_n_um.emplace();
     }
@@ -209,6 +214,7 @@ StartingAnswer startingProject(const StartingDrawing& drawing, const StartingEnt
     StartingCycle start = startingCycle(std::move(project), drawing.ends);
     answer.issues = validate(start.project);
     if (!hasErrors(answer.issues)) {
+        start.project = withUsualBatch(std::move(start.project));
         answer.start = std::move(start);
     }
     return answer;

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/batch_edits.h"
 
-#include "core/batch/batch_check.h"
 #include "core/batch/factor_law.h"
 #include "core/batch/scenario_source.h"
+#include "core/batch/usual_batch.h"
 #include "core/format/project_file.h"
-#include "core/process/force.h"
-#include "core/process/recipe_force.h"
 #include "core/project/batch.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
-#include "core/project/material.h"
 #include "core/project/part.h"
-#include "core/project/wheel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,46 +19,12 @@ namespace sparkout {
 
 namespace {
 
-constexpr double leastShare = 0.93, mostShare = 1.07; ///< of a value that scatters about itself
-constexpr int betweenDressings = 25;                  ///< parts
-constexpr int shownDigits = 6;                        ///< of a part's numbers
+constexpr int shownDigits = 6; ///< of a part's numbers
 
-/// To two digits.
-double toTwoDigits(double value) {
-    if (value == 0) {
-        return 0;
-    }
-    const double step = std::pow(10, std::floor(std::log10(std::abs(value))) - 1);
-    // Divided where the step is below 1, so that 0.14 comes out as it is written.
-    return step < 1 ? std::round(value / step) / std::round(1 / step)
-                    : std::round(value / step) * step;
-}
-
-std::vector<double> times(double value, std::initializer_list<double> shares) {
-    std::vector<double> values;
-    for (const double share : shares) {
-        values.push_back(share == 1 ? value : toTwoDigits(value * share));
-    }
-    return values;
-}
-
-Factor uniformFactor(std::vector<double> ends) {
-    Factor factor;
-    factor.uniform = std::move(ends);
-    return factor;
-}
-
-Factor growingFactor(std::vector<double> ends, std::optional<int> partsBetweenDressings) {
+Factor growingFactor(std::vector<double> ends) {
     Factor factor;
     factor.grows = std::move(ends);
-    factor.parts_between_dressings = partsBetweenDressings;
-    return factor;
-}
-
-Factor normalFactor(std::vector<double> normal, std::vector<double> within) {
-    Factor factor;
-    factor.normal = std::move(normal);
-    factor.within = std::move(within);
+    factor.parts_between_dressings = usualPartsBetweenDressings;
     return factor;
 }
 
@@ -85,6 +47,8 @@ Project shortened(Project made, const Project& nominal) {
     };
     Machine& machine = *made.machine;
     tidy(machine.wheel_speed_m_s, nominal.machine->wheel_speed_m_s);
+    tidy(machine.geometric_runout_um, nominal.machine->geometric_runout_um);
+    tidy(made.gauge->error_um, nominal.gauge->error_um);
     tidy(made.part->shaft.youngs_modulus_gpa, nominal.part->shaft.youngs_modulus_gpa);
     if (made.part->shaft.youngs_modulus_gpa == nominal.part->shaft.youngs_modulus_gpa) {
         return made; // the compliance is the nominal one
@@ -221,8 +185,8 @@ Factor withForm(const Project& project, FactorKind kind, FactorForm form) {
     double low = std::min(ends.low, ends.high), high = std::max(ends.low, ends.high);
     const double middle = std::clamp(toTwoDigits((low + high) / 2), low, high);
     if (low == high && form != FactorForm::constant) {
-        low *= leastShare;
-        high *= mostShare;
+        low *= leastUsualShare;
+        high *= mostUsualShare;
     }
     Factor made;
     switch (form) {
@@ -234,7 +198,7 @@ Factor withForm(const Project& project, FactorKind kind, FactorForm form) {
         break;
     case FactorForm::triangular: made.triangular = {low, middle, high}; break;
     case FactorForm::measured: made.measured = {{middle}}; break;
-    case FactorForm::grows: made = growingFactor({low, high}, betweenDressings); break;
+    case FactorForm::grows: made = growingFactor({low, high}); break;
     }
     return made;
 }
@@ -285,53 +249,6 @@ Project withCorrelation(Project project, std::size_t first, std::size_t second, 
     }
     (*matrix)[first][second] = (*matrix)[second][first] = value;
     tidyCorrelation(project);
-    return project;
-}
-
-Factor usualFactor(FactorKind kind, const Project& project) {
-    switch (kind) {
-    case FactorKind::stock:
-        return uniformFactor(times(project.part->stock_mm, {leastShare, mostShare}));
-    case FactorKind::runout: {
-        const double runout = project.part->initial_runout_mm;
-        return runout > 0 ? normalFactor(times(runout, {1, 0.25}), times(runout, {0.25, 2}))
-                          : uniformFactor({0, 0.01});
-    }
-    case FactorKind::dullness:
-        return growingFactor(times(dullnessOf(*project.wheel), {0.75, 1.5}), betweenDressings);
-    case FactorKind::wheelDiameter:
-        return growingFactor(times(project.wheel->diameter_mm, {1, 0.9}), betweenDressings);
-    case FactorKind::flowStress: {
-        const double stress = project.material->flow_stress_mpa;
-        return normalFactor(times(stress, {1, 0.05}), times(stress, {0.85, 1.15}));
-    }
-    case FactorKind::compliance: return uniformFactor({0.9, 1.1});
-    case FactorKind::machineForm: return normalFactor({1, 0.3}, {0, 2});
-    case FactorKind::runoutAt: return uniformFactor({0, 360});
-    case FactorKind::contactWidth:
-        return uniformFactor(
-            times(project.operation->travels ? project.wheel->width_mm : project.part->length_mm,
-                  {0.96, 1}));
-    }
-    return {};
-}
-
-Project withUsualBatch(Project project) {
-    project.batch = Batch{};
-    const auto tryFactor = [&project](FactorKind kind, std::optional<Factor> Factors::*member) {
-        Factors& factors = project.batch->factors;
-        factors.*member = usualFactor(kind, project);
-        if (!checkBatch(project).empty()) {
-            (factors.*member).reset();
-        }
-    };
-    tryFactor(FactorKind::stock, &Factors::stock_mm);
-    if (project.part->initial_runout_mm > 0) {
-        tryFactor(FactorKind::runout, &Factors::initial_runout_mm);
-    }
-    if (dullnessOf(*project.wheel) > 0 && !hasThreshold(project)) {
-        tryFactor(FactorKind::dullness, &Factors::dullness);
-    }
     return project;
 }
 

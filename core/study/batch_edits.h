@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/batch/batch_run.h"
+#include "core/batch/usual_batch.h"
 #include "core/project/batch.h"
 #include "core/project/given_factors.h"
 
@@ -28,13 +29,6 @@ enum class FactorForm { constant, uniform, normal, triangular, measured, grows }
 /// The project with another correlation of two of its given factors; none that is not 0: no matrix.
 [[nodiscard]] Project withCorrelation(Project project, std::size_t first, std::size_t second,
                                       double value);
-
-/// How a factor usually scatters about the project's own value of it, to start from.
-[[nodiscard]] Factor usualFactor(FactorKind kind, const Project& project);
-
-/// The project with a usual batch: 50 parts whose stock, runout and dullness scatter, as far as
-/// every one of them is a valid project.
-[[nodiscard]] Project withUsualBatch(Project project);
 
 /// The project with the inputs of a part of its batch; names, batch, search and kept runs stay.
 [[nodiscard]] Project withPart(Project project, const BatchResult& batch, std::int64_t part);

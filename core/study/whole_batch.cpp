@@ -40,12 +40,12 @@ BatchOutcomePtr runWholeBatch(const Project& project, const BatchOptions& option
 }
 
 std::int64_t partsOf(const Project& project) {
-    const std::size_t factors = scatteredFactors(project).size();
     if (!project.batch) {
         return 0;
     }
+    const std::vector<GivenFactor> factors = scatteredFactors(project);
     const bool corners = project.batch->scenarios == Scenarios::corners;
-    return corners || factors == 0 ? std::int64_t{1} << factors : project.batch->parts;
+    return corners || factors.empty() ? cornerCount(factors) : project.batch->parts;
 }
 
 std::int64_t partsOfIndices(const Project& project, int points) {

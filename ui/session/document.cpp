@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/document.h"
 
+#include "core/batch/usual_batch.h"
 #include "core/format/difference.h"
 #include "core/format/project_file.h"
 #include "core/project/leaves.h"
@@ -9,6 +10,7 @@
 #include "core/project/validate.h"
 #include "core/setup/shared_members.h"
 #include "core/starting/starting_project.h"
+#include "core/study/new_project.h"
 #include "ui/text/example_texts.h"
 
 #include <QCoreApplication>
@@ -112,6 +114,9 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
             changed = withPlainShaft(std::move(changed));
         }
         changed = withStartingCycle(std::move(changed));
+        if (hasBatchAsMade(changed)) {
+            changed = withUsualBatch(std::move(changed));
+        }
         m_started = changed;
     }
     if (push(with(std::move(changed), std::move(open)), text, mergeKey)) {
@@ -132,6 +137,17 @@ bool Document::isStarting(const Project& changed, const std::vector<std::string>
     const bool isOtherMachine = changed.machine->name != m_project.machine->name;
     return path.starts_with("/part/") || path.starts_with("/material/")
            || path.starts_with("/wheel/") || isOtherMachine;
+}
+
+/// Whether its batch is the one that came with the project, which goes with the cycle.
+bool Document::hasBatchAsMade(const Project& changed) const {
+    const auto isOf = [&changed](const Project& made) {
+        return firstDifference(made, changed,
+                               [](std::string_view path) { return path.starts_with("/batch"); })
+            .empty();
+    };
+    return changed.batch
+           && ((m_started && isOf(*m_started)) || isOf(undrawnProject(changed.operation)));
 }
 
 void Document::editSetup(SetupState changed, EditText text, const QString& mergeKey) {

@@ -147,6 +147,7 @@ private:
     [[nodiscard]] std::vector<std::string> openIn(const Project& changed) const;
     [[nodiscard]] bool isStarting(const Project& changed,
                                   const std::vector<std::string>& open) const;
+    [[nodiscard]] bool hasBatchAsMade(const Project& changed) const;
     [[nodiscard]] SetupState with(Project changed, std::vector<std::string> open) const;
     /// False: the gate refuses it.
     bool push(SetupState after, EditText text, const QString& mergeKey);

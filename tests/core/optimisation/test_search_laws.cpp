@@ -147,6 +147,25 @@ private slots:
         QVERIFY2(found > least && quicker > 0, QByteArray::number(found)); // at 1 none stays
     }
 
+    // A gauge that reads too large or too small ends the stages elsewhere; bounds and what is cut
+    // off count on it.
+    void searchesAreExactWithAGaugeThatReadsWrong() {
+        int found = 0;
+        for (unsigned seed = 0; seed < searches(60); ++seed) {
+            Project p = smallCase(seed);
+            p.gauge->error_um = (seed % 2 == 0 ? 1 : -1) * 0.1 * (5 + seed % 30);
+            const SearchSummary full = search(p, SearchMethod::full);
+            QVERIFY(same(search(p, SearchMethod::pruned), full));
+            QVERIFY(same(full, PlainSearch(p)));
+            if (full.best) {
+                ++found;
+                const double time_s = static_cast<double>(full.best->time_us) / 1e6;
+                QVERIFY(steplessLimit_s(p) <= time_s + 1e-5);
+            }
+        }
+        QVERIFY(found > 0);
+    }
+
     void moreStagesNeverSlow() {
         for (unsigned seed = 0; seed < 60; ++seed) {
             Project few = smallCase(seed), more = few;

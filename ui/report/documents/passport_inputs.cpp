@@ -127,6 +127,11 @@ QString PassportInputs::law(const GivenFactor& factor) {
         const QString grows =
             tr("grows part by part from %1 to %2")
                 .arg(printedNumber(law.grows->front()), printedNumber(law.grows->back()));
+        if (law.parts_between_dressings && factor.kind == FactorKind::gaugeAge) {
+            return tr("%1, %n part(s) between settings of the gauge", nullptr,
+                      *law.parts_between_dressings)
+                .arg(grows);
+        }
         return law.parts_between_dressings
                    ? tr("%1, %n part(s) between dressings", nullptr, *law.parts_between_dressings)
                          .arg(grows)

@@ -76,6 +76,8 @@ std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
                 QStringLiteral("%1: %2").arg(BatchText::capability(least->ppk),
                                              BatchText::full(least->characteristic)));
         }
+        facts.facts.emplace_back(tr("Not counted in the batch"),
+                                 BatchText::notCounted(subject.batch->result.project));
         reasons << BatchText::run(*subject.batch) + u' ' + BatchText::counts(summary);
         for (const CharacteristicSummary& of : summary.characteristics) {
             if (of.outside.count > 0) {

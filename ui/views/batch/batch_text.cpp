@@ -219,6 +219,19 @@ QString BatchText::run(const BatchOutcome& outcome) {
     return tr("%n part(s), %1.", nullptr, static_cast<int>(outcome.summary.parts)).arg(what);
 }
 
+QString BatchText::notCounted(const Project& project) {
+    QStringList names;
+    for (const FactorKind kind : sparkout::notCounted(project)) {
+        names << Names::inSentence(inputText(factorLabel(kind)));
+    }
+    return names.isEmpty() ? QStringLiteral("–") : names.join(QStringLiteral("; "));
+}
+
+QString BatchText::notCountedSentence(const Project& project) {
+    return sparkout::notCounted(project).empty() ? QString()
+                                                 : tr("Not counted: %1.").arg(notCounted(project));
+}
+
 QString BatchText::counts(const BatchSummary& summary) {
     QStringList texts;
     if (summary.parts > 0) {

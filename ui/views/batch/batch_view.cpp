@@ -374,8 +374,13 @@ void BatchView::showState() {
     const auto found = [this] {
         return m_tellsIndices ? BatchText::verdict(*batch()) : BatchText::counts(batch()->summary);
     };
-    m_bar->state()->setText(batch() ? (BatchText::run(*batch()) + u' ' + found()).trimmed()
-                                    : QString());
+    QStringList state;
+    if (batch()) {
+        state = {BatchText::run(*batch()), found(),
+                 BatchText::notCountedSentence(batch()->result.project)};
+        state.removeAll(QString());
+    }
+    m_bar->state()->setText(state.join(u' '));
     const bool mayTake = batch() && !faint() && !busy();
     m_worst->setEnabled(mayTake && batch()->summary.worstPart >= 0);
     m_rows->setEnabled(mayTake);

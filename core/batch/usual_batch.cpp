@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/usual_batch.h"
+
+#include "core/batch/batch_check.h"
+#include "core/process/force.h"
+#include "core/process/recipe_force.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
+#include "core/simulation/simulate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double gaugeSetEach_h = 1;   ///< time from one setting of the gauge to the next
+constexpr double usualHandling_s = 30; ///< of a piece beside its cycle
+constexpr double secondsPerHour = 3600;
+constexpr double gaugeReach = 3; ///< standard deviations to which an error is truncated
+constexpr double warmth_k = 2;   ///< standard deviation of a part's temperature at the gauge
+constexpr double outsideOfPpk1 = 0.0027; ///< share of a normal law beyond 3 s
+
+std::vector<double> sharesOf(double value, std::initializer_list<double> shares) {
+    std::vector<double> values;
+    for (const double share : shares) {
+        values.push_back(share == 1 ? value : toTwoDigits(value * share));
+    }
+    return values;
+}
+
+Factor evenly(std::vector<double> ends) {
+    Factor factor;
+    factor.uniform = std::move(ends);
+    return factor;
+}
+
+Factor growing(std::vector<double> ends, int parts) {
+    Factor factor;
+    factor.grows = std::move(ends);
+    factor.parts_between_dressings = parts;
+    return factor;
+}
+
+Factor normally(std::vector<double> normal, std::vector<double> within) {
+    Factor factor;
+    factor.normal = std::move(normal);
+    factor.within = std::move(within);
+    return factor;
+}
+
+/// Of a deviation about 0.
+Factor aboutNothing(double deviation) {
+    return normally({0, deviation}, {-gaugeReach * deviation, gaugeReach * deviation});
+}
+
+/// Parts that are ground from one setting of the gauge to the next.
+int partsOfGauge(const Project& project) {
+    Project alone = project;
+    alone.batch.reset();
+    const double piece_s = usualHandling_s + simulate(alone).time_s;
+    const auto parts = static_cast<int>(std::lround(gaugeSetEach_h * secondsPerHour / piece_s));
+    return std::max(2, parts); // the drift has two ends
+}
+
+/// Causes that are usual and that the project has.
+std::vector<FactorKind> usualKinds(const Project& project) {
+    const Machine& machine = *project.machine;
+    const Tolerance& asked = project.part->tolerance;
+    const bool isRunoutAsked = asked.radial_runout_um || asked.total_runout_um;
+    const bool isGauged = project.gauge->control == Control::gauge;
+    const std::array causes{
+        std::pair(FactorKind::stock, true),
+        std::pair(FactorKind::runout, project.part->initial_runout_mm > 0),
+        std::pair(FactorKind::dullness, dullnessOf(*project.wheel) > 0 && !hasThreshold(project)),
+        std::pair(FactorKind::compliance, true),
+        std::pair(FactorKind::machineForm,
+                  isRunoutAsked && (machine.form || machine.geometric_runout_um > 0)),
+        std::pair(FactorKind::gaugeError,
+                  isGauged && machine.gauge_repeatability_um.value_or(0) > 0),
+        std::pair(FactorKind::gaugeAge, isGauged && machine.gauge_drift_um_h.value_or(0) != 0),
+        std::pair(FactorKind::partWarmer, isGauged)};
+    std::vector<FactorKind> kinds;
+    for (const auto& [kind, has] : causes) {
+        if (has) {
+            kinds.push_back(kind);
+        }
+    }
+    return kinds;
+}
+
+std::optional<Factor>& lawIn(Project& project, FactorKind kind) {
+    const Field& field = tableOf<Factors>().fields[static_cast<std::size_t>(kind)];
+    return field.as<std::optional<Factor>>(&project.batch->factors);
+}
+
+} // namespace
+
+double toTwoDigits(double value) {
+    if (value == 0) {
+        return 0;
+    }
+    const double step = std::pow(10, std::floor(std::log10(std::abs(value))) - 1);
+    // Divided where the step is below 1, so that 0.14 comes out as it is written.
+    return step < 1 ? std::round(value / step) / std::round(1 / step)
+                    : std::round(value / step) * step;
+}
+
+Factor usualFactor(FactorKind kind, const Project& project) {
+    switch (kind) {
+    case FactorKind::stock:
+        return evenly(sharesOf(project.part->stock_mm, {leastUsualShare, mostUsualShare}));
+    case FactorKind::runout: {
+        const double runout = project.part->initial_runout_mm;
+        return runout > 0 ? normally(sharesOf(runout, {1, 0.25}), sharesOf(runout, {0.25, 2}))
+                          : evenly({0, 0.01});
+    }
+    case FactorKind::dullness:
+        return growing(sharesOf(dullnessOf(*project.wheel), {0.75, 1.5}),
+                       usualPartsBetweenDressings);
+    case FactorKind::wheelDiameter:
+        return growing(sharesOf(project.wheel->diameter_mm, {1, 0.9}), usualPartsBetweenDressings);
+    case FactorKind::flowStress: {
+        const double stress = project.material->flow_stress_mpa;
+        return normally(sharesOf(stress, {1, 0.05}), sharesOf(stress, {0.85, 1.15}));
+    }
+    case FactorKind::compliance: return evenly({0.9, 1.1});
+    case FactorKind::machineForm: return normally({1, 0.3}, {0, 2});
+    case FactorKind::runoutAt: return evenly({0, 360});
+    case FactorKind::contactWidth:
+        return evenly(
+            sharesOf(project.operation->travels ? project.wheel->width_mm : project.part->length_mm,
+                     {0.96, 1}));
+    case FactorKind::gaugeError: return aboutNothing(1);
+    case FactorKind::gaugeAge: return growing({0, gaugeSetEach_h}, partsOfGauge(project));
+    case FactorKind::partWarmer: return aboutNothing(warmth_k);
+    }
+    return {};
+}
+
+Project withUsualBatch(Project project) {
+    Batch usual;
+    usual.most_outside_share = outsideOfPpk1;
+    project.batch = usual;
+    const std::vector<FactorKind> kinds = usualKinds(project);
+    for (const FactorKind kind : kinds) {
+        lawIn(project, kind) = usualFactor(kind, project);
+    }
+    if (checkBatch(project).empty()) {
+        return project;
+    }
+    project.batch = std::move(usual); // and those alone with which every part is valid
+    for (const FactorKind kind : kinds) {
+        lawIn(project, kind) = usualFactor(kind, project);
+        if (!checkBatch(project).empty()) {
+            lawIn(project, kind).reset();
+        }
+    }
+    return project;
+}
+
+} // namespace sparkout
