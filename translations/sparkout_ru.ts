@@ -18264,8 +18264,8 @@ good</source>
             <translation>&amp;Оптимизировать все</translation>
         </message>
         <message>
-            <source>Searches the quickest cycle of every surface whose search is set up, in the order of grinding</source>
-            <translation>Ищет быстрейший цикл каждой поверхности, у которой задан поиск, в порядке шлифования</translation>
+            <source>Searches the quickest cycle of every surface in the order of grinding, as ticked in the view Optimise; a surface without a search gets a typical one</source>
+            <translation>Ищет быстрейший цикл каждой поверхности в порядке шлифования с отмеченными в виде «Оптимизация» условиями; поверхность без поиска получает типовой</translation>
         </message>
         <message>
             <source>&amp;Batch of all</source>

@@ -9,6 +9,7 @@
 #include "core/project/validate.h"
 #include "core/setup/shared_members.h"
 #include "core/starting/starting_project.h"
+#include "core/study/usual_search.h"
 #include "ui/text/example_texts.h"
 
 #include <QCoreApplication>
@@ -112,6 +113,9 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
             changed = withPlainShaft(std::move(changed));
         }
         changed = withStartingCycle(std::move(changed));
+        if (openInputs().empty() || !changed.optimisation) { // one that was set up stays
+            changed = usualSearch(std::move(changed));
+        }
         m_started = changed;
     }
     if (push(with(std::move(changed), std::move(open)), text, mergeKey)) {

@@ -16,6 +16,7 @@
 #include "ui/kit/tool_row.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
+#include "ui/session/part_study.h"
 #include "ui/text/names.h"
 #include "ui/views/optimise/found_table.h"
 #include "ui/views/optimise/margin_front_plot.h"
@@ -218,6 +219,10 @@ SearchWish OptimiseView::wish() const {
             .phases = m_phases->isChecked() && m_phases->isEnabled(),
             .refine = m_refine->isChecked() && m_refine->isEnabled(),
             .front = true};
+}
+
+SearchTicks OptimiseView::ticks() const {
+    return {.phases = m_phases->isChecked(), .refine = m_refine->isChecked()};
 }
 
 void OptimiseView::runSearch() {
