@@ -16975,6 +16975,26 @@ target, µm</source>
             <translation>для {phases} припусков</translation>
         </message>
         <message>
+            <source>{change}, with {feed} of stage 1 = {value}</source>
+            <translation>{change}, подача {feed} ступени 1 = {value}</translation>
+        </message>
+        <message>
+            <source>Starting cycle</source>
+            <translation>Исходный цикл</translation>
+        </message>
+        <message>
+            <source>A cycle made for part, wheel and machine as they are: nothing is close to its limit; it takes {time}.</source>
+            <translation>Цикл, составленный для детали, круга и станка как они есть: все требования выполнены с запасом; его время {time}.</translation>
+        </message>
+        <message>
+            <source>A cycle made for part, wheel and machine as they are: all requirements are met; it takes {time}.</source>
+            <translation>Цикл, составленный для детали, круга и станка как они есть: все требования выполнены; его время {time}.</translation>
+        </message>
+        <message>
+            <source>It has stages, work speed, overruns and dwells of its own.</source>
+            <translation>У него свои ступени, частота вращения заготовки, перебеги и выстои.</translation>
+        </message>
+        <message>
             <source>, {bad} of {parts} bad</source>
             <translation>, брак {bad} из {parts}</translation>
         </message>

@@ -40,8 +40,8 @@ constexpr EditText takeFoundText{"Edit", QT_TRANSLATE_NOOP("Edit", "Apply the cy
 
 } // namespace
 
-PartWindow::PartWindow(Document& document, const PartRuns& runs,
-                       std::function<SearchTicks()> ticks, QWidget* parent)
+PartWindow::PartWindow(Document& document, const PartRuns& runs, std::function<SearchTicks()> ticks,
+                       QWidget* parent)
     : QDialog(parent)
     , m_document(document)
     , m_runs(runs)

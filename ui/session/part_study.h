@@ -40,7 +40,7 @@ class PartStudy : public Job {
 public:
     using Job::Job;
 
-    void startBatches(const Setup& setup);  ///< counts parts
+    void startBatches(const Setup& setup); ///< counts parts
     /// Counts thousandths of a surface's search; one that has none is searched by a usual one.
     void startSearches(const Setup& setup, SearchTicks ticks = {});
 
