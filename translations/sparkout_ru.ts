@@ -4090,6 +4090,26 @@ With another name both versions stay as they are.</source>
             <translation>Список либо «от», «до» и шаг.</translation>
         </message>
         <message>
+            <source>Levels of the continuous infeed</source>
+            <translation>Уровни непрерывной подачи</translation>
+        </message>
+        <message>
+            <source>cycles without one are searched</source>
+            <translation>ищутся циклы без неё</translation>
+        </message>
+        <message>
+            <source>A stage then has one of these, and no radial feed at the reversals, or one of the radial feeds: a list, or from, to and step.</source>
+            <translation>Ступень имеет тогда одну из них и не имеет радиальной подачи на реверсах либо имеет одну из радиальных подач: список или от, до и шаг.</translation>
+        </message>
+        <message>
+            <source>Continuous infeed by stage</source>
+            <translation>Непрерывная подача по ступеням</translation>
+        </message>
+        <message>
+            <source>Minimum and maximum of the first stage, of the second and so on, where they are fed so; twice the same fixes it.</source>
+            <translation>Наименьшее и наибольшее значения для первой ступени, для второй и так далее, если они подаются так; два одинаковых задают его.</translation>
+        </message>
+        <message>
             <source>Levels of the plunge feed</source>
             <translation>Уровни врезной подачи</translation>
         </message>
@@ -8087,6 +8107,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>The batch that the cycle is to hold for cannot be run:</source>
             <translation>Партию, для которой цикл должен быть годен, рассчитать нельзя:</translation>
+        </message>
+        <message>
+            <source>S_c %1</source>
+            <translation>S_c %1</translation>
         </message>
         <message>
             <source>spark-out %1</source>
