@@ -14559,8 +14559,8 @@ target, µm</source>
             <translation>Без фасок, пазов и отверстий; масса по чертежу важнее</translation>
         </message>
         <message>
-            <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual minimum overlap and steps of a stage where none are given</source>
-            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени</translation>
+            <source>Levels of each feed about the present cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is good for the batch, without one for every stock</source>
+            <translation>Уровни каждой подачи около текущего цикла с шагом станка, припуски, выхаживание и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; ответ годен для партии, без неё — для всех припусков</translation>
         </message>
         <message>
             <source>The machine&apos;s form by the measured parts</source>
@@ -14726,8 +14726,8 @@ target, µm</source>
             <translation>«Найти» находит цикл сетки, который за заданное время дальше всех от пределов. Поиск можно остановить в любой момент, лучшее найденное остаётся.</translation>
         </message>
         <message>
-            <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual minimum overlap and steps of a stage where none are given; can be undone and changed on the pages Search and Cycle</source>
-            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
+            <source>Levels of each feed about the present cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is good for the batch, without one for every stock; can be undone and changed on the pages Search and Cycle</source>
+            <translation>Уровни каждой подачи около текущего цикла с шагом станка, припуски, выхаживание и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; ответ годен для партии, без неё — для всех припусков; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
         </message>
         <message>
             <source>A click or the arrow keys choose a cycle, “Take this cycle” or Enter takes it.</source>

@@ -93,7 +93,7 @@ private:
                 addOf(begun, stage, axialFeed, left_mm);
             }
         }
-        for (const double continuous : traverse && z < feeding
+        for (const double continuous : traverse&& z < feeding
                                            ? levelValues(asked.continuous_feed_mm_min)
                                            : std::vector<double>{}) {
             for (const double axialFeed : axial) {

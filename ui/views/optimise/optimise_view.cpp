@@ -607,9 +607,10 @@ void OptimiseView::nameButtons() {
                   "steps: every cycle is run in full, but that none is quicker is not proved"));
     tellButton(
         *m_add, tr("Add a typical search"),
-        tr("Levels of each feed over the machine's range, which follow the answer, steps of "
-           "stock, and the usual minimum overlap and steps of a stage where none are given; can be "
-           "undone and changed on the pages Search and Cycle"));
+        tr("Levels of each feed about the present cycle in steps of the machine, stocks, "
+           "spark-out, and the usual minimum overlap and steps of a stage where none are given; "
+           "the answer is good for the batch, without one for every stock; can be undone and "
+           "changed on the pages Search and Cycle"));
 }
 
 } // namespace sparkout
