@@ -18,6 +18,7 @@
 #include "core/project/material.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
+#include "core/project/validate.h"
 #include "core/project/wheel.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
