@@ -13,7 +13,7 @@
 #include "core/project/material.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
-#include "core/starting/starting_project.h"
+#include "core/study/new_project.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -143,7 +143,7 @@ int runNewCommand(const Options& options) {
         print(stderr, printable(options.output) + ": is there; --force replaces it\n");
         return refused;
     }
-    const StartingAnswer answer = startingProject(*drawing, *entries);
+    const StartingAnswer answer = drawnProject(*drawing, *entries);
     printIssues(options.operand, answer.issues);
     if (!answer.start) {
         return refused;

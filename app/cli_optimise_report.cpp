@@ -18,6 +18,8 @@ std::string stageLine(const Operation& operation, const Stage& stage, std::size_
     if (const auto steps = stage.sparkOutSteps()) {
         feeds = "spark-out, " + std::to_string(*steps)
                 + (operation->countsStrokes ? " double strokes" : " revolutions");
+    } else if (stage.continuousFeed_mm_min() > 0) {
+        feeds = numberText(stage.continuousFeed_mm_min()) + " mm/min continuous";
     } else {
         const double radial = *(stage.*operation->radial().value);
         feeds = operation->perMinute ? fixed(radial, 3) + " mm/min"

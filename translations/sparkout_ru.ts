@@ -4094,6 +4094,26 @@ With another name both versions stay as they are.</source>
             <translation>Список либо «от», «до» и шаг.</translation>
         </message>
         <message>
+            <source>Levels of the continuous infeed</source>
+            <translation>Уровни непрерывной подачи</translation>
+        </message>
+        <message>
+            <source>cycles without one are searched</source>
+            <translation>ищутся циклы без неё</translation>
+        </message>
+        <message>
+            <source>A stage then has one of these, and no radial feed at the reversals, or one of the radial feeds: a list, or from, to and step.</source>
+            <translation>Ступень имеет тогда одну из них и не имеет радиальной подачи на реверсах либо имеет одну из радиальных подач: список или от, до и шаг.</translation>
+        </message>
+        <message>
+            <source>Continuous infeed by stage</source>
+            <translation>Непрерывная подача по ступеням</translation>
+        </message>
+        <message>
+            <source>Minimum and maximum of the first stage, of the second and so on, where they are fed so; twice the same fixes it.</source>
+            <translation>Наименьшее и наибольшее значения для первой ступени, для второй и так далее, если они подаются так; два одинаковых задают его.</translation>
+        </message>
+        <message>
             <source>Levels of the plunge feed</source>
             <translation>Уровни врезной подачи</translation>
         </message>
@@ -8195,6 +8215,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>The batch that the cycle is to hold for cannot be run:</source>
             <translation>Партию, для которой цикл должен быть годен, рассчитать нельзя:</translation>
+        </message>
+        <message>
+            <source>S_c %1</source>
+            <translation>S_c %1</translation>
         </message>
         <message>
             <source>spark-out %1</source>
@@ -14667,8 +14691,8 @@ target, µm</source>
             <translation>Без фасок, пазов и отверстий; масса по чертежу важнее</translation>
         </message>
         <message>
-            <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual minimum overlap and steps of a stage where none are given</source>
-            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени</translation>
+            <source>Levels of each feed about the present cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is good for the batch, without one for every stock</source>
+            <translation>Уровни каждой подачи около текущего цикла с шагом станка, припуски, выхаживание и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; ответ годен для партии, без неё — для всех припусков</translation>
         </message>
         <message>
             <source>The machine&apos;s form by the measured parts</source>
@@ -14834,8 +14858,8 @@ target, µm</source>
             <translation>«Найти» находит цикл сетки, который за заданное время дальше всех от пределов. Поиск можно остановить в любой момент, лучшее найденное остаётся.</translation>
         </message>
         <message>
-            <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual minimum overlap and steps of a stage where none are given; can be undone and changed on the pages Search and Cycle</source>
-            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
+            <source>Levels of each feed about the present cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is good for the batch, without one for every stock; can be undone and changed on the pages Search and Cycle</source>
+            <translation>Уровни каждой подачи около текущего цикла с шагом станка, припуски, выхаживание и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; ответ годен для партии, без неё — для всех припусков; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
         </message>
         <message>
             <source>A click or the arrow keys choose a cycle, “Take this cycle” or Enter takes it.</source>
@@ -17107,6 +17131,26 @@ target, µm</source>
             <translation>для {phases} припусков</translation>
         </message>
         <message>
+            <source>{change}, with {feed} of stage 1 = {value}</source>
+            <translation>{change}, подача {feed} ступени 1 = {value}</translation>
+        </message>
+        <message>
+            <source>Starting cycle</source>
+            <translation>Исходный цикл</translation>
+        </message>
+        <message>
+            <source>A cycle made for part, wheel and machine as they are: nothing is close to its limit; it takes {time}.</source>
+            <translation>Цикл, составленный для детали, круга и станка как они есть: все требования выполнены с запасом; его время {time}.</translation>
+        </message>
+        <message>
+            <source>A cycle made for part, wheel and machine as they are: all requirements are met; it takes {time}.</source>
+            <translation>Цикл, составленный для детали, круга и станка как они есть: все требования выполнены; его время {time}.</translation>
+        </message>
+        <message>
+            <source>It has stages, work speed, overruns and dwells of its own.</source>
+            <translation>У него свои ступени, частота вращения заготовки, перебеги и выстои.</translation>
+        </message>
+        <message>
             <source>, {bad} of {parts} bad</source>
             <translation>, брак {bad} из {parts}</translation>
         </message>
@@ -18396,8 +18440,8 @@ good</source>
             <translation>&amp;Оптимизировать все</translation>
         </message>
         <message>
-            <source>Searches the quickest cycle of every surface whose search is set up, in the order of grinding</source>
-            <translation>Ищет быстрейший цикл каждой поверхности, у которой задан поиск, в порядке шлифования</translation>
+            <source>Searches the quickest cycle of every surface in the order of grinding, as ticked in the view Optimise; a surface without a search gets a typical one</source>
+            <translation>Ищет быстрейший цикл каждой поверхности в порядке шлифования с отмеченными в виде «Оптимизация» условиями; поверхность без поиска получает типовой</translation>
         </message>
         <message>
             <source>&amp;Batch of all</source>

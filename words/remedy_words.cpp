@@ -248,6 +248,18 @@ std::string RemedyWording::withValue(const Project& project, const RemedySetting
             strokes ? SPARKOUT_NOOP("Remedy", "Spark-out as one more stage: double strokes {is}")
                     : SPARKOUT_NOOP("Remedy", "Spark-out as one more stage: revolutions {is}"),
             {{"is", is}});
+    case RemedyKind::stockWithFeed: {
+        RemedySetting stock = setting;
+        stock.kind = RemedyKind::stock;
+        const StageFeed& feed = project.operation->radial();
+        const Field& feedRow = *tableOf<Stage>().find(feed.key);
+        const char* const feedUnit = project.operation->perMinute ? feedRow.unit : "mm";
+        return filled(SPARKOUT_NOOP("Remedy", "{change}, with {feed} of stage 1 = {value}"),
+                      {{"change", withValue(project, stock, value, is)},
+                       {"feed", feedRow.symbol},
+                       {"value", number(setting.feed) + ' ' + unit(feedUnit)}});
+    }
+    case RemedyKind::startingCycle: return translated(SPARKOUT_NOOP("Remedy", "Starting cycle"));
     case RemedyKind::dwellEntry:
     case RemedyKind::dwellExit:
     case RemedyKind::workSpeed:
@@ -284,6 +296,9 @@ std::string RemedyWording::time(double time_s) const {
 }
 
 std::string RemedyWording::cost(const Remedy& remedy) const {
+    if (remedy.setting.isWholeCycle()) {
+        return time(remedy.time_s);
+    }
     if (!remedy.timeChange_s) {
         return filled(SPARKOUT_NOOP("Remedy", "the cycle takes {time}"),
                       {{"time", time(remedy.time_s)}});
@@ -316,6 +331,21 @@ std::string RemedyWording::goodFor(const Remedy& remedy) const {
 std::string RemedyWording::proof(const Project& project, RemedyGoal goal,
                                  const Remedy& remedy) const {
     const RemedySetting& setting = remedy.setting;
+    if (setting.isWholeCycle()) {
+        std::string text =
+            filled(goal == RemedyGoal::room
+                       ? SPARKOUT_NOOP("Remedy", "A cycle made for part, wheel and machine as they "
+                                                 "are: nothing is close to its limit; it takes "
+                                                 "{time}.")
+                       : SPARKOUT_NOOP("Remedy", "A cycle made for part, wheel and machine as they "
+                                                 "are: all requirements are met; it takes {time}."),
+                   {{"time", time(remedy.time_s)}})
+            + ' '
+            + translated(SPARKOUT_NOOP("Remedy", "It has stages, work speed, overruns and dwells "
+                                                 "of its own."))
+            + ' ' + heldStocks(remedy);
+        return remedy.batch ? text + ' ' + heldParts(*remedy.batch) : text;
+    }
     std::string text = filled(
         goal == RemedyGoal::room
             ? SPARKOUT_NOOP("Remedy", "Run with {value}: nothing is close to its limit; the "

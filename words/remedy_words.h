@@ -19,9 +19,10 @@ public:
     RemedyWording& operator=(const RemedyWording&) = delete;
 
     /// "S_t of stage 2 = 0.003 mm (0.0026…0.0034 mm)": the value to apply, and the interval of
-    /// which every value helps.
+    /// which every value helps; "Starting cycle".
     [[nodiscard]] std::string change(const Project& project, const Remedy& remedy) const;
-    /// "+24 s"; "the cycle takes 33 s" where the cycle as it is does not end by itself.
+    /// "+24 s"; "the cycle takes 33 s" where the cycle as it is does not end by itself; of a
+    /// starting cycle its time, "33 s".
     [[nodiscard]] std::string cost(const Remedy& remedy) const;
     /// "for every stock, 0 of 500 bad".
     [[nodiscard]] std::string goodFor(const Remedy& remedy) const;

@@ -62,11 +62,13 @@ Command remediesCommand() {
     return {
         "remedies",
         Kind::project,
-        {"finds changes of one setting after which a cycle that fails holds everything, or one "
-         "that is close to a limit has room: up to three, each the middle of an interval of values "
+        {"finds changes of one setting, or a starting cycle, after which a cycle that fails holds "
+         "everything, or one that is close to a limit has room: up to three, each the middle of an "
+         "interval of values "
          "that were run, for every stock and the batch, the one that costs least first; where none "
          "of the values tried helps, why, with the requirements that fail",
-         "находит изменения одной настройки, при которых выполнены все требования нарушавшего их "
+         "находит изменения одной настройки или исходный цикл, при которых выполнены все "
+         "требования нарушавшего их "
          "цикла либо у цикла, близкого к пределу, появляется запас: до трёх, каждое — середина "
          "интервала рассчитанных значений, для всех припусков и для партии, сначала наименее "
          "затратное; если при проверенных значениях не помогает ни одно — почему, с "
@@ -532,12 +534,12 @@ Command newCommand() {
          "field, as 35k6 or for a bore 60H7, and what is said of it below. Work speed, feeds, "
          "stocks and spark-out follow from diameter, stock, tolerance, material, wheel and "
          "machine, in steps of the machine; what bounds the rough depth is printed, and for which "
-         "stocks the cycle holds",
+         "stocks the cycle holds; the project has a usual search about it",
          "записывает проект с исходным циклом для поверхности чертежа: размер с полем, например "
          "35k6, для отверстия 60H7, и то, что о нём сказано ниже. Частота вращения детали, подачи, "
          "припуски и выхаживание следуют из диаметра, припуска, допуска, материала, круга и "
          "станка, с шагом станка; печатается, что ограничивает черновую глубину резания и при "
-         "каких припусках цикл годен"},
+         "каких припусках цикл годен; в проекте есть обычный поиск около него"},
         {{"--length", "MM", Kind::anything, "", {"ground length in mm", "длина шлифования в мм"}},
          {"--stock",
           "MM",

@@ -18,8 +18,9 @@ namespace sparkout {
 namespace {
 
 bool differInOneFeed(const StageSetting& a, const StageSetting& b) {
-    return a.sparkOut == b.sparkOut
-           && ((a.radial != b.radial) != (a.axialFeed_mm_min != b.axialFeed_mm_min));
+    const bool differInInfeed =
+        a.radial != b.radial || a.continuousFeed_mm_min != b.continuousFeed_mm_min;
+    return a.sparkOut == b.sparkOut && differInInfeed != (a.axialFeed_mm_min != b.axialFeed_mm_min);
 }
 
 /// Other feeds in one stage.

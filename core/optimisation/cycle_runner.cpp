@@ -3,6 +3,7 @@
 
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
+#include "core/project/machine.h"
 #include "core/simulation/plunge.h"
 #include "core/simulation/stage_control.h"
 #include "core/simulation/traverse.h"
@@ -14,6 +15,14 @@ namespace sparkout {
 
 std::int64_t comparedTime_us(double time_s) {
     return std::llround(time_s * 1e6);
+}
+
+StepFeed stepFeedOf(const Project& project, const StageSetting& setting, std::size_t stage) {
+    return {.infeed_mm =
+                project.operation.infeed_mm(setting.radial, project.machine->work_speed_rpm),
+            .stage = stage,
+            .axialFeed_mm_min = setting.axialFeed_mm_min,
+            .continuousFeed_mm_min = setting.continuousFeed_mm_min};
 }
 
 void SearchCounts::add(const SearchCounts& other) {
@@ -58,8 +67,10 @@ std::optional<SimulationResult> CycleRunner::run(const GridCycle& cycle, std::in
     StageControl control(project, infeedsOfStages(project), run.blank().totalInfeed_mm);
     while (!control.finished() && !run.mustEnd()) {
         const std::size_t stage = control.stage();
-        if (!steps->step({control.nextInfeed(run.fed_mm), stage,
-                          m_grid->settings()[cycle[stage].setting].axialFeed_mm_min})) {
+        StepFeed feed = stepFeedOf(project, m_grid->settings()[cycle[stage].setting], stage);
+        feed.infeed_mm = control.nextInfeed(run.fed_mm);
+        feed.most_mm = control.mostFed();
+        if (!steps->step(feed)) {
             break;
         }
         control.stepDone(steps->remaining(), run.fed_mm, run.time_s());

@@ -28,6 +28,10 @@ inline constexpr std::int64_t noTime_us = std::numeric_limits<std::int64_t>::max
            != result.countsByStage.end();
 }
 
+/// What a step of a stage with this setting feeds, unless it is cut short.
+[[nodiscard]] StepFeed stepFeedOf(const Project& project, const StageSetting& setting,
+                                  std::size_t stage);
+
 /// What a search adds up beside the best cycle.
 struct SearchCounts {
     long long evaluations = 0, visits = 0;

@@ -21,10 +21,15 @@ GridFault Grid::read(const Project& project) {
         return GridFault::notGiven;
     }
     const Optimisation& asked = *project.optimisation;
-    double settings = 1;
-    for (const StageFeed& feed : m_operation->feeds) {
-        settings *= levelCount(asked.*feed.levels);
+    double settings = levelCount(asked.*m_operation->radial().levels);
+    double axials = 1;
+    if (const StageFeed* const axial = m_operation->axial()) {
+        axials = levelCount(asked.*axial->levels);
     }
+    if (const StageFeed* const continuous = m_operation->continuous; continuous && settings > 0) {
+        settings += levelCount(asked.*continuous->levels);
+    }
+    settings *= axials;
     m_step_mm = asked.stock_step_mm;
     const std::vector<double> counts = levelCount(asked.unfed_steps) > mostVariants
                                            ? std::vector<double>{}
@@ -46,8 +51,8 @@ GridFault Grid::read(const Project& project) {
     m_steps = static_cast<int>(steps);
     m_nonIncreasing = asked.non_increasing;
     m_bounded = asked.stage_stock_mm
-                || std::ranges::any_of(m_operation->feeds, [&asked](const StageFeed& feed) {
-                       return (asked.*feed.byStage).has_value();
+                || std::ranges::any_of(m_operation->searchedFeeds(), [&asked](const auto* feed) {
+                       return (asked.*feed->byStage).has_value();
                    });
     readSettings(asked);
     for (const double number : asked.stages) {
@@ -68,6 +73,13 @@ void Grid::readSettings(const Optimisation& asked) {
     for (const double radialFeed : levelValues(asked.*m_operation->radial().levels)) {
         for (const double axialFeed : axial) {
             m_settings.push_back({radialFeed, axialFeed, 0});
+        }
+    }
+    if (const StageFeed* const continuous = m_operation->continuous) {
+        for (const double feed : levelValues(asked.*continuous->levels)) {
+            for (const double axialFeed : axial) {
+                m_settings.push_back({0, axialFeed, 0, feed});
+            }
         }
     }
     for (const double axialFeed : axial) {
@@ -94,6 +106,11 @@ void Grid::rankSettings() {
     };
     m_radials = rank(&StageSetting::radial, m_radialRanks);
     m_axials = rank(&StageSetting::axialFeed_mm_min, m_axialRanks);
+    std::vector<std::size_t> continuous;
+    m_infeeds = m_radials + rank(&StageSetting::continuousFeed_mm_min, continuous) - 1;
+    for (std::size_t s = 0; s < m_settings.size(); ++s) {
+        m_radialRanks[s] = continuous[s] > 0 ? m_radials + continuous[s] - 1 : m_radialRanks[s];
+    }
 }
 
 Grid Grid::withSparkOut(int count) const {
@@ -174,6 +191,12 @@ bool Grid::readFeeds(const Optimisation& asked, Shape& shape) const {
     };
     const NumberRows& radial = asked.*m_operation->radial().byStage;
     const StageFeed* const axial = m_operation->axial();
+    const StageFeed* const continuous = m_operation->continuous;
+    const auto isFedWithin = [&](std::size_t z, const StageSetting& setting) {
+        return setting.continuousFeed_mm_min > 0
+                   ? within(asked.*continuous->byStage, z, setting.continuousFeed_mm_min)
+                   : within(radial, z, setting.radial);
+    };
     const std::size_t stages = shape.allowed.size();
     for (std::size_t z = stages; z-- > 0;) {
         bool any = false;
@@ -187,7 +210,7 @@ bool Grid::readFeeds(const Optimisation& asked, Shape& shape) const {
             const StageSetting& setting = m_settings[s];
             const bool may =
                 goesOn[s] != 0 && sparks == (setting.sparkOut > 0)
-                && (sparks || within(radial, z, setting.radial))
+                && (sparks || isFedWithin(z, setting))
                 && (!axial || within(asked.*axial->byStage, z, setting.axialFeed_mm_min));
             shape.allowed[z][s] = may ? 1 : 0;
             any = any || may;
@@ -224,7 +247,9 @@ double Grid::mostLast_mm() const {
 bool Grid::mayFollow(std::size_t first, std::size_t second) const {
     const StageSetting& a = m_settings[first];
     const StageSetting& b = m_settings[second];
-    return !m_nonIncreasing || (b.radial <= a.radial && b.axialFeed_mm_min <= a.axialFeed_mm_min);
+    return !m_nonIncreasing
+           || (b.radial <= a.radial && b.axialFeed_mm_min <= a.axialFeed_mm_min
+               && b.continuousFeed_mm_min <= a.continuousFeed_mm_min);
 }
 
 /// Ways to share the steps among all stages but the last.
@@ -398,6 +423,9 @@ Cycle Grid::cycle(const GridCycle& cycle) const {
             stage.sparkOutFor(setting.sparkOut);
         } else {
             stage.*m_operation->radial().value = setting.radial;
+        }
+        if (setting.continuousFeed_mm_min > 0) {
+            stage.*m_operation->continuous->value = setting.continuousFeed_mm_min;
         }
         const bool takesAll =
             stated.stages.size() + 1 == cycle.size() || remainder(taken + each.steps) <= 0;

@@ -12,9 +12,10 @@ namespace sparkout {
 
 /// A setting of a stage in the grid: its feeds, or that it sparks out.
 struct StageSetting {
-    double radial = 0;           ///< traverse: per double stroke [mm]; plunge: [mm/min]
-    double axialFeed_mm_min = 0; ///< traverse
-    int sparkOut = 0;            ///< > 0: so many steps without feed, as a last stage
+    double radial = 0;                ///< traverse: per double stroke [mm]; plunge: [mm/min]
+    double axialFeed_mm_min = 0;      ///< traverse
+    int sparkOut = 0;                 ///< > 0: so many steps without feed, as a last stage
+    double continuousFeed_mm_min = 0; ///< traverse: > 0 in the place of the radial feed, which is 0
 };
 
 /// A stage of a cycle of the grid.
@@ -39,14 +40,16 @@ inline constexpr double mostSettings = 5000, mostStockSteps = 10'000, mostVarian
 
 /// The cycles that a project's optimisation asks for with the machine as it is set and the first
 /// of its counts of spark-outs (see Variants): every stage takes any listed feeds within the
-/// stage's bounds; stage stocks are positive multiples of the stock step that sum to the part's,
-/// the last stage takes the remainder, however small, in cycles of several stages within
-/// last_stock_mm; with non_increasing neither feed rises from stage to stage. A spark-out is one
-/// stage more, the last: any listed axial feed, and a remainder that may be nothing; then the stage
-/// before it takes what is left of a step.
+/// stage's bounds, a radial or a continuous one and an axial one; stage stocks are positive
+/// multiples of the stock step that sum to the part's, the last stage takes the remainder, however
+/// small, in cycles of several stages within last_stock_mm; with non_increasing no feed rises from
+/// stage to stage, where one that a stage does not have is 0. A spark-out is one stage more, the
+/// last: any listed axial feed, and a remainder that may be nothing; then the stage before it takes
+/// what is left of a step.
 ///
 /// Grid order: the numbers of stages as listed, then stage by stage from the first on the radial
-/// feed, the axial feed and the stock, each as listed, stocks rising.
+/// feed, behind all of them the continuous feed, the axial feed and the stock, each as listed,
+/// stocks rising.
 class Grid {
 public:
     /// With a fault the grid is empty.
@@ -128,15 +131,19 @@ private:
     int m_sparkOut = 0;
     bool m_nonIncreasing = false, m_bounded = false;
     std::vector<StageSetting> m_settings;
-    std::vector<std::size_t> m_radialRanks, m_axialRanks; ///< of settings among their feeds
-    std::size_t m_radials = 0, m_axials = 0;              ///< different feeds
+    /// Of settings among their feeds. A setting has a radial or a continuous feed or none, so that
+    /// the latter follow the former's ranks, whose first is then that of 0.
+    std::vector<std::size_t> m_radialRanks, m_axialRanks;
+    std::size_t m_radials = 0, m_axials = 0; ///< different feeds
+    std::size_t m_infeeds = 0;               ///< with the continuous ones
     std::vector<std::size_t> m_stageCounts;
     std::vector<Shape> m_shapes; ///< by number of stages
     GridFault m_fault;
 };
 
-// A setting may be followed by those that are not above it in either feed: sums over a corner of a
-// table of both feeds, row by row and then column by column.
+// A setting may be followed by those that are not above it in any feed: sums over a corner of a
+// table of infeed and axial feed, row by row and then column by column. Continuous feeds go on from
+// the row of those that have neither.
 template <class Value, class Combine>
 std::vector<Value> Grid::overFollowers(const std::vector<Value>& each, Value first,
                                        Combine combine) const {
@@ -147,7 +154,7 @@ std::vector<Value> Grid::overFollowers(const std::vector<Value>& each, Value fir
         }
         return std::vector<Value>(m_settings.size(), all);
     }
-    std::vector<Value> table(m_radials * m_axials, first);
+    std::vector<Value> table(m_infeeds * m_axials, first);
     const auto place = [this](std::size_t s) {
         return m_radialRanks[s] * m_axials + m_axialRanks[s];
     };
@@ -158,7 +165,8 @@ std::vector<Value> Grid::overFollowers(const std::vector<Value>& each, Value fir
         table[i] = i % m_axials > 0 ? combine(table[i], table[i - 1]) : table[i];
     }
     for (std::size_t i = m_axials; i < table.size(); ++i) {
-        table[i] = combine(table[i], table[i - m_axials]);
+        const std::size_t row = i / m_axials, below = row == m_radials ? 0 : row - 1;
+        table[i] = combine(table[i], table[below * m_axials + i % m_axials]);
     }
     std::vector<Value> over;
     over.reserve(m_settings.size());

@@ -54,20 +54,10 @@ double greatest(const Project& project, const StageFeed& feed) {
     return most;
 }
 
-/// The greatest continuous infeed likewise [mm/min]; a grid has none.
+/// The greatest continuous infeed likewise [mm/min]; 0: there is none.
 double greatestContinuous(const Project& project) {
-    if (!project.operation->travels) {
-        return 0;
-    }
-    if (const auto& range = project.machine->limits.continuous_feed_mm_min;
-        range && range->size() == 3) {
-        return (*range)[1];
-    }
-    double most = 0;
-    for (const Stage& stage : project.cycle->stages) {
-        most = std::max(most, stage.continuousFeed_mm_min());
-    }
-    return most;
+    const StageFeed* const feed = project.operation->continuous;
+    return feed ? greatest(project, *feed) : 0;
 }
 
 /// The greatest cut, and what keeps it from being greater.

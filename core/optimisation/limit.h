@@ -73,7 +73,7 @@ struct SteplessLimit {
 /// so that its own cycle is always one of them:
 ///
 /// * a continuous infeed S_c goes up to the end of the machine's range, without one up to the
-///   greatest of the project's cycle, which may be none;
+///   greatest of the grid and of the project's cycle, which may have none;
 /// * the wheel head draws back where the project's cycle does: its grid never does;
 /// * work speed, dwells and a spark-out by count are those of the grid or of the project's cycle.
 ///

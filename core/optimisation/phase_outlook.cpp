@@ -59,7 +59,7 @@ PhaseOutlook::PhaseOutlook(const PhaseCase& of, const Grid& grid, std::size_t me
     m_doubt_mm = form_mm + roundings_mm;
     for (const StageSetting& setting : grid.settings()) {
         m_infeeds_mm.push_back(infeedOf(m_part, setting));
-        m_feeds.push_back(follower->feed(m_infeeds_mm.back(), setting.axialFeed_mm_min));
+        m_feeds.push_back(follower->feed(stepFeedOf(m_part, setting, 0)));
     }
     m_unbegun = stateOf(*m_blank);
     m_lags.emplace(*follower, m_feeds, m_blank->gaugePoint());
@@ -180,8 +180,7 @@ const PhaseOutlook::State* PhaseOutlook::stateAt(Stage& stage, std::size_t count
                                                  std::size_t setting) {
     while (stage.states.size() <= count) {
         if (!stage.steps || stage.steps->run().mustEnd()
-            || !stage.steps->step(
-                {m_infeeds_mm[setting], place, m_grid.settings()[setting].axialFeed_mm_min})) {
+            || !stage.steps->step(stepFeedOf(m_part, m_grid.settings()[setting], place))) {
             stage.steps.reset();
             return nullptr;
         }

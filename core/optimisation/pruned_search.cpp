@@ -53,12 +53,12 @@ struct TooWide {
 /// The least relative margin that any cycle has to its machine's ranges with this setting.
 double rangeMargin(const Project& project, const StageSetting& setting) {
     double least = std::numeric_limits<double>::infinity();
-    for (const StageFeed& feed : project.operation->feeds) {
-        const auto& range = project.machine->limits.*feed.range;
-        const bool axial = &feed == project.operation->axial();
-        if (range && range->size() == 3 && (*range)[1] > (*range)[0]
-            && (axial || setting.sparkOut == 0)) {
-            const double value = axial ? setting.axialFeed_mm_min : setting.radial;
+    for (const StageFeed* feed : project.operation->searchedFeeds()) {
+        const auto& range = project.machine->limits.*feed->range;
+        const double value = feed == project.operation->axial()      ? setting.axialFeed_mm_min
+                             : feed == project.operation->continuous ? setting.continuousFeed_mm_min
+                                                                     : setting.radial;
+        if (range && range->size() == 3 && (*range)[1] > (*range)[0] && value > 0) { // 0: not set
             least = std::min(least, std::min(value - (*range)[0], (*range)[1] - value)
                                         / ((*range)[1] - (*range)[0]));
         }

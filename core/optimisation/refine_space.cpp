@@ -42,8 +42,8 @@ RefineSpace::RefineSpace(const Project& project, Cycle cycle)
     , m_mostLast_mm(project.part->stock_mm)
     , m_nonIncreasing(project.optimisation->non_increasing) {
     const Optimisation& asked = *project.optimisation;
-    for (const StageFeed& feed : m_operation->feeds) {
-        addFeeds(feed, asked, project.machine->limits);
+    for (const StageFeed* feed : m_operation->searchedFeeds()) {
+        addFeeds(*feed, asked, project.machine->limits);
     }
     addStocks(asked);
 }
@@ -80,6 +80,9 @@ void RefineSpace::addFeeds(const StageFeed& feed, const Optimisation& asked,
     const auto& range = limits.*feed.range;
     const NumberRows& byStage = asked.*feed.byStage;
     const std::vector<double> values = levelValues(asked.*feed.levels);
+    if (values.empty()) {
+        return;
+    }
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     Setting setting;
     setting.feed = feed.value;
@@ -100,7 +103,7 @@ void RefineSpace::addFeeds(const StageFeed& feed, const Optimisation& asked,
         }
         const double middle = own.rounded((own.low + own.high) / 2);
         const double slack = refineSlack * own.high;
-        if ((m_cycle.stages[z].*feed.value).has_value() && own.low < own.high
+        if ((m_cycle.stages[z].*feed.value).value_or(0) > 0 && own.low < own.high
             && middle >= own.low - slack && middle <= own.high + slack) {
             m_settings.push_back(own);
         }
@@ -138,9 +141,9 @@ std::optional<Cycle> RefineSpace::cycleOf(const std::vector<double>& values) con
         return std::nullopt;
     }
     for (std::size_t z = 1; m_nonIncreasing && z < cycle.stages.size(); ++z) {
-        for (const StageFeed& feed : m_operation->feeds) {
-            const std::optional<double>& own = cycle.stages[z].*feed.value;
-            if (own && *own > (cycle.stages[z - 1].*feed.value).value_or(*own)) {
+        for (const StageFeed* feed : m_operation->searchedFeeds()) {
+            const std::optional<double>& own = cycle.stages[z].*feed->value;
+            if (own && *own > (cycle.stages[z - 1].*feed->value).value_or(*own)) {
                 return std::nullopt;
             }
         }

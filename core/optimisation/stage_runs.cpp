@@ -43,11 +43,11 @@ StageRuns::StageRuns(const Project& project, const Grid& grid, const CycleRunner
     , m_gauge(project.gauge->control == Control::gauge)
     , m_signal(project, grid.sparkOut() == 0) {
     for (const StageSetting& setting : grid.settings()) {
-        m_infeeds_mm.push_back(infeedOf(project, setting));
+        m_steps.push_back(stepFeedOf(project, setting, 0));
     }
     if (const RadiusFollower* follower = m_gauge ? m_part->follower() : nullptr) {
-        for (std::size_t s = 0; s < m_infeeds_mm.size(); ++s) {
-            m_feeds.push_back(follower->feed(m_infeeds_mm[s], grid.settings()[s].axialFeed_mm_min));
+        for (const StepFeed& step : m_steps) {
+            m_feeds.push_back(follower->feed(step));
         }
     }
     if (bounds == Bounds::yes) {
@@ -149,8 +149,7 @@ void StageRuns::runTo(Ends ends, const CyclePrefix& from, CycleSteps& steps, std
             atEnd({steps, count, first, ends.taken - 1, signal});
         }
         if (ends.taken > ends.last || useless(run, ends.taken) || run.mustEnd()
-            || !steps.step({nextInfeed(later(last, ends.taken), setting, run.fed_mm), stage,
-                            m_grid.settings()[setting].axialFeed_mm_min})) {
+            || !steps.step(nextFeed(later(last, ends.taken), setting, stage, run.fed_mm))) {
             break;
         }
         if (m_gauge) {
@@ -186,8 +185,7 @@ bool StageRuns::again(const CyclePrefix& prefix, CycleSteps& steps, int count) c
         before -= done;
         for (int made = done; made < prefix.counts[stage]; ++made) {
             if (steps.run().mustEnd()
-                || !steps.step({nextInfeed(later(false, taken), setting, steps.run().fed_mm), stage,
-                                m_grid.settings()[setting].axialFeed_mm_min})) {
+                || !steps.step(nextFeed(later(false, taken), setting, stage, steps.run().fed_mm))) {
                 return false;
             }
         }
@@ -199,9 +197,16 @@ double StageRuns::later(bool last, int taken) const {
     return last ? 0 : m_grid.remainder(taken);
 }
 
-double StageRuns::nextInfeed(double later_mm, std::size_t setting, double fed_mm) const {
-    const double infeed = m_infeeds_mm[setting];
-    return m_gauge ? infeed : std::clamp(m_fedAtSize_mm - later_mm - fed_mm, 0.0, infeed);
+/// Under position control nothing is fed beyond the end of the stage.
+StepFeed StageRuns::nextFeed(double later_mm, std::size_t setting, std::size_t stage,
+                             double fed_mm) const {
+    StepFeed feed = m_steps[setting];
+    feed.stage = stage;
+    if (!m_gauge) {
+        feed.most_mm = m_fedAtSize_mm - later_mm;
+        feed.infeed_mm = std::clamp(feed.most_mm - fed_mm, 0.0, feed.infeed_mm);
+    }
+    return feed;
 }
 
 bool StageRuns::ended(const Run& run, const GaugeSignal& signal, double later_mm, bool last) const {

@@ -108,7 +108,8 @@ private:
                                  std::size_t setting, int taken) const;
     [[nodiscard]] double leastLag_mm(const CyclePrefix& prefix, std::size_t setting) const;
     [[nodiscard]] double later(bool last, int taken) const;
-    [[nodiscard]] double nextInfeed(double later_mm, std::size_t setting, double fed_mm) const;
+    [[nodiscard]] StepFeed nextFeed(double later_mm, std::size_t setting, std::size_t stage,
+                                    double fed_mm) const;
     [[nodiscard]] bool ended(const Run& run, const GaugeSignal& signal, double later_mm,
                              bool last) const;
 
@@ -117,7 +118,7 @@ private:
     std::shared_ptr<const CycleSteps> m_part; ///< its first steps
     double m_total;                           ///< |R_first − R_t| [mm]
     double m_fedAtSize_mm;                    ///< by position control
-    std::vector<double> m_infeeds_mm;         ///< of a step, by setting
+    std::vector<StepFeed> m_steps;            ///< by setting
     std::vector<FollowedFeed> m_feeds;        ///< by setting; empty: no radius can be followed
     std::optional<TimeBound> m_bound;
     mutable std::optional<SteadyLags> m_lags; ///< of the settings; found when they are asked for

@@ -66,7 +66,7 @@ const std::vector<double>& SteadyLags::least_mm() {
             m_follower.strokesAlone(all, m_feeds[s]);
             return all.fed_mm - all.radii[0].depth_mm;
         };
-        m_least_mm.push_back(below(above(m_feeds[s].infeed_mm, next).lag_mm, next));
+        m_least_mm.push_back(below(above(m_feeds[s].all_mm, next).lag_mm, next));
     }
     return m_least_mm;
 }
@@ -80,7 +80,7 @@ const std::vector<SteadyLags::Most>& SteadyLags::most(std::size_t zone) {
             m_follower.stepAlone(all, m_feeds[s]);
             return all.fed_mm - all.radii[0].depth_mm;
         };
-        const LagStep steady = above(m_feeds[s].infeed_mm, next);
+        const LagStep steady = above(m_feeds[s].all_mm, next);
         const double before_mm = next(steady.lag_mm - slopeWidth_mm);
         place->second.push_back({steady.lag_mm, (steady.after_mm - before_mm) / slopeWidth_mm});
     }

@@ -53,15 +53,12 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
         Rate rate;
         rate.infeed_mm = infeedOf(project, setting);
         if (project.operation->travels) {
-            const double travel = project.part->length_mm - project.wheel->width_mm
-                                  + machine.overrun_entry_mm + machine.overrun_exit_mm;
-            const double dwells =
-                2 * dwellRevolutions(machine.dwell_entry_s, machine.work_speed_rpm)
-                + dwellRevolutions(machine.dwell_exit_s, machine.work_speed_rpm);
-            const double plunge_s_mm = units::secondsPerMinute / machine.plunge_feed_mm_min;
-            rate.fixed_s = dwells * revolution_s
-                           + 2 * travel / setting.axialFeed_mm_min * units::secondsPerMinute;
-            const ReversalFeeds reversals = reversalFeeds(machine.reversal_infeed, rate.infeed_mm);
+            const bool isContinuous = setting.continuousFeed_mm_min > 0;
+            const double plunge_s_mm =
+                isContinuous ? 0 : units::secondsPerMinute / machine.plunge_feed_mm_min;
+            rate.fixed_s = strokesAndDwells_s(project, setting.axialFeed_mm_min);
+            const ReversalFeeds reversals =
+                reversalFeeds(machine.reversal_infeed, isContinuous ? 0 : rate.infeed_mm);
             rate.step_s = rate.fixed_s;
             for (const double infeed_mm : {reversals.entry_mm, reversals.exit_mm}) {
                 rate.step_s +=
@@ -123,8 +120,21 @@ double TimeBound::rest_s(std::size_t setting, double fed_mm, double later_mm, bo
            * (1 - boundRounding);
 }
 
+double strokesAndDwells_s(const Project& project, double axialFeed_mm_min) {
+    const Machine& machine = *project.machine;
+    const double travel_mm = project.part->length_mm - project.wheel->width_mm
+                             + machine.overrun_entry_mm + machine.overrun_exit_mm;
+    const int dwells = 2 * dwellRevolutions(machine.dwell_entry_s, machine.work_speed_rpm)
+                       + dwellRevolutions(machine.dwell_exit_s, machine.work_speed_rpm);
+    return dwells * (units::secondsPerMinute / machine.work_speed_rpm)
+           + 2 * travel_mm / axialFeed_mm_min * units::secondsPerMinute;
+}
+
 double infeedOf(const Project& project, const StageSetting& setting) {
-    return project.operation.infeed_mm(setting.radial, project.machine->work_speed_rpm);
+    return setting.continuousFeed_mm_min > 0
+               ? setting.continuousFeed_mm_min / units::secondsPerMinute
+                     * strokesAndDwells_s(project, setting.axialFeed_mm_min)
+               : project.operation.infeed_mm(setting.radial, project.machine->work_speed_rpm);
 }
 
 double leastTime_s(const Project& project, const Grid& grid) {

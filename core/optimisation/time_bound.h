@@ -24,6 +24,9 @@ namespace sparkout {
 /// its nearest end at its own r. The last stage, whose feed is known, must make all of the steps
 /// ⌈infeed/f⌉ (under position control the last one may be short).
 ///
+/// A stage with a continuous infeed S_c feeds nothing at the reversals: a double stroke takes c(v),
+/// feeds x = f = S_c·c(v) at the most, and r = c(v)/f.
+///
 /// Where the gauge's zone or section has a stock Π_g of its own below Π, a stage with more left
 /// than that ends at once: for the bound the infeed there is taken to be Π_g at most.
 ///
@@ -70,7 +73,10 @@ private:
     bool m_shortLastStep;
 };
 
-/// Infeed [mm] of a step with a setting.
+/// Dwells and both strokes of a double stroke [s].
+[[nodiscard]] double strokesAndDwells_s(const Project& project, double axialFeed_mm_min);
+
+/// What a step with a setting feeds [mm]: its infeed, or S_c for the time of a double stroke.
 [[nodiscard]] double infeedOf(const Project& project, const StageSetting& setting);
 
 /// How long every cycle of a grid takes at least [s].

@@ -18,6 +18,11 @@ constexpr std::array strokeFeeds{
     StageFeed{"axial_feed_mm_min", &Stage::axial_feed_mm_min, &MachineLimits::axial_feed_mm_min,
               &Optimisation::axial_feed_mm_min, &Optimisation::stage_axial_feed_mm_min}};
 
+constexpr StageFeed continuousFeed{"continuous_feed_mm_min", &Stage::continuous_feed_mm_min,
+                                   &MachineLimits::continuous_feed_mm_min,
+                                   &Optimisation::continuous_feed_mm_min,
+                                   &Optimisation::stage_continuous_feed_mm_min};
+
 constexpr std::array plungeFeeds{
     StageFeed{"radial_feed_mm_min", &Stage::radial_feed_mm_min, &MachineLimits::plunge_feed_mm_min,
               &Optimisation::radial_feed_mm_min, &Optimisation::stage_radial_feed_mm_min}};
@@ -42,6 +47,7 @@ using AllKinds = std::make_index_sequence<std::variant_size_v<Operation::variant
 const OperationTraits Traverse::traits{
     .choice = {"traverse", SPARKOUT_NOOP("Choice", "traverse grinding")},
     .feeds = strokeFeeds,
+    .continuous = &continuousFeed,
     .usualRadial = 0.001,
     .usualLeastSteps = 2,
     .countsStrokes = true,
@@ -57,6 +63,17 @@ const OperationTraits Plunge::traits{
     .perMinute = true,
     .mayRetract = true,
 };
+
+std::vector<const StageFeed*> OperationTraits::searchedFeeds() const {
+    std::vector<const StageFeed*> searched;
+    for (const StageFeed& feed : feeds) {
+        searched.push_back(&feed);
+    }
+    if (continuous) {
+        searched.push_back(continuous);
+    }
+    return searched;
+}
 
 Operation Operation::ofIndex(std::size_t index) {
     return kindAt(index, AllKinds());

@@ -29,9 +29,11 @@ struct StageFeed {
 struct OperationTraits {
     Choice choice;                    ///< its key in the file and its label
     std::span<const StageFeed> feeds; ///< of its stages: the radial one, and an axial one if any
-    double usualRadial = 0;           ///< of a stage that is added
-    int usualLeastSteps = 0;          ///< that a stage with stock is to make
-    bool perMinute = false; ///< the radial feed is one of time [mm/min], else one of a step [mm]
+    /// In whose place a stage may be fed all the time; null: there is none.
+    const StageFeed* continuous = nullptr;
+    double usualRadial = 0;  ///< of a stage that is added
+    int usualLeastSteps = 0; ///< that a stage with stock is to make
+    bool perMinute = false;  ///< the radial feed is one of time [mm/min], else one of a step [mm]
     bool countsStrokes = false; ///< a step of the cycle is a double stroke, else a revolution
     /// The wheel travels along the part, from reversal to reversal with overruns and dwells; else
     /// it covers the whole ground length.
@@ -42,6 +44,8 @@ struct OperationTraits {
     bool mayRetract = false; ///< stages between others may draw the wheel head back
 
     [[nodiscard]] const StageFeed& radial() const { return feeds.front(); }
+    /// All that a search may have levels of.
+    [[nodiscard]] std::vector<const StageFeed*> searchedFeeds() const;
     /// Null where stages set no axial feed.
     [[nodiscard]] const StageFeed* axial() const { return feeds.size() > 1 ? &feeds[1] : nullptr; }
 };

@@ -89,6 +89,31 @@ Field adaptiveLevels() {
         .source = "MODEL-8");
 }
 
+Field continuousLevels() {
+    return SPARKOUT_FIELD(
+        Optimisation, continuous_feed_mm_min,
+        .label = SPARKOUT_NOOP("Input", "Levels of the continuous infeed"), .unit = "mm/min",
+        .hard = {0, 10, true},
+        .nullMeaning = SPARKOUT_NOOP("Input", "cycles without one are searched"),
+        .relevant = conditions::travels, .page = Page::search,
+        .hint = SPARKOUT_NOOP("Input",
+                              "A stage then has one of these, and no radial feed at the reversals, "
+                              "or one of the radial feeds: a list, or from, to and step."),
+        .source = "MODEL-8");
+}
+
+Field continuousByStage() {
+    return SPARKOUT_FIELD(
+        Optimisation, stage_continuous_feed_mm_min,
+        .label = SPARKOUT_NOOP("Input", "Continuous infeed by stage"), .unit = "mm/min",
+        .hard = {0, 10}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+        .relevant = conditions::travels, .count = 2, .page = Page::search,
+        .hint = SPARKOUT_NOOP("Input",
+                              "Minimum and maximum of the first stage, of the second and so on, "
+                              "where they are fed so; twice the same fixes it."),
+        .source = "MODEL-8");
+}
+
 Field objective() {
     return SPARKOUT_FIELD(
         Optimisation, objective, .label = SPARKOUT_NOOP("Input", "Objective"), .page = Page::search,
@@ -177,6 +202,7 @@ const StructInfo& tableOf<Optimisation>() {
             .relevant = conditions::setsFeed<&Stage::radial_feed_mm_min>, .page = Page::search,
             .usual = true, .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."),
             .source = "MODEL-8"),
+        continuousLevels(),
         SPARKOUT_FIELD(
             Optimisation, work_speed_rpm,
             .label = SPARKOUT_NOOP("Input", "Levels of the work speed"), .unit = "rev/min",
@@ -232,6 +258,7 @@ const StructInfo& tableOf<Optimisation>() {
                            "Minimum and maximum of the first stage, of the second and so on; "
                            "twice the same fixes it."),
                        .source = "MODEL-8"),
+        continuousByStage(),
         SPARKOUT_FIELD(Optimisation, stage_stock_mm,
                        .label = SPARKOUT_NOOP("Input", "Stock per side by stage"), .unit = "mm",
                        .hard = {0, 5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),

@@ -48,16 +48,19 @@ struct Optimisation {
     Levels radial_feed_mm;     ///< traverse, per double stroke [mm]
     Levels axial_feed_mm_min;  ///< traverse [mm/min]
     Levels radial_feed_mm_min; ///< plunge [mm/min]
-    Levels work_speed_rpm;     ///< n; not given: the machine's [rev/min]
-    Levels dwell_entry_s;      ///< traverse; not given: the machine's [s]
-    Levels dwell_exit_s;       ///< traverse; not given: the machine's [s]
-    Levels unfed_steps;        ///< a spark-out's strokes or revolutions; 0: no such stage
+    /// Traverse, of stages that have no radial feed; not given: none are fed so [mm/min].
+    Levels continuous_feed_mm_min;
+    Levels work_speed_rpm; ///< n; not given: the machine's [rev/min]
+    Levels dwell_entry_s;  ///< traverse; not given: the machine's [s]
+    Levels dwell_exit_s;   ///< traverse; not given: the machine's [s]
+    Levels unfed_steps;    ///< a spark-out's strokes or revolutions; 0: no such stage
     // Least and most of each stage, a row a stage from the first on.
-    NumberRows stage_radial_feed_mm;     ///< [mm]
-    NumberRows stage_axial_feed_mm_min;  ///< [mm/min]
-    NumberRows stage_radial_feed_mm_min; ///< plunge [mm/min]
-    NumberRows stage_stock_mm;           ///< [mm]
-    std::optional<Cost> cost;            ///< not given: not reported
+    NumberRows stage_radial_feed_mm;         ///< [mm]
+    NumberRows stage_axial_feed_mm_min;      ///< [mm/min]
+    NumberRows stage_radial_feed_mm_min;     ///< plunge [mm/min]
+    NumberRows stage_continuous_feed_mm_min; ///< [mm/min]
+    NumberRows stage_stock_mm;               ///< [mm]
+    std::optional<Cost> cost;                ///< not given: not reported
 };
 
 template <>

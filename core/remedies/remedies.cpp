@@ -82,7 +82,11 @@ struct ValueRun {
 /// How much a change of a setting is of it.
 double changeOf(const Remedy& remedy) {
     constexpr double newOne = 0.3, ofCount = 0.1, ofRatio = 0.5;
+    constexpr double newCycle = 0.6;
     const RemedySetting& setting = remedy.setting;
+    if (setting.isWholeCycle()) {
+        return newCycle;
+    }
     if (setting.addsStage()) {
         return newOne;
     }
@@ -91,9 +95,11 @@ double changeOf(const Remedy& remedy) {
             setting.scale.firstFrom(remedy.value) - setting.scale.firstFrom(setting.before);
         return ofCount * std::abs(static_cast<double>(places));
     }
-    return setting.before > 0 && remedy.value > 0
-               ? ofRatio * std::abs(std::log(remedy.value / setting.before))
-               : newOne;
+    const double own = setting.before > 0 && remedy.value > 0
+                           ? ofRatio * std::abs(std::log(remedy.value / setting.before))
+                           : newOne;
+    return setting.isPair() ? own + ofRatio * std::abs(std::log(setting.feed / setting.feedBefore))
+                            : own;
 }
 
 class RemedySearch {
@@ -124,7 +130,9 @@ public:
         m_found.settings = settings.size();
         m_issues = validate(m_project);
         for (const RemedySetting& setting : settings) {
-            if (std::optional<Remedy> remedy = remedyOf(setting)) {
+            const bool isNeeded = !setting.isPair() || !m_singleHelps;
+            if (std::optional<Remedy> remedy = isNeeded ? remedyOf(setting) : std::nullopt) {
+                m_singleHelps |= setting.isSingle();
                 keep(*std::move(remedy));
             }
             m_found.runs = m_trials.runs();
@@ -162,7 +170,7 @@ private:
             return false;
         }
         const bool warned = bringsIssues(setting, value);
-        if (warned && !m_warned) {
+        if (warned && !m_warned && setting.isSingle()) {
             m_warned.emplace(setting, value);
         }
         return !warned;
@@ -271,7 +279,7 @@ private:
     /// else about this one. Nothing where they have too few values, the last test refuses it, or it
     /// is over.
     std::optional<Remedy> refined(const RemedySetting& setting, SettingWay& way, std::int64_t far) {
-        const std::int64_t least = setting.isCount() ? 1 : Remedy::leastValues;
+        const std::int64_t least = setting.leastValues();
         const std::optional<std::int64_t> near = edge(setting, way, far);
         std::optional<ValueRun> run = near ? valuesAbout(setting, way, *near) : std::nullopt;
         if (run && run->count() < least && run->last < far) {
@@ -282,7 +290,7 @@ private:
         }
         way.pass(run->last);
         if (run->count() < least) {
-            if (!m_narrow) {
+            if (!m_narrow && setting.isSingle()) {
                 m_narrow.emplace(setting, way.value(run->middle()));
             }
             return std::nullopt;
@@ -302,6 +310,8 @@ private:
             if (nearer && !nearer->trial.holds) {
                 remedy.failing = way.value(run.first - 1);
             }
+        } else if (!setting.isSingle()) {
+            remedy.failing.reset(); // all that is changed beside it was not run alone
         } else if (setting.kind != RemedyKind::addFeed) {
             remedy.failing = setting.before;
         } else { // run with the present feed, too
@@ -352,6 +362,7 @@ private:
     bool m_isRun = false;
     std::optional<double> m_time_s; ///< nothing: the cycle does not end by itself
     Issues m_issues;                ///< as it is
+    bool m_singleHelps = false;     ///< one setting alone
     const RemedyOptions& m_options;
     RemedyTrials m_trials;
     std::optional<std::pair<RemedySetting, double>> m_warned; ///< the first that brings a warning

@@ -17,7 +17,9 @@
 #include <vector>
 
 /// Changes of one setting after which a cycle that fails holds everything, or one that is close to
-/// a limit has room. A value is good where that is so
+/// a limit has room; beside them a starting cycle for the part as it is and, where no single
+/// setting helps, the stock of finishing together with a slower feed of the first stage. A value is
+/// good where that is so
 ///
 /// * for the part as stated,
 /// * whatever the stock of the blank within one phase: where the last step of a stage falls changes
@@ -39,8 +41,8 @@
 /// excluded, since a cycle does not answer evenly.
 ///
 /// Remedies are in the order of what they cost: the change of the cycle's time as a share of it,
-/// and half the logarithm of how many times as much the setting becomes; a tenth a double stroke or
-/// revolution, 0.3 for one more stage.
+/// and half the logarithm of how many times as much the setting becomes, of a pair of both; a tenth
+/// a double stroke or revolution, 0.3 for one more stage, 0.6 for a starting cycle.
 namespace sparkout {
 
 /// What a remedy is to reach.
@@ -69,8 +71,7 @@ struct RemedyBatch {
 [[nodiscard]] double mostBad(const RemedyBatch& batch);
 
 struct Remedy {
-    /// Of an interval; of a count one is enough.
-    static constexpr int leastValues = 3, mostValues = 9;
+    static constexpr int mostValues = 9; ///< of an interval
 
     RemedySetting setting;
     double value = 0; ///< that the setting is to have: the middle of the interval, of two middles
@@ -79,7 +80,7 @@ struct Remedy {
     int values = 0;      ///< so many
     /// The next one before the interval towards the present value; run, and it is not good. Nothing
     /// where that one is good, but brings a warning, or is a stage more with the feed there is, or
-    /// was not run.
+    /// was not run; of a pair the present value is not.
     std::optional<double> failing{};
     bool holdsBeyond = false;             ///< the next one behind the interval is good, too
     double time_s = 0;                    ///< of the cycle
@@ -94,9 +95,10 @@ struct Remedy {
     [[nodiscard]] Project applied(Project project) const {
         return setting.applied(std::move(project), value);
     }
-    /// The value there is; nothing for a stage more.
+    /// The value there is; nothing for a stage more or another cycle.
     [[nodiscard]] std::optional<double> before() const {
-        return setting.addsStage() ? std::nullopt : std::optional(setting.before);
+        return setting.addsStage() || setting.isWholeCycle() ? std::nullopt
+                                                             : std::optional(setting.before);
     }
 };
 
@@ -142,7 +144,7 @@ struct RemedyResult {
     RemedyFault fault = RemedyFault::none;
     std::vector<Remedy> remedies;           ///< at most three; that of the least rank first
     std::size_t found = 0;                  ///< settings that help
-    std::size_t tried = 0;                  ///< settings that were tried
+    std::size_t tried = 0;                  ///< settings that were tried, or need not be
     std::size_t settings = 0;               ///< that there are to try
     long long runs = 0;                     ///< of cycles
     bool stopped = false;                   ///< before all were tried, by a stop

@@ -19,15 +19,35 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// None for a starting cycle, of which the patch has all.
+template <class Value>
+std::optional<Value> ofSetting(const Remedy& remedy, const Value& value) {
+    return remedy.setting.isWholeCycle() ? std::nullopt : std::optional(value);
+}
+
 constexpr Output<RemedyOf> remedyRows[] = {
-    {{.key = "path", .hint = "JSON pointer of the input; of a stage more, the stage"},
+    {{.key = "kind",
+      .hint = "setting; pair, the stock of finishing with a feed of the first stage; or "
+              "starting_cycle"},
+     [](const RemedyOf& r) { return std::string(remedyKindKey(r.remedy.setting.kind)); }},
+    {{.key = "path",
+      .hint = "JSON pointer of the input; of a stage more, the stage; of a starting cycle, its "
+              "first stage"},
      [](const RemedyOf& r) { return r.remedy.setting.path(r.project); }},
-    {{.key = "before", .hint = "its value as it is; none for a stage more"},
+    {{.key = "before", .hint = "its value as it is; none for a stage more or a starting cycle"},
      [](const RemedyOf& r) { return r.remedy.before(); }},
-    {{.key = "value", .hint = "the value to apply: the middle of the interval"},
-     [](const RemedyOf& r) { return r.remedy.value; }},
-    {{.key = "interval", .hint = "every value in it that can be set was run and helps"},
-     [](const RemedyOf& r) { return std::optional(r.remedy.interval); }},
+    {{.key = "value",
+      .hint = "the value to apply: the middle of the interval; none for a starting cycle"},
+     [](const RemedyOf& r) { return ofSetting(r.remedy, r.remedy.value); }},
+    {{.key = "with_value",
+      .hint = "of a pair: the radial feed of the first stage that goes with it"},
+     [](const RemedyOf& r) {
+         const RemedySetting& setting = r.remedy.setting;
+         return setting.isPair() ? std::optional(setting.feed) : std::nullopt;
+     }},
+    {{.key = "interval",
+      .hint = "every value in it that can be set was run and helps; none for a starting cycle"},
+     [](const RemedyOf& r) { return ofSetting(r.remedy, r.remedy.interval); }},
     {{.key = "values", .hint = "number of the values in the interval"},
      [](const RemedyOf& r) { return std::int64_t{r.remedy.values}; }},
     {{.key = "failing",

@@ -4,9 +4,12 @@
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/member.h"
+#include "core/project/validate.h"
+#include "core/starting/starting_project.h"
 #include "core/study/stage_edits.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -24,6 +27,9 @@ constexpr double slowestFeed = 1.0 / 20, fastestFeed = 10;
 constexpr double slowestSpeed = 1.0 / 4, fastestSpeed = 4;
 constexpr double mostStrokes = 64, mostRevolutions = 512;
 
+/// Shares of the first stage's feed that the finishing stock is tried with.
+constexpr std::array feedsWithStock{0.7, 0.5, 0.35};
+
 /// Stocks are moved by so much [mm], those of two stages that have little by a tenth of it.
 constexpr double stockStep_mm = 1e-3, littleStock_mm = 0.02;
 
@@ -31,6 +37,21 @@ constexpr std::string_view inStages = "/cycle/stages/";
 
 std::string pathOfStage(std::size_t stage) {
     return std::string(inStages) + std::to_string(stage);
+}
+
+/// A cycle and what else of the machine a starting cycle sets. The wheel's speed is not its own
+/// there, and of a part of a batch it may be that of a worn wheel.
+Project withCycleOf(Project project, const Project& other) {
+    project.cycle->stages = other.cycle->stages;
+    Machine& machine = *project.machine;
+    const Machine& from = *other.machine;
+    machine.work_speed_rpm = from.work_speed_rpm;
+    machine.plunge_feed_mm_min = from.plunge_feed_mm_min;
+    machine.overrun_entry_mm = from.overrun_entry_mm;
+    machine.overrun_exit_mm = from.overrun_exit_mm;
+    machine.dwell_entry_s = from.dwell_entry_s;
+    machine.dwell_exit_s = from.dwell_exit_s;
+    return project;
 }
 
 /// A machine's step, or a tenfold of it that is still fine for such a value.
@@ -49,6 +70,7 @@ public:
 
     std::vector<RemedySetting> list() {
         const std::vector<Stage>& stages = m_project.cycle->stages;
+        add({RemedyKind::startingCycle}, {1, 1}, SettingScale::steps(0, 1));
         for (std::size_t z = stages.size(); z-- > 0;) {
             addStage(z);
         }
@@ -61,6 +83,7 @@ public:
         }
         addRate({RemedyKind::workSpeed, 0, 0, m_project.machine->work_speed_rpm},
                 m_project.machine->limits.work_speed_rpm, slowestSpeed, fastestSpeed);
+        addPairs();
         return std::move(m_found);
     }
 
@@ -147,6 +170,41 @@ private:
             {stage.feeds() ? step_mm : 0, both_mm - step_mm}, SettingScale::steps(0, step_mm));
     }
 
+    /// The stock of the last stage that feeds, with slower feeds of the first: where the one is too
+    /// little for what the other leaves, neither alone need do.
+    void addPairs() {
+        const auto isOf = [](const RemedySetting& setting, RemedyKind kind, std::size_t stage) {
+            return setting.kind == kind && setting.stage == stage;
+        };
+        std::size_t last = m_project.cycle->stages.size();
+        while (last > 0 && !m_project.cycle->stages[last - 1].feeds()) {
+            --last;
+        }
+        const auto stock = std::ranges::find_if(m_found, [&](const RemedySetting& each) {
+            return last > 1 && isOf(each, RemedyKind::stock, last - 1);
+        });
+        const auto feed = std::ranges::find_if(m_found, [&](const RemedySetting& each) {
+            return isOf(each, RemedyKind::radialFeed, 0);
+        });
+        if (stock == m_found.end() || feed == m_found.end()) {
+            return;
+        }
+        RemedySetting pair = *stock;
+        pair.kind = RemedyKind::stockWithFeed;
+        pair.feedBefore = feed->before;
+        std::vector<RemedySetting> pairs;
+        for (const double share : feedsWithStock) {
+            const SettingScale& scale = feed->scale;
+            const double value = scale.at(scale.lastUpTo(share * feed->before));
+            const bool isOther = pairs.empty() || pairs.back().feed != value;
+            if (isOther && value >= feed->low && value < feed->before) {
+                pairs.push_back(pair);
+                pairs.back().feed = value;
+            }
+        }
+        m_found.insert(m_found.end(), pairs.begin(), pairs.end());
+    }
+
     void addCount(const Target& target, int present) {
         const double most = m_project.operation->countsStrokes ? mostStrokes : mostRevolutions;
         add(target, {1, most + present}, SettingScale::steps(0, 1));
@@ -180,6 +238,12 @@ private:
 
 } // namespace
 
+const char* remedyKindKey(RemedyKind kind) {
+    return kind == RemedyKind::startingCycle   ? "starting_cycle"
+           : kind == RemedyKind::stockWithFeed ? "pair"
+                                               : "setting";
+}
+
 Project RemedySetting::applied(Project project, double value) const {
     auto& stages = project.cycle->stages;
     const StageFeed& radial = project.operation->radial();
@@ -198,12 +262,26 @@ Project RemedySetting::applied(Project project, double value) const {
         break;
     case RemedyKind::addSparkOut:
         return withSparkOutAfter(std::move(project), static_cast<int>(value));
+    case RemedyKind::stockWithFeed:
+        stages.front().*radial.value = feed;
+        return withStock(std::move(project), stage, value, other);
+    case RemedyKind::startingCycle: {
+        // requirements stay what they are
+        const Project changed = withCycleOf(project, withStartingCycle(project));
+        return hasErrors(validate(changed)) ? project : changed;
+    }
     }
     return project;
 }
 
+Project RemedySetting::appliedToPart(Project part, double value, const Project& changed) const {
+    return isWholeCycle() ? withCycleOf(std::move(part), changed) : applied(std::move(part), value);
+}
+
 std::string RemedySetting::path(const Project& project) const {
-    return addsStage() ? pathOfStage(stage + 1) : rowPath(project);
+    return addsStage()      ? pathOfStage(stage + 1)
+           : isWholeCycle() ? pathOfStage(0)
+                            : rowPath(project);
 }
 
 std::string RemedySetting::rowPath(const Project& project) const {
@@ -212,7 +290,9 @@ std::string RemedySetting::rowPath(const Project& project) const {
     case RemedyKind::radialFeed:
     case RemedyKind::addFeed: return inStage + project.operation->radial().key;
     case RemedyKind::axialFeed: return inStage + project.operation->axial()->key;
-    case RemedyKind::stock: return inStage + "stock_mm";
+    case RemedyKind::stock:
+    case RemedyKind::stockWithFeed:
+    case RemedyKind::startingCycle: return inStage + "stock_mm";
     case RemedyKind::sparkOut:
     case RemedyKind::addSparkOut: return inStage + Stage::sparkOutKey;
     case RemedyKind::dwellEntry: return "/machine/dwell_entry_s";

@@ -126,7 +126,7 @@ std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, doubl
     trial.holds = met && idleStages(result) <= m_idle;
     if (!met) {
         learn(setting, value, trial);
-    } else if (!trial.holds && !m_idleTrial) {
+    } else if (!trial.holds && !m_idleTrial && setting.isSingle()) {
         m_idleTrial.emplace(Nearest{setting, value, std::nullopt, 0});
     } else if (trial.holds) {
         std::optional<Project> fails = failingStock(changed);
@@ -140,7 +140,8 @@ std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, doubl
     }
     if (trial.holds && !m_parts.isEmpty()) {
         const std::optional<RunParts> parts = m_parts.run(
-            [&](Project part) { return setting.applied(std::move(part), value); }, m_end.token());
+            [&](Project part) { return setting.appliedToPart(std::move(part), value, changed); },
+            m_end.token());
         if (!parts) {
             return {};
         }
@@ -214,6 +215,9 @@ bool RemedyTrials::confirmStocks(Remedy& remedy) {
 
 void RemedyTrials::learnPart(const RemedySetting& setting, double value, const Project& fails,
                              std::optional<Nearest>& nearest) {
+    if (!setting.isSingle()) {
+        return; // what is said where nothing helps is of single settings
+    }
     const std::optional<ConstraintResult> worst = worstOf(fails);
     if (isOver()) {
         return;
@@ -225,6 +229,9 @@ void RemedyTrials::learnPart(const RemedySetting& setting, double value, const P
 }
 
 void RemedyTrials::learn(const RemedySetting& setting, double value, const RemedyTrial& trial) {
+    if (!setting.isSingle()) {
+        return;
+    }
     const ConstraintResult* known = nullptr; // the worst of those that fail as it is
     const ConstraintResult* fresh = nullptr; // and of those that begin to
     const ConstraintResult* first = nullptr; // if it fails still

@@ -99,8 +99,8 @@ public:
     FollowedRadii follow(const FollowedRadii::Lanes& lanes) const override {
         return radiiOf(m_run, lanes);
     }
-    FollowedFeed feed(double infeed_mm, double) const override {
-        return {.infeed_mm = infeed_mm, .strokes = {}};
+    FollowedFeed feed(const StepFeed& step) const override {
+        return {.infeed_mm = step.infeed_mm, .all_mm = step.infeed_mm, .strokes = {}};
     }
     void stepAlone(FollowedRadii& radii, const FollowedFeed& feed) const override {
         const PassFeed pass = revolution(radii.fed_mm, feed.infeed_mm);

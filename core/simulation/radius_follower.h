@@ -9,6 +9,7 @@
 namespace sparkout {
 
 class Run;
+struct StepFeed;
 
 /// A radius that is followed alone.
 struct FollowedRadius {
@@ -28,8 +29,10 @@ struct FollowedRadii {
 
 /// What a step feeds, and how the zones yield in its strokes.
 struct FollowedFeed {
-    double infeed_mm = 0;
-    std::array<LaneBalance, 3> strokes; ///< by zone; traverse
+    double infeed_mm = 0; ///< at the reversals, or in a revolution
+    double all_mm = 0;    ///< with the continuous infeed, if it has one
+    double continuousFeed_mm_min = 0, axialFeed_mm_min = 0; ///< traverse
+    std::array<LaneBalance, 3> strokes;                     ///< by zone; traverse
 };
 
 /// Follows a few radii through steps of a cycle without the rest of the part: each is cut as the
@@ -40,8 +43,8 @@ public:
     virtual ~RadiusFollower() = default;
     /// Radii as they stand now.
     [[nodiscard]] virtual FollowedRadii follow(const FollowedRadii::Lanes& lanes) const = 0;
-    /// Of a step with an infeed [mm] and an axial feed [mm/min].
-    [[nodiscard]] virtual FollowedFeed feed(double infeed_mm, double axialFeed_mm_min) const = 0;
+    /// Of a step that is not cut short.
+    [[nodiscard]] virtual FollowedFeed feed(const StepFeed& step) const = 0;
     virtual void stepAlone(FollowedRadii& radii, const FollowedFeed& feed) const = 0;
     /// Of a step the strokes alone, which cut all zones. A radius that no other pass cuts stands as
     /// after the step, any other one no deeper.

@@ -97,29 +97,34 @@ public:
     const RadiusFollower* follower() const override {
         const bool inMiddle = m_gaugePoint == static_cast<std::size_t>(Zone::nz);
         const bool alone = m_run.isEachAlone() && m_inZone == 0 && !m_run.printsForm();
-        return inMiddle && alone && !feedsContinuously(m_project) ? this : nullptr;
+        return inMiddle && alone ? this : nullptr;
     }
 
     FollowedRadii follow(const FollowedRadii::Lanes& lanes) const override {
         return radiiOf(m_run, lanes);
     }
 
-    FollowedFeed feed(double infeed_mm, double axialFeed_mm_min) const override {
-        FollowedFeed feed{.infeed_mm = infeed_mm, .strokes = {}};
+    FollowedFeed feed(const StepFeed& step) const override {
+        FollowedFeed feed{.infeed_mm = step.infeed_mm,
+                          .all_mm = programmed_mm(strokeFeed(step)),
+                          .continuousFeed_mm_min = step.continuousFeed_mm_min,
+                          .axialFeed_mm_min = step.axialFeed_mm_min,
+                          .strokes = {}};
         for (std::size_t zone = 0; zone < zoneCount; ++zone) {
-            feed.strokes[zone] = m_run.balance(zone, strokeWidth(axialFeed_mm_min));
+            feed.strokes[zone] = m_run.balance(zone, strokeWidth(step.axialFeed_mm_min));
         }
         return feed;
     }
 
     void stepAlone(FollowedRadii& radii, const FollowedFeed& feed) const override {
-        doubleStroke(radii.fed_mm, {.infeed_mm = feed.infeed_mm}, [&](const Pass& pass) {
-            for (FollowedRadius& radius : radii.radii) {
-                if (pass.isStroke || radius.zone == static_cast<std::size_t>(pass.zone)) {
-                    cutAlone(radius,
-                             pass.isStroke ? feed.strokes[radius.zone]
-                                           : m_plungeBalances[radius.zone],
-                             pass.feed.at(radius.share));
+        doubleStroke(radii.fed_mm, strokeFeed(feed), [&](const Pass& pass) {
+            if (pass.isStroke) {
+                strokeAlone(radii, feed, pass);
+            } else {
+                for (FollowedRadius& radius : radii.radii) {
+                    if (radius.zone == static_cast<std::size_t>(pass.zone)) {
+                        cutAlone(radius, m_plungeBalances[radius.zone], pass.feed.at(radius.share));
+                    }
                 }
             }
             ++radii.passes;
@@ -128,6 +133,16 @@ public:
     }
 
     void strokesAlone(FollowedRadii& radii, const FollowedFeed& feed) const override {
+        if (feed.continuousFeed_mm_min > 0) {
+            doubleStroke(radii.fed_mm, strokeFeed(feed), [&](const Pass& pass) {
+                if (pass.isStroke) {
+                    strokeAlone(radii, feed, pass);
+                    ++radii.passes;
+                }
+                return true;
+            });
+            return;
+        }
         const ReversalFeeds reversals = reversalsOf(feed.infeed_mm);
         for (const double infeed_mm : {reversals.entry_mm, reversals.exit_mm}) {
             radii.fed_mm += infeed_mm;
@@ -216,6 +231,12 @@ private:
         return feed;
     }
 
+    StrokeFeed strokeFeed(const FollowedFeed& feed) const {
+        return strokeFeed(StepFeed{.infeed_mm = feed.infeed_mm,
+                                   .axialFeed_mm_min = feed.axialFeed_mm_min,
+                                   .continuousFeed_mm_min = feed.continuousFeed_mm_min});
+    }
+
     /// S_t + S_c·T.
     double programmed_mm(const StrokeFeed& feed) const {
         if (!feed.drifts()) {
@@ -295,6 +316,17 @@ private:
             fedAt[zone] = feed.after(fed, feed.perStroke_mm * (there ? share : 1 - share));
         }
         return fedAt;
+    }
+
+    void strokeAlone(FollowedRadii& radii, const FollowedFeed& feed, const Pass& pass) const {
+        std::array<double, zoneCount> fed{};
+        fed.fill(pass.feed.base);
+        if (pass.drift) {
+            fed = fedInStroke(pass.feed.base, *pass.drift, pass.there);
+        }
+        for (FollowedRadius& radius : radii.radii) {
+            cutAlone(radius, feed.strokes[radius.zone], fed[radius.zone]);
+        }
     }
 
     /// E1 of РЗ1 with S = S_1, E4 of РЗ2 with S = S_2, in ⌈n·S/S_rad⌉ revolutions:

@@ -146,9 +146,11 @@ double usualWorkSpeed(const Project& project, double rise) {
                              / (std::numbers::pi * project.wheel->diameter_mm);
     double best = settings.at(wanted, Rounding::nearest);
     auto bestScore = std::pair(std::numeric_limits<double>::infinity(), 0.0);
+    constexpr double mostTries = 1000; // of a machine set nearly steplessly
     const double reach = starting::speedReach * wanted;
+    const double step = settings.step * std::max(std::ceil(reach / settings.step / mostTries), 1.0);
     double n = settings.at(std::max(wanted - reach, settings.low), Rounding::down);
-    for (; n <= std::min(wanted + reach, settings.high); n += settings.step) {
+    for (; n <= std::min(wanted + reach, settings.high); n += step) {
         const double away = std::abs(n / wanted - 1);
         const auto score = std::pair(unrest(wheel_rpm / n), away);
         if (away <= starting::speedReach && score < bestScore) {
@@ -366,11 +368,12 @@ double Rule::finishStock(double wanted_mm) const {
 
 /// The three stages, whose stocks add up to the part's.
 Trial Rule::made(const BoundDepth& depth, Stage rough, Stage finish, Stage sparkOut) const {
-    constexpr double digits = 1e6;
-    const auto rounded = [](double value) { return std::round(value * digits) / digits; };
-    finish.stock_mm = rounded(finish.stock_mm);
-    sparkOut.stock_mm = rounded(sparkOut.stock_mm);
-    rough.stock_mm = rounded(m_project.part->stock_mm - finish.stock_mm - sparkOut.stock_mm);
+    constexpr double digits = 1e6, sumDigits = 1e9; // what the others leave is the first one's
+    const auto rounded = [](double value, double to) { return std::round(value * to) / to; };
+    finish.stock_mm = rounded(finish.stock_mm, digits);
+    sparkOut.stock_mm = rounded(sparkOut.stock_mm, digits);
+    rough.stock_mm =
+        rounded(m_project.part->stock_mm - finish.stock_mm - sparkOut.stock_mm, sumDigits);
     Trial trial{{.project = m_project,
                  .bound = depth.bound,
                  .isExceeded = depth.isExceeded,

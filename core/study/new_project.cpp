@@ -4,9 +4,10 @@
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
-#include "core/starting/starting_project.h"
+#include "core/project/validate.h"
 #include "core/study/operation.h"
 #include "core/study/search_edits.h"
+#include "core/study/usual_search.h"
 
 #include <utility>
 
@@ -37,6 +38,15 @@ Project newProject(Operation operation) {
 std::vector<std::string> drawingInputs() {
     return {"/part/diameter_mm", "/part/upper_deviation_um", "/part/lower_deviation_um",
             "/part/length_mm", "/part/stock_mm"};
+}
+
+StartingAnswer drawnProject(const StartingDrawing& drawing, const StartingEntries& entries) {
+    StartingAnswer answer = startingProject(drawing, entries);
+    if (answer.start) {
+        answer.start->project = usualSearch(std::move(answer.start->project));
+        answer.issues = validate(answer.start->project);
+    }
+    return answer;
 }
 
 Project undrawnProject(Operation operation) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "core/starting/starting_project.h"
 
 #include <string>
 #include <vector>
@@ -13,6 +14,10 @@ namespace sparkout {
 
 /// Paths of the numbers that a drawing has to give before anything can be computed.
 [[nodiscard]] std::vector<std::string> drawingInputs();
+
+/// A project for a drawing, startingProject(), with a usual search about its cycle.
+[[nodiscard]] StartingAnswer drawnProject(const StartingDrawing& drawing,
+                                          const StartingEntries& entries);
 
 /// A starting cycle on the usual machine of the catalogue for a part that is yet to be drawn: no
 /// requirement of form, no name, and in place of the drawing's numbers some that no drawing has, so

@@ -65,6 +65,10 @@ ordered_json levelsJson(const SearchOutcome& outcome) {
     for (const StageFeed& feed : outcome.searched.operation->feeds) {
         levels[feed.key] = levelValues((*outcome.searched.optimisation).*feed.levels);
     }
+    const StageFeed* const continuous = outcome.searched.operation->continuous;
+    if (continuous && levelCount((*outcome.searched.optimisation).*continuous->levels) > 0) {
+        levels[continuous->key] = levelValues((*outcome.searched.optimisation).*continuous->levels);
+    }
     return levels;
 }
 

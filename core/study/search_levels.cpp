@@ -110,7 +110,8 @@ void addBetween(std::vector<double>& levels, const LevelRange& range,
 std::vector<LevelEdge> edgesReached(const Project& searched, const Cycle& cycle) {
     const Optimisation& search = *searched.optimisation;
     std::vector<LevelEdge> edges;
-    for (const StageFeed& feed : searched.operation->feeds) {
+    for (const StageFeed* each : searched.operation->searchedFeeds()) {
+        const StageFeed& feed = *each;
         const std::vector<double> levels = sortedLevels(search, feed);
         if (levels.size() < 2) {
             continue;
@@ -189,7 +190,8 @@ bool SearchLevels::goOn(const Cycle& best, const FeasibleCycle& found) {
     const std::vector<LevelEdge> edges = edgesReached(m_searched, best);
     Project next = m_searched;
     bool more = false;
-    for (const StageFeed& feed : m_searched.operation->feeds) {
+    for (const StageFeed* each : m_searched.operation->searchedFeeds()) {
+        const StageFeed& feed = *each;
         std::vector<double> levels = sortedLevels(*m_searched.optimisation, feed);
         const std::size_t before = levels.size();
         if (before < 2) {

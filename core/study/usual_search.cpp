@@ -3,6 +3,7 @@
 
 #include "core/batch/batch_check.h"
 #include "core/optimisation/levels.h"
+#include "core/optimisation/time_bound.h"
 #include "core/optimisation/variants.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
@@ -93,7 +94,7 @@ class UsualSearch {
 public:
     explicit UsualSearch(const Project& project) : m_project(project) {
         for (const Stage& stage : project.cycle->stages) {
-            if ((stage.*radial().value).value_or(0) > 0) {
+            if (fedBy(stage) > 0) {
                 m_feeding.push_back(stage);
             }
         }
@@ -123,8 +124,20 @@ public:
 private:
     [[nodiscard]] const StageFeed& radial() const { return m_project.operation->radial(); }
     [[nodiscard]] bool isPlunge() const { return m_project.operation->perMinute; }
-    [[nodiscard]] double rough() const { return *(m_feeding.front().*radial().value); }
+    [[nodiscard]] double rough() const { return fedBy(m_feeding.front()); }
+    [[nodiscard]] double finish() const { return fedBy(m_feeding.back()); }
     [[nodiscard]] bool hasFinish() const { return m_feeding.size() > 1; }
+    /// The radial feed of a stage, and what its continuous infeed feeds in a double stroke.
+    [[nodiscard]] double fedBy(const Stage& stage) const {
+        const double feed = (stage.*radial().value).value_or(0);
+        return m_project.operation->travels && stage.continuousFeed_mm_min() > 0
+                   ? feed + stage.continuousFeed_mm_min() * doubleStroke_min(stage)
+                   : feed;
+    }
+    [[nodiscard]] double doubleStroke_min(const Stage& stage) const {
+        const double axial = (stage.*m_project.operation->axial()->value).value_or(1);
+        return strokesAndDwells_s(m_project, axial) / units::secondsPerMinute;
+    }
 
     [[nodiscard]] FeedRange plungeRough() const {
         constexpr double ofBore = 0.5;
@@ -139,7 +152,7 @@ private:
     }
     [[nodiscard]] FeedRange plungeFinish() const {
         constexpr double least = 0.05;
-        const double now = hasFinish() ? *(m_feeding.back().*radial().value) : least;
+        const double now = hasFinish() ? finish() : least;
         return {std::min(least, now),
                 std::max(byRoughness(m_project, std::array{0.08, 0.125, 0.16}), now)};
     }
@@ -149,23 +162,45 @@ private:
     }
     [[nodiscard]] FeedRange strokeFinish() const {
         constexpr double most_mm = 0.005, ofRough = 0.7;
-        const double now = hasFinish() ? *(m_feeding.back().*radial().value)
-                                       : std::min(most_mm, ofRough * rough());
+        const double now = hasFinish() ? finish() : std::min(most_mm, ofRough * rough());
         return {0.6 * now, std::max(std::min(2 * now, most_mm), now)};
+    }
+
+    /// Levels of a feed for roughing and finishing, and which of them are for which.
+    void put(Optimisation& search, const StageFeed& feed, double step, const FeedRange& rough,
+             const FeedRange& finish) const {
+        const FeedSteps steps(m_project, feed, step);
+        const std::vector<double> roughing = steps.preferred(rough);
+        const std::vector<double> finishing = steps.preferred(finish);
+        std::vector<double> levels;
+        std::ranges::set_union(roughing, finishing, std::back_inserter(levels));
+        search.*feed.levels = levels;
+        search.*feed.byStage = std::vector<std::vector<double>>{
+            {roughing.front(), roughing.back()}, {finishing.front(), finishing.back()}};
+    }
+
+    /// Where the machine has a range for it, what feeds as much in a double stroke.
+    void putContinuous(Optimisation& search) const {
+        constexpr double usualStep_mm_min = 0.005;
+        const StageFeed* const feed = m_project.operation->continuous;
+        const auto* const range = feed ? &(m_project.machine->limits.*feed->range) : nullptr;
+        if (!range || !*range || (*range)->size() != 3 || !((**range)[1] > 0)) {
+            return;
+        }
+        const auto during = [](FeedRange infeed, double time_min) {
+            return FeedRange{infeed.low / time_min, infeed.high / time_min};
+        };
+        put(search, *feed, usualStep_mm_min,
+            during(strokeRough(), doubleStroke_min(m_feeding.front())),
+            during(strokeFinish(), doubleStroke_min(m_feeding.back())));
     }
 
     void putFeeds(Optimisation& search) const {
         constexpr double plungeStep_mm_min = 0.01, infeedStep_mm = 0.0005, axialStep_mm_min = 10;
-        const FeedSteps steps(m_project, radial(), isPlunge() ? plungeStep_mm_min : infeedStep_mm);
-        const std::vector<double> roughing =
-            steps.preferred(isPlunge() ? plungeRough() : strokeRough());
-        const std::vector<double> finishing =
-            steps.preferred(isPlunge() ? plungeFinish() : strokeFinish());
-        std::vector<double> levels;
-        std::ranges::set_union(roughing, finishing, std::back_inserter(levels));
-        search.*radial().levels = levels;
-        search.*radial().byStage = std::vector<std::vector<double>>{
-            {roughing.front(), roughing.back()}, {finishing.front(), finishing.back()}};
+        put(search, radial(), isPlunge() ? plungeStep_mm_min : infeedStep_mm,
+            isPlunge() ? plungeRough() : strokeRough(),
+            isPlunge() ? plungeFinish() : strokeFinish());
+        putContinuous(search);
         if (const StageFeed* axial = m_project.operation->axial()) {
             constexpr double least = 0.15, most = 0.4; // of B·n
             const double turn_mm_min =

@@ -15,7 +15,9 @@ namespace sparkout {
 ///   and 1.6, of a bore half of that Q'_w; finishing from 0.05 to 0.08, 0.125 or 0.16 mm/min by the
 ///   required roughness.
 /// * Traverse: roughing from half to 1.6 of what it is, at most 25 µm, finishing from 0.6 to 2 of
-///   what it is, at most 5 µm, both a double stroke; S_ax from 0.15 to 0.4 B·n.
+///   what it is, at most 5 µm, both a double stroke; S_ax from 0.15 to 0.4 B·n. Where the machine
+///   has a range of the continuous infeed, stages may have one instead that feeds as much in a
+///   double stroke.
 /// * Finishing takes at least 15 µm and three quarters of what it takes now, at most twice that; a
 ///   spark-out at most 6 µm; it lasts 3 s, as long as now and half as long again, in whole
 ///   revolutions, or two and three double strokes.

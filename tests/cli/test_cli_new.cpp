@@ -6,7 +6,7 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
-#include "core/starting/starting_project.h"
+#include "core/study/new_project.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 
@@ -40,7 +40,8 @@ private slots:
         drawing.tolerance.roughness_ra_um = 0.8;
         Issues issues;
         const StartingAnswer answer =
-            startingProject(drawing, *startingEntries({"3М153", {}, {}}, drawing, issues));
+            drawnProject(drawing, *startingEntries({"3М153", {}, {}}, drawing, issues));
+        QVERIFY(answer.start->project.optimisation.has_value()); // good for every stock
         QVERIFY(sameProject(projectOf(file), answer.start->project));
         QCOMPARE(run({"simulate", file}).status, 0);
     }

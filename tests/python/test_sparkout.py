@@ -335,11 +335,12 @@ class Studies(unittest.TestCase):
         added = [each.before for each in found.remedies if "stages/2" in each.path]
         self.assertEqual(added, [None]) # a stage more has no value before
         for each, line in zip(found.remedies, stated["remedies"]):
-            for member in ("path", "before", "value", "failing", "holds_beyond", "time_min",
-                           "time_change_min"):
+            for member in ("kind", "path", "before", "value", "with_value", "failing",
+                           "holds_beyond", "time_min", "time_change_min"):
                 self.assertEqual(getattr(each, member), line[member], member)
             self.assertEqual(each.stock_mm, tuple(line["stock_mm"]))
-            self.assertEqual(each.interval, tuple(line["interval"]))
+            self.assertEqual(each.interval is None, each.kind == "starting_cycle")
+            self.assertEqual(each.interval, line["interval"] and tuple(line["interval"]))
             self.assertEqual(each.rank, line["rank"])
             self.assertEqual(type(each).time_min.__doc__, "time of the cycle [min]")
             self.assertEqual(each.time_s / 60, line["time_min"])
@@ -380,7 +381,7 @@ class Studies(unittest.TestCase):
         self.assertGreater(len(found.remedies), 0)
         for each in found.remedies:
             self.assertIsNone(each.time_change_s)
-            self.assertRegex(each.text, r": the cycle takes [0-9.]+ (min|s); for every stock")
+            self.assertRegex(each.text, r": (the cycle takes )?[0-9.]+ (min|s); for every stock")
 
     def test_what_cannot_be_searched_is_refused(self):
         project = sparkout.Project.read(FACTORY).with_values({"/optimisation": None})

@@ -40,14 +40,11 @@ ValueCell searchCell(const PartStudies& studies, int id) {
         return {};
     }
     const SurfaceStudy& study = *found->second;
-    if (!study.isSetUp) {
-        return {.text = PartTable::tr("not set up")};
-    }
     if (!study.search || !study.search->ran()) {
         return {.text = PartTable::tr("refused")};
     }
-    const FoundCycle* const best = study.search->best();
-    return best ? minutesCell(best->time_s) : ValueCell{.text = PartTable::tr("none feasible")};
+    const FoundCycle* const answer = study.search->answer();
+    return answer ? minutesCell(answer->time_s) : ValueCell{.text = PartTable::tr("none feasible")};
 }
 
 ValueCell batchCell(const PartStudies& studies, int id) {

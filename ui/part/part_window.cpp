@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/part/part_window.h"
 
+#include "core/study/usual_search.h"
 #include "core/units.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/value_model.h"
@@ -39,10 +40,12 @@ constexpr EditText takeFoundText{"Edit", QT_TRANSLATE_NOOP("Edit", "Apply the cy
 
 } // namespace
 
-PartWindow::PartWindow(Document& document, const PartRuns& runs, QWidget* parent)
+PartWindow::PartWindow(Document& document, const PartRuns& runs, std::function<SearchTicks()> ticks,
+                       QWidget* parent)
     : QDialog(parent)
     , m_document(document)
     , m_runs(runs)
+    , m_ticks(std::move(ticks))
     , m_head(new QLabel(this))
     , m_times(new QLabel(this))
     , m_state(new QLabel(this))
@@ -73,7 +76,7 @@ PartWindow::PartWindow(Document& document, const PartRuns& runs, QWidget* parent
     connect(&m_study, &PartStudy::surfaceDone, this, [this](const SurfaceStudyPtr& study) {
         m_studies.add(m_of[study->surface]->id, study);
         showTables();
-        if (study->search && study->search->ran() && study->search->best()) {
+        if (study->search && study->search->ran() && study->search->answer()) {
             m_found.push_back(study);
         }
     });
@@ -248,7 +251,7 @@ void PartWindow::startBatches() {
 void PartWindow::startSearches() {
     begin();
     m_found.clear();
-    m_study.startSearches(m_document.setup());
+    m_study.startSearches(m_document.setup(), m_ticks());
     showStudies();
 }
 
@@ -259,7 +262,11 @@ void PartWindow::takeOver() {
     SetupState state = m_document.state();
     for (const SurfaceStudyPtr& study : m_found) {
         auto surface = std::make_shared<SurfaceState>(*state.surfaces[study->surface]);
-        surface->project = withFound(std::move(surface->project), *study->search->best());
+        Project& project = surface->project;
+        if (!project.optimisation) {
+            project = usualSearch(std::move(project)); // what the cycle was found by
+        }
+        project = withFound(std::move(project), *study->search->answer());
         state.surfaces[study->surface] = std::move(surface);
     }
     m_document.endMerge();
@@ -274,8 +281,9 @@ void PartWindow::retranslate() {
     m_comparison->retranslate();
     m_bars->retranslate();
     m_search->setText(tr("&Optimise all"));
-    m_search->setToolTip(tr("Searches the quickest cycle of every surface whose search is set up, "
-                            "in the order of grinding"));
+    m_search->setToolTip(tr("Searches the quickest cycle of every surface in the order of "
+                            "grinding, as ticked in the view Optimise; a surface without a search "
+                            "gets a typical one"));
     m_batch->setText(tr("&Batch of all"));
     m_batch->setToolTip(tr("Runs the batch of every surface that has one"));
     m_take->setText(tr("&Apply the cycles found"));

@@ -7,6 +7,7 @@
 
 #include <QDialog>
 
+#include <functional>
 #include <vector>
 
 class QLabel;
@@ -27,7 +28,9 @@ class PartWindow : public QDialog {
     Q_OBJECT
 
 public:
-    PartWindow(Document& document, const PartRuns& runs, QWidget* parent = nullptr);
+    /// @param ticks  what is ticked for a search
+    PartWindow(Document& document, const PartRuns& runs, std::function<SearchTicks()> ticks,
+               QWidget* parent = nullptr);
 
     [[nodiscard]] ValueModel& model() { return *m_model; }
     [[nodiscard]] PartStudy& study() { return m_study; }
@@ -48,11 +51,12 @@ private:
     void begin();
     void startBatches();
     void startSearches();
-    void takeOver();                      ///< the cycles found, one step of the history
+    void takeOver(); ///< the cycles found and the searches added for them, one step of the history
     [[nodiscard]] bool isCurrent() const; ///< the studies are of the inputs of now
 
     Document& m_document;
     const PartRuns& m_runs;
+    std::function<SearchTicks()> m_ticks;
     QLabel* m_head;
     QLabel* m_times;
     QLabel* m_state;

@@ -11,6 +11,7 @@
 #include "core/setup/shared_members.h"
 #include "core/starting/starting_project.h"
 #include "core/study/new_project.h"
+#include "core/study/usual_search.h"
 #include "ui/text/example_texts.h"
 
 #include <QCoreApplication>
@@ -116,6 +117,9 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
         changed = withStartingCycle(std::move(changed));
         if (hasBatchAsMade(changed)) {
             changed = withUsualBatch(std::move(changed));
+        }
+        if (openInputs().empty() || !changed.optimisation) { // one that was set up stays
+            changed = usualSearch(std::move(changed));
         }
         m_started = changed;
     }

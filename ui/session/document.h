@@ -158,8 +158,8 @@ private:
     SetupState m_present;
     Project m_project; ///< the one in front, with its runs
     Project m_begun;   ///< as it was started: has what stands in for open inputs
-    /// What a drawing was made into when it was complete: its cycle follows the drawing as long as
-    /// nothing else is changed.
+    /// What a drawing was made into when it was complete: its cycle, and the search about it,
+    /// follow the drawing as long as nothing else is changed.
     std::optional<Project> m_started;
     QString m_filePath;
     QByteArray m_diskHash;

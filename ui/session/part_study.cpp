@@ -4,6 +4,7 @@
 #include "core/project/batch.h"
 #include "core/project/optimisation.h"
 #include "core/setup/worn_project.h"
+#include "core/study/usual_search.h"
 
 #include <algorithm>
 #include <atomic>
@@ -42,6 +43,13 @@ private:
     std::atomic<std::int64_t>& m_done;
     std::atomic<std::int64_t> m_reached = 0;
 };
+
+/// What is ticked, as far as this project's search can be asked so.
+SearchWish wishOf(const Project& project, SearchTicks ticks) {
+    const bool ofTime = objectiveOf(project) == SearchObjective::time;
+    const bool ofMargin = project.optimisation->margin_within_min.has_value();
+    return {.phases = ticks.phases && ofTime, .refine = ticks.refine && ofTime && !ofMargin};
+}
 
 } // namespace
 
@@ -92,20 +100,20 @@ void PartStudy::startBatches(const Setup& setup) {
            });
 }
 
-void PartStudy::startSearches(const Setup& setup) {
+void PartStudy::startSearches(const Setup& setup, SearchTicks ticks) {
     runAll(setup, SurfaceStudy::Kind::search,
            steps * static_cast<std::int64_t>(setup.surfaces.size()),
-           [](SurfaceStudy& study, Setup& present, const Project& project, const Means& means) {
+           [ticks](SurfaceStudy& study, Setup& present, const Project& worn, const Means& means) {
                SearchCount progress(*means.done);
-               study.isSetUp = project.optimisation.has_value();
-               if (study.isSetUp) {
-                   study.search =
-                       search(project, {.wear = searchWear(present, study.surface)}, means.stop,
-                              {.note = [&progress](const SearchState& s) { progress.note(s); }});
-                   if (const FoundCycle* best = study.search->best()) {
-                       Project& own = present.surfaces[study.surface].project;
-                       own = withFound(std::move(own), *best);
-                   }
+               const Project project = worn.optimisation ? worn : usualSearch(worn);
+               SearchWish wish = wishOf(project, ticks);
+               wish.wear = searchWear(present, study.surface);
+               study.search =
+                   search(project, wish, means.stop,
+                          {.note = [&progress](const SearchState& s) { progress.note(s); }});
+               if (const FoundCycle* found = study.search->answer()) {
+                   Project& own = present.surfaces[study.surface].project;
+                   own = withFound(std::move(own), *found);
                }
                progress.end();
            });

@@ -19,12 +19,18 @@ struct SurfaceStudy {
     enum class Kind { batch, search };
     Kind kind = Kind::batch;
     std::size_t surface = 0;
-    bool isSetUp = true; ///< the surface has a batch or a grid of the search
+    bool isSetUp = true; ///< the surface has a batch, if that is asked for
     Issues issues;       ///< with which it, or a surface before it, cannot be run
     BatchOutcomePtr batch;
     SearchOutcomePtr search;
 };
 using SurfaceStudyPtr = std::shared_ptr<const SurfaceStudy>;
+
+/// What is ticked for the searches of all surfaces; of one that cannot be asked so it is left out.
+struct SearchTicks {
+    bool phases = false; ///< the answer holds in every phase of the stock
+    bool refine = false; ///< goes on between the levels
+};
 
 /// The batches or the searches of all surfaces, one after the other in their order, each with the
 /// wheel as those before leave it: in a search as the cycles found do.
@@ -34,8 +40,9 @@ class PartStudy : public Job {
 public:
     using Job::Job;
 
-    void startBatches(const Setup& setup);  ///< counts parts
-    void startSearches(const Setup& setup); ///< counts thousandths of a surface's search
+    void startBatches(const Setup& setup); ///< counts parts
+    /// Counts thousandths of a surface's search; one that has none is searched by a usual one.
+    void startSearches(const Setup& setup, SearchTicks ticks = {});
 
 signals:
     void surfaceDone(sparkout::SurfaceStudyPtr study);

@@ -132,7 +132,7 @@ void MainWindow::buildViews() {
     connect(compliance, &ComplianceView::gaugeWanted, this, &MainWindow::putGauge);
     auto* layers = new LayersView(this, &m_settings);
     m_batch = new BatchView(this, &m_settings, &m_studies);
-    auto* optimise = new OptimiseView(this, &m_settings, &m_studies);
+    auto* optimise = m_optimise = new OptimiseView(this, &m_settings, &m_studies);
     const auto edit = [this](const auto& change, const EditText& text) {
         m_document.endMerge();
         m_document.edit(change(m_document.project()), text);
@@ -317,7 +317,8 @@ void MainWindow::connectActions() {
 
 void MainWindow::showWholePart() {
     if (!m_partWindow) {
-        m_partWindow = new PartWindow(m_document, *m_partRuns, this);
+        m_partWindow = new PartWindow(
+            m_document, *m_partRuns, [this] { return m_optimise->ticks(); }, this);
         connect(m_partWindow, &PartWindow::surfaceWanted, m_part, &PartCommands::show);
     }
     m_partWindow->show();

@@ -30,6 +30,7 @@ class LessonWiring;
 class MeasuredImport;
 class MeasuredView;
 class MessagesPanel;
+class OptimiseView;
 class OverviewView;
 class PackCommands;
 class PartCommands;
@@ -134,6 +135,7 @@ private:
     ProfilesView* m_profiles;
     ConstraintsView* m_constraints;
     BatchView* m_batch = nullptr;
+    OptimiseView* m_optimise = nullptr;
     OverviewView* m_overview = nullptr;
     MeasuredView* m_measured = nullptr;
     MeasuredImport* m_import;

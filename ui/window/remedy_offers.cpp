@@ -13,6 +13,9 @@ namespace {
 
 /// Named after what is changed, as an edit of the input is.
 EditText editText(const Project& project, const RemedySetting& setting) {
+    if (setting.isWholeCycle()) {
+        return {"Edit", QT_TRANSLATE_NOOP("Edit", "Starting cycle")};
+    }
     if (setting.addsStage()) {
         return {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a stage")};
     }

@@ -40,6 +40,19 @@ inline Project traversed(unsigned seed) {
     return followable(Operation::traverse, seed);
 }
 
+/// Fed all the time instead of at the reversals, by about as much in a double stroke.
+inline Project fedContinuously(unsigned seed) {
+    Project p = traversed(seed);
+    for (Stage& stage : p.cycle->stages) {
+        const double travel_mm = p.part->length_mm - p.wheel->width_mm + p.machine->overrun_entry_mm
+                                 + p.machine->overrun_exit_mm;
+        stage.continuous_feed_mm_min =
+            *stage.radial_feed_mm * *stage.axial_feed_mm_min / (2 * travel_mm);
+        stage.radial_feed_mm = 0;
+    }
+    return p;
+}
+
 inline Project plunged(unsigned seed) {
     return followable(Operation::plunge, seed);
 }

@@ -90,21 +90,38 @@ private:
                 } else {
                     (traverse ? stage.radial_feed_mm : stage.radial_feed_mm_min) = radialFeed;
                 }
-                if (traverse) {
-                    stage.axial_feed_mm_min = axialFeed;
-                }
-                if (mayFollow(begun, stage)) {
-                    addStocks(begun, stage, left_mm);
-                }
+                addOf(begun, stage, axialFeed, left_mm);
             }
+        }
+        for (const double continuous : traverse&& z < feeding
+                                           ? levelValues(asked.continuous_feed_mm_min)
+                                           : std::vector<double>{}) {
+            for (const double axialFeed : axial) {
+                Stage stage;
+                stage.radial_feed_mm = 0;
+                stage.continuous_feed_mm_min = continuous;
+                addOf(begun, stage, axialFeed, left_mm);
+            }
+        }
+    }
+
+    void addOf(const Cycle& begun, Stage stage, double axialFeed, double left_mm) {
+        if (p.operation == Operation::traverse) {
+            stage.axial_feed_mm_min = axialFeed;
+        }
+        if (mayFollow(begun, stage)) {
+            addStocks(begun, stage, left_mm);
         }
     }
 
     bool mayFollow(const Cycle& begun, const Stage& stage) const {
         const std::size_t z = begun.stages.size();
         const bool sparksOut = stage.spark_out.mode != SparkOut::Mode::none;
+        const double continuous = stage.continuous_feed_mm_min.value_or(0);
         const bool fits =
-            (!stage.radial_feed_mm || within(asked.stage_radial_feed_mm, z, *stage.radial_feed_mm))
+            (!stage.radial_feed_mm || continuous > 0
+             || within(asked.stage_radial_feed_mm, z, *stage.radial_feed_mm))
+            && (continuous == 0 || within(asked.stage_continuous_feed_mm_min, z, continuous))
             && (!stage.radial_feed_mm_min
                 || within(asked.stage_radial_feed_mm_min, z, *stage.radial_feed_mm_min))
             && (!stage.axial_feed_mm_min
@@ -114,6 +131,7 @@ private:
         }
         const Stage& before = begun.stages.back();
         return stage.axial_feed_mm_min <= before.axial_feed_mm_min
+               && continuous <= before.continuous_feed_mm_min.value_or(0)
                && (sparksOut
                    || (stage.radial_feed_mm <= before.radial_feed_mm
                        && stage.radial_feed_mm_min <= before.radial_feed_mm_min));
@@ -158,6 +176,7 @@ inline bool sameCycle(const Cycle& a, const Cycle& b) {
                           return x.radial_feed_mm == y.radial_feed_mm
                                  && x.radial_feed_mm_min == y.radial_feed_mm_min
                                  && x.axial_feed_mm_min == y.axial_feed_mm_min
+                                 && x.continuous_feed_mm_min == y.continuous_feed_mm_min
                                  && x.spark_out == y.spark_out
                                  && std::abs(x.stock_mm - y.stock_mm) < 1e-12;
                       });

@@ -64,6 +64,18 @@ Project freeCase(unsigned seed) {
     if (traverse && dice.chance(0.2)) {
         asked.stage_axial_feed_mm_min = rowsAbout(dice, asked.axial_feed_mm_min);
     }
+    if (traverse && dice.chance(0.5)) {
+        asked.continuous_feed_mm_min =
+            std::vector<double>{dice.uniform(0.02, 0.06), dice.uniform(0.05, 0.3)};
+        asked.radial_feed_mm = std::vector<double>{levelValues(asked.radial_feed_mm).front()};
+        asked.stage_radial_feed_mm.reset();
+        if (dice.chance(0.3)) {
+            asked.stage_continuous_feed_mm_min = rowsAbout(dice, asked.continuous_feed_mm_min);
+        }
+        if (dice.chance(0.5)) {
+            p.machine->limits.continuous_feed_mm_min = std::vector<double>{0.01, 0.25, 0};
+        }
+    }
     return p;
 }
 
@@ -89,9 +101,10 @@ private slots:
             seen["stock"] += asked.stage_stock_mm ? 1 : 0;
             seen["radial"] += asked.stage_radial_feed_mm || asked.stage_radial_feed_mm_min ? 1 : 0;
             seen["axial"] += asked.stage_axial_feed_mm_min ? 1 : 0;
+            seen["continuous"] += levelCount(asked.continuous_feed_mm_min) > 0 ? 1 : 0;
             seen["nothing"] += Variants(p).count() == 0 ? 1 : 0;
         }
-        QCOMPARE(seen.size(), std::size_t{7});
+        QCOMPARE(seen.size(), std::size_t{8});
         for (const auto& [kind, times] : seen) {
             QVERIFY2(kind == "nothing" ? times * 3 < static_cast<int>(cases())
                                        : times * 15 > static_cast<int>(cases()),
@@ -127,7 +140,7 @@ private slots:
     }
 
     void bothSearchesFindTheCycleOfPlainRuns() {
-        int found = 0, sparks = 0, slower = 0;
+        int found = 0, sparks = 0, slower = 0, continuous = 0;
         for (unsigned seed = 0; seed < cases(); ++seed) {
             const Project p = freeCase(seed);
             const PlainSearch plain(p);
@@ -145,13 +158,15 @@ private slots:
                 Project alone = withBest(p, pruned);
                 QVERIFY(holds(simulateUnchecked(alone)));
                 sparks += pruned.cycle.stages.back().spark_out != SparkOut() ? 1 : 0;
+                continuous += pruned.cycle.stages.front().continuousFeed_mm_min() > 0 ? 1 : 0;
                 slower += pruned.machine.work_speed_rpm < p.machine->work_speed_rpm ? 1 : 0;
             }
         }
         QVERIFY2(found > static_cast<int>(cases()) / 5, QByteArray::number(found));
         const int enough = static_cast<int>(cases()) / 40;
-        QVERIFY2(sparks >= enough && slower >= enough,
-                 QByteArray::number(sparks) + " " + QByteArray::number(slower));
+        QVERIFY2(sparks >= enough && slower >= enough && continuous >= enough,
+                 QByteArray::number(sparks) + " " + QByteArray::number(slower) + " "
+                     + QByteArray::number(continuous));
     }
 
     void moreLevelsNeverSlow() {

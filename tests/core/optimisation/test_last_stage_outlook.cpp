@@ -9,6 +9,7 @@
 
 namespace sparkout::test_last_stage_outlook {
 
+using search_cases::fedContinuously;
 using search_cases::plunged;
 using search_cases::traversed;
 
@@ -21,7 +22,8 @@ struct CycleRun {
     [[nodiscard]] StepFeed feed() const {
         const std::size_t stage = control.stage();
         return {control.nextInfeed(steps->run().fed_mm), stage,
-                project.cycle->stages[stage].axial_feed_mm_min.value_or(0)};
+                project.cycle->stages[stage].axial_feed_mm_min.value_or(0),
+                project.cycle->stages[stage].continuousFeed_mm_min()};
     }
     void step() {
         QVERIFY(steps->step(feed()));
@@ -40,7 +42,9 @@ bool standAlike(const FollowedRadii& a, const FollowedRadii& b) {
 }
 
 LastStage lastStage(const CycleRun& run, double infeed_mm) {
-    return {.feed = run.steps->follower()->feed(infeed_mm, run.feed().axialFeed_mm_min)};
+    StepFeed step = run.feed();
+    step.infeed_mm = infeed_mm;
+    return {.feed = run.steps->follower()->feed(step)};
 }
 
 LastStageOutlook toldOf(const CycleRun& run, const LastStage& stage) {
@@ -60,16 +64,16 @@ private slots:
     void aRadiusFollowedAloneStandsWhereTheWholeRunHasItAndByStrokesAloneNoDeeper() {
         int shallower = 0;
         for (unsigned seed = 0; seed < 100; ++seed) {
-            const Project p = traversed(seed);
+            const Project p = seed % 2 == 0 ? traversed(seed) : fedContinuously(seed);
             CycleRun whole(p);
             const auto K = static_cast<std::size_t>(p.part->radii_per_section);
             const FollowedRadii::Lanes lanes{seed % K, K + seed % K, 2 * K + K - 1};
             const RadiusFollower* follower = whole.steps->follower();
             QVERIFY(follower);
-            const FollowedFeed feed =
-                follower->feed(whole.feed().infeed_mm, whole.feed().axialFeed_mm_min);
+            const FollowedFeed feed = follower->feed(whole.feed());
             FollowedRadii alone = follower->follow(lanes);
             FollowedRadii strokes = alone;
+            double fed_mm = alone.fed_mm;
             while (whole.control.stage() == 0) {
                 follower->stepAlone(alone, feed);
                 follower->strokesAlone(strokes, feed);
@@ -81,6 +85,8 @@ private slots:
                     QVERIFY(strokes.radii[i].depth_mm <= alone.radii[i].depth_mm);
                 }
                 QCOMPARE(strokes.radii[1].depth_mm, alone.radii[1].depth_mm); // cut by strokes only
+                QVERIFY(std::abs(alone.fed_mm - fed_mm - feed.all_mm) < 1e-12);
+                fed_mm = alone.fed_mm;
                 shallower += strokes.radii[0].depth_mm < alone.radii[0].depth_mm ? 1 : 0;
             }
         }
@@ -95,7 +101,7 @@ private slots:
             const FollowedRadii::Lanes lanes{seed % K, (seed + K / 3) % K, K - 1};
             const RadiusFollower* follower = whole.steps->follower();
             QVERIFY(follower && follower->hasStrokesAlone());
-            const FollowedFeed feed = follower->feed(whole.feed().infeed_mm, 0);
+            const FollowedFeed feed = follower->feed(whole.feed());
             FollowedRadii alone = follower->follow(lanes);
             FollowedRadii telling = tellingRadii(*whole.steps);
             while (whole.control.stage() == 0) {
@@ -112,15 +118,20 @@ private slots:
 
     void theStageTakesNoFewerStepsAndWhatIsToldTooDeepIsSo_data() {
         QTest::addColumn<bool>("travels");
-        QTest::addRow("traverse") << true;
-        QTest::addRow("plunge") << false;
+        QTest::addColumn<bool>("continuous");
+        QTest::addRow("traverse") << true << false;
+        QTest::addRow("continuous infeed") << true << true;
+        QTest::addRow("plunge") << false << false;
     }
 
     void theStageTakesNoFewerStepsAndWhatIsToldTooDeepIsSo() {
         QFETCH(bool, travels);
+        QFETCH(bool, continuous);
         int exact = 0, deep = 0, missed = 0, stages = 0;
         for (unsigned seed = 0; seed < 400; ++seed) {
-            const Project p = travels ? traversed(seed) : plunged(seed);
+            const Project p = continuous ? fedContinuously(seed)
+                              : travels  ? traversed(seed)
+                                         : plunged(seed);
             const PassCuts cuts(p);
             CycleRun run(p);
             while (run.control.stage() == 0) {

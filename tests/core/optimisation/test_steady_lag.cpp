@@ -26,7 +26,14 @@ struct Followed {
                     : plungeSteps(project, nullptr, {}))
         , follower(*steps->follower()) {
         for (int i = 0; i < 4; ++i) {
-            feeds.push_back(follower.feed(dice.uniform(0.0005, 0.015), dice.uniform(300, 2500)));
+            StepFeed step;
+            step.axialFeed_mm_min = dice.uniform(300, 2500);
+            step.infeed_mm = dice.uniform(0.0005, 0.015);
+            if (project.operation->travels && i % 2 == 1) { // fed all the time instead
+                step.infeed_mm = 0;
+                step.continuousFeed_mm_min = dice.uniform(0.005, 0.2);
+            }
+            feeds.push_back(follower.feed(step));
         }
     }
     /// Behind a step, of a radius that lags so far before it.

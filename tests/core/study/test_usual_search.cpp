@@ -164,6 +164,61 @@ private slots:
         }
     }
 
+    // Of a machine with a range for it, in its steps; about a cycle that has one, too.
+    void aContinuousInfeedIsSearchedWhereTheMachineHasARange() {
+        Project p = example("shaft-38-74h6");
+        p.batch.reset();
+        p.optimisation.reset();
+        const Project without = usualSearch(p);
+        QVERIFY(without.optimisation->continuous_feed_mm_min == Levels());
+        p.machine->limits.continuous_feed_mm_min = std::vector<double>{0.005, 1, 0.005};
+        const Project with = usualSearch(p);
+        QVERIFY(!hasErrors(validate(with)));
+        const Optimisation& search = *with.optimisation;
+        const std::vector<double> levels = levelValues(search.continuous_feed_mm_min);
+        QVERIFY(levels.size() > 4 && std::ranges::is_sorted(levels));
+        for (const double level : levels) {
+            QVERIFY(std::abs(level * 200 - std::round(level * 200)) < 1e-6);
+        }
+        QCOMPARE(search.stage_continuous_feed_mm_min->size(), std::size_t(2));
+        QVERIFY(search.radial_feed_mm == without.optimisation->radial_feed_mm);
+        const SearchOutcomePtr slower = sparkout::search(without, {});
+        const SearchOutcomePtr found = sparkout::search(with, {});
+        QVERIFY(found->ran() && slower->ran());
+        QVERIFY(!slower->best()
+                || (found->best() && found->answer()->time_s <= slower->answer()->time_s));
+        if (found->best()) {
+            qInfo("38.74h6 for every stock: %.3f min, at the reversals alone %.3f min",
+                  found->answer()->time_s / 60, slower->best() ? slower->answer()->time_s / 60 : 0);
+        }
+        Project fed = samples::projectIn("tests/data/trials/limit-continuous.sparkout");
+        fed.machine->limits.continuous_feed_mm_min = std::vector<double>{0.005, 1, 0.005};
+        QVERIFY(usualSearch(fed).optimisation->stage_continuous_feed_mm_min.has_value());
+    }
+
+    // A trial found 1.03 min for the stated stock, by hand; the search has that cycle in its grid.
+    void withAContinuousInfeedTheShaftTakesNoMoreThanATrialFound() {
+        Project p = samples::projectIn("tests/data/trials/limit-continuous.sparkout");
+        constexpr double trial_s = 1.03 * 60;
+        const std::optional<CycleTrial> byHand = tried(p, {});
+        QVERIFY(byHand->holds);
+        p.machine->limits.continuous_feed_mm_min = std::vector<double>{0.005, 1, 0.005};
+        p.optimisation->stages = {2};
+        p.optimisation->axial_feed_mm_min = std::vector<double>{2000, 3000, 4000, 5000};
+        p.optimisation->continuous_feed_mm_min =
+            std::vector<double>{0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3};
+        const SearchOutcomePtr found = search(p, {});
+        QVERIFY(found->ran() && found->proved());
+        QVERIFY2(found->answer()->time_s <= trial_s,
+                 QByteArray::number(found->answer()->time_s / 60));
+        QVERIFY(found->answer()->cycle.stages.front().continuousFeed_mm_min() > 0);
+        QCOMPARE(found->limit.cycles.continuousFeed_mm_min, 1.0); // the machine's range
+        QVERIFY(!isKnownLimit(found->limit.time_s)
+                || found->limit.time_s <= found->answer()->time_s);
+        qInfo("38.74h6 as stated, continuous infeed free: %.3f min, limit %.3f min",
+              found->answer()->time_s / 60, found->limit.time_s / 60);
+    }
+
     void anAnswerAtAnEndOfSettingsIsSaid() {
         Project p = example("shaft-30h6-factory");
         p.optimisation->work_speed_rpm = std::vector<double>{150, 200};

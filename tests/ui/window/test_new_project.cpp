@@ -7,6 +7,7 @@
 #include "core/project/part.h"
 #include "core/starting/starting_project.h"
 #include "core/study/new_project.h"
+#include "core/study/usual_search.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/examples.h"
@@ -183,6 +184,10 @@ private slots:
             return firstDifference(withStartingCycle(project), project);
         };
         QCOMPARE(startingOf(document.project()), std::string());
+        const auto hasUsualSearch = [](const Project& project) {
+            return firstDifference(usualSearch(project), project).empty();
+        };
+        QVERIFY(document.project().optimisation && hasUsualSearch(document.project()));
         QCOMPARE(document.project().cycle->stages.size(), 3u);
         QVERIFY(!document.project().cycle->stages.back().feeds());
         QCOMPARE(document.project().machine->name, std::string("3М151"));
@@ -195,6 +200,7 @@ private slots:
         bench.type("/part/stock_mm", QStringLiteral("0.2"));
         QCOMPARE(startingOf(document.project()), std::string());
         QVERIFY(document.project().cycle->stages.front().stock_mm > before);
+        QVERIFY(hasUsualSearch(document.project()));
         Project changed = document.project();
         *changed.cycle->stages.front().radial_feed_mm_min = 0.5; // by hand
         document.edit(changed, {"Edit", "x"});

@@ -3,7 +3,9 @@
 #include "core/setup/setup_run.h"
 #include "core/setup/worn_project.h"
 #include "core/study/batch_edits.h"
+#include "core/study/new_project.h"
 #include "core/study/search.h"
+#include "core/study/usual_search.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/on_disk.h"
@@ -27,6 +29,7 @@
 #include "ui/window/view_tabs.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QListView>
 #include <QSignalSpy>
 #include <QTabBar>
@@ -540,6 +543,66 @@ private slots:
         QVERIFY(!take->isEnabled()); // it is of the inputs before
         desk.press("undo");
         QVERIFY(sameSetup(desk.document().setup(), searchedSetup()));
+    }
+
+    /// The answer holds in every phase of the stock where that is ticked in the view Optimise.
+    void whatIsTickedGoesForAllSurfaces() {
+        Setup setup = searchedSetup();
+        Desk desk(setup);
+        auto* phases = desk.bench.window->findChild<QCheckBox*>(QStringLiteral("optimisePhases"));
+        QVERIFY(phases);
+        phases->setChecked(true);
+        desk.press("wholePart");
+        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        QSignalSpy ended(&whole->study(), &PartStudy::finished);
+        QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("searchAll")),
+                          Qt::LeftButton);
+        QVERIFY(ended.wait(120'000));
+        QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("takeFound")),
+                          Qt::LeftButton);
+        desk.calm();
+        for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
+            const auto outcome = search(wornProject(setup, i).project, {.phases = true});
+            Project& project = setup.surfaces[i].project;
+            if (const FoundCycle* answer = outcome->answer()) {
+                project = withFound(std::move(project), *answer);
+            }
+        }
+        QVERIFY(sameSetup(desk.document().setup(), setup));
+    }
+
+    /// It is searched by a typical one, which comes with the cycle and goes with it.
+    void aSurfaceWithoutASearchGetsATypicalOne() {
+        StartingDrawing drawing = drawingOf(parseSizeDesignation("35k6").value()).value();
+        drawing.length_mm = 28;
+        drawing.stock_mm = 0.15;
+        Issues issues;
+        Project seat =
+            drawnProject(drawing, startingEntries({}, drawing, issues).value()).start->project;
+        seat.optimisation.reset();
+        Setup setup = plainSetup(seat);
+        setup.surfaces.push_back(setup.surfaces.front());
+        setup.surfaces[0].name = "first";
+        setup.surfaces[1].name = "second";
+        Desk desk(setup);
+        desk.press("wholePart");
+        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        QSignalSpy ended(&whole->study(), &PartStudy::finished);
+        QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("searchAll")),
+                          Qt::LeftButton);
+        QVERIFY(ended.wait(120'000));
+        QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("takeFound")),
+                          Qt::LeftButton);
+        desk.calm();
+        for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
+            const Project usual = usualSearch(setup.surfaces[i].project);
+            const auto outcome = search(usual, {});
+            QVERIFY(outcome->answer());
+            QVERIFY(sameProject(desk.document().setup().surfaces[i].project,
+                                withFound(usual, *outcome->answer())));
+        }
+        desk.press("undo");
+        QVERIFY(sameSetup(desk.document().setup(), setup));
     }
 
     void allBatchesAreRunAndCanBeStopped() {

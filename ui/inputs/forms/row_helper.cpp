@@ -69,10 +69,12 @@ const Offer searchOffer{
                       "A search finds the quickest cycle that holds every requirement, out of all "
                       "feeds and stocks listed here. The view Optimise runs it."),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a typical search"),
-    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
-                      "Levels of each feed over the machine's range, which follow the answer, "
-                      "steps of stock, and the usual minimum overlap and steps of a stage where "
-                      "none are given")};
+    QT_TRANSLATE_NOOP(
+        "sparkout::OfferHelper",
+        "Levels of each feed about the present cycle in steps of the machine, stocks, "
+        "spark-out, and the usual minimum overlap and steps of a stage where none "
+        "are given; the answer is good for the batch, without one for every "
+        "stock")};
 
 std::optional<double> estimatedMass_kg(const Project& project) {
     return conditions::external(project, &*project.part) ? steelMass_kg(project.part->shaft)

@@ -153,9 +153,12 @@ QString OptimiseText::cycle(const Cycle& cycle) {
         QStringList numbers;
         for (const std::optional<double>& feed :
              {stage.radial_feed_mm, stage.axial_feed_mm_min, stage.radial_feed_mm_min}) {
-            if (feed) {
+            if (feed && (*feed > 0 || stage.continuousFeed_mm_min() == 0)) {
                 numbers << printedNumber(*feed);
             }
+        }
+        if (stage.continuousFeed_mm_min() > 0) {
+            numbers << tr("S_c %1").arg(printedNumber(stage.continuousFeed_mm_min()));
         }
         if (const auto steps = stage.sparkOutSteps()) {
             numbers << tr("spark-out %1").arg(QLocale().toString(*steps));

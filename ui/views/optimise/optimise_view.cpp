@@ -16,6 +16,7 @@
 #include "ui/kit/tool_row.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
+#include "ui/session/part_study.h"
 #include "ui/text/names.h"
 #include "ui/views/optimise/found_table.h"
 #include "ui/views/optimise/margin_front_plot.h"
@@ -218,6 +219,10 @@ SearchWish OptimiseView::wish() const {
             .phases = m_phases->isChecked() && m_phases->isEnabled(),
             .refine = m_refine->isChecked() && m_refine->isEnabled(),
             .front = true};
+}
+
+SearchTicks OptimiseView::ticks() const {
+    return {.phases = m_phases->isChecked(), .refine = m_refine->isChecked()};
 }
 
 void OptimiseView::runSearch() {
@@ -602,9 +607,10 @@ void OptimiseView::nameButtons() {
                   "steps: every cycle is run in full, but that none is quicker is not proved"));
     tellButton(
         *m_add, tr("Add a typical search"),
-        tr("Levels of each feed over the machine's range, which follow the answer, steps of "
-           "stock, and the usual minimum overlap and steps of a stage where none are given; can be "
-           "undone and changed on the pages Search and Cycle"));
+        tr("Levels of each feed about the present cycle in steps of the machine, stocks, "
+           "spark-out, and the usual minimum overlap and steps of a stage where none are given; "
+           "the answer is good for the batch, without one for every stock; can be undone and "
+           "changed on the pages Search and Cycle"));
 }
 
 } // namespace sparkout

@@ -21,6 +21,7 @@ class StageCountPlot;
 class StateGridBar;
 class StateGridPlot;
 class ValueModel;
+struct SearchTicks;
 struct ValueTable;
 
 /// The view "Optimise": searches the grid of the project for the quickest cycle that holds every
@@ -38,6 +39,8 @@ public:
     /// Whose surface in front is searched, with the wear of its wheel; without one it does not
     /// wear. It is to outlive the view.
     void setDocument(const Document& document) { m_document = &document; }
+    /// What is ticked, whether or not the surface in front can be asked so.
+    [[nodiscard]] SearchTicks ticks() const;
     [[nodiscard]] ComparePlot* curves() const { return m_curves; }
     [[nodiscard]] StageCountPlot* times() const { return m_times; }
     [[nodiscard]] MarginFrontPlot* margins() const { return m_margins; }
