@@ -1030,8 +1030,8 @@
     <context>
         <name>CouplingCurves</name>
         <message>
-            <source>Coupled less independent at most %1 µm of diameter, at %2 mm. Spread over the length: independent %3 µm, coupled %4 µm. Time %5 and %6 min.</source>
-            <translation>Разность связанных и независимых не более %1 мкм по диаметру, на %2 мм. Разброс по длине: независимые %3 мкм, связанные %4 мкм. Время %5 и %6 мин.</translation>
+            <source>Coupled less independent at most %1 µm of diameter, at %2 mm. Spread over the length: independent %3 µm, coupled %4 µm. Time %5 and %6.</source>
+            <translation>Разность связанных и независимых не более %1 мкм по диаметру, на %2 мм. Разброс по длине: независимые %3 мкм, связанные %4 мкм. Время %5 и %6.</translation>
         </message>
         <message>
             <source>Independent: %1</source>
@@ -1587,6 +1587,20 @@
         <message>
             <source>; gaps of the surface: %1</source>
             <translation>; пазов на поверхности: %1</translation>
+        </message>
+        <message>
+            <source>Check surfaces %1</source>
+            <translation>Контролировать поверхности %1</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>surface, its size</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1; each: %2</source>
+            <comment>surfaces, tolerances</comment>
+            <translation>%1; каждая: %2</translation>
         </message>
     </context>
     <context>
@@ -3414,10 +3428,6 @@
         <message>
             <source>radius %1</source>
             <translation>радиус %1</translation>
-        </message>
-        <message>
-            <source>%1 min</source>
-            <translation>%1 мин</translation>
         </message>
         <message>
             <source>feed: programmed %1, actual %2 µm</source>
@@ -7671,6 +7681,16 @@ With another name both versions stay as they are.</source>
             <comment>the form it prints</comment>
             <translation>%1, станок не известен</translation>
         </message>
+        <message>
+            <source>%1 s</source>
+            <comment>time of a cycle</comment>
+            <translation>%1 с</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <comment>time of a cycle</comment>
+            <translation>%1 мин</translation>
+        </message>
     </context>
     <context>
         <name>OperationNotice</name>
@@ -10477,8 +10497,8 @@ With another name both versions stay as they are.</source>
             <translation>не годен: %1</translation>
         </message>
         <message>
-            <source>Stock %1 mm: steps %2, %3 min</source>
-            <translation>Припуск %1 мм: шагов %2, %3 мин</translation>
+            <source>Stock %1 mm: steps %2, %3</source>
+            <translation>Припуск %1 мм: шагов %2, %3</translation>
         </message>
         <message>
             <source>, diameters %1…%2 µm from nominal</source>
@@ -12764,8 +12784,12 @@ With another name both versions stay as they are.</source>
             <translation>Не каждый цикл выходит на размер.</translation>
         </message>
         <message>
-            <source>Main time %1 min, piece time %2 min.</source>
-            <translation>Основное время %1 мин, штучное время %2 мин.</translation>
+            <source>Main time %1, piece time %2.</source>
+            <translation>Основное время %1, штучное время %2.</translation>
+        </message>
+        <message>
+            <source>Main time %1.</source>
+            <translation>Основное время %1.</translation>
         </message>
     </context>
     <context>
@@ -13483,6 +13507,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Cost of a part with its share of the dressing</source>
             <translation>Стоимость детали с её долей правки</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
     </context>
     <context>
@@ -15609,10 +15637,6 @@ target, µm</source>
         <message>
             <source>no results kept</source>
             <translation>результаты не сохранены</translation>
-        </message>
-        <message>
-            <source>%1 min</source>
-            <translation>%1 мин</translation>
         </message>
         <message>
             <source>computing…</source>
@@ -18008,8 +18032,8 @@ good</source>
     <context>
         <name>sparkout::StiffnessOffer</name>
         <message>
-            <source>Its effect: γ %1 nm/N; machining time %2 min; diameter deviations %3 µm; requirements that fail %4.</source>
-            <translation>Её влияние: γ %1 нм/Н; основное время %2 мин; отклонения диаметра %3 мкм; невыполненных требований %4.</translation>
+            <source>Its effect: γ %1 nm/N; machining time %2; diameter deviations %3 µm; requirements that fail %4.</source>
+            <translation>Её влияние: γ %1 нм/Н; основное время %2; отклонения диаметра %3 мкм; невыполненных требований %4.</translation>
         </message>
         <message>
             <source>With it the cycle cannot be run: %1</source>
@@ -18107,8 +18131,8 @@ good</source>
             <translation>Поверхность %1: %2, %3</translation>
         </message>
         <message>
-            <source>%1 of %2 · %3 min</source>
-            <translation>%1 из %2 · %3 мин</translation>
+            <source>%1 of %2 · %3</source>
+            <translation>%1 из %2 · %3</translation>
         </message>
         <message>
             <source>%1 of %2</source>
@@ -18190,8 +18214,8 @@ good</source>
             <translation>Ra, оценка</translation>
         </message>
         <message>
-            <source>Cycle time, min</source>
-            <translation>Время цикла, мин</translation>
+            <source>Cycle time</source>
+            <translation>Время цикла</translation>
         </message>
         <message>
             <source>%1, %2</source>
@@ -18200,6 +18224,14 @@ good</source>
         <message>
             <source>Value / limit</source>
             <translation>Значение / предел</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Цикл</translation>
+        </message>
+        <message>
+            <source>Found</source>
+            <translation>Найдено</translation>
         </message>
     </context>
     <context>
@@ -18430,6 +18462,10 @@ good</source>
         <message>
             <source>T_1 + T_p/N = %1 + %2/%3 = %4 min</source>
             <translation>T_(шт.-к) = T_шт + T_пз/N = %1 + %2/%3 = %4 мин</translation>
+        </message>
+        <message>
+            <source>T_a is not entered, so no piece time is stated</source>
+            <translation>T_в не задано, поэтому штучное время не указано</translation>
         </message>
     </context>
     <context>
@@ -20374,8 +20410,8 @@ s</source>
     <context>
         <name>sparkout::MarginFrontPlot</name>
         <message>
-            <source>%1 min, margin %2 %: %3</source>
-            <translation>%1 мин, запас %2 %: %3</translation>
+            <source>%1, margin %2 %: %3</source>
+            <translation>%1, запас %2 %: %3</translation>
         </message>
         <message>
             <source>Time, min</source>
@@ -23017,6 +23053,17 @@ s</source>
         <message>
             <source>Inputs of this document</source>
             <translation>Исходные данные этого документа</translation>
+        </message>
+    </context>
+    <context>
+        <name>Report</name>
+        <message>
+            <source>Surface of the part</source>
+            <translation>Поверхность детали</translation>
+        </message>
+        <message>
+            <source>surface %1</source>
+            <translation>поверхность %1</translation>
         </message>
     </context>
 </TS>

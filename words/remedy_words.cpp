@@ -273,10 +273,9 @@ std::string RemedyWording::change(const Project& project, const Remedy& remedy) 
 
 /// Seconds below two minutes.
 std::string RemedyWording::time(double time_s) const {
-    constexpr double few_s = 2 * units::secondsPerMinute;
     constexpr int digits = 2;
     const double value = rounded(std::abs(time_s), digits);
-    return value < few_s
+    return value < units::shortTime_s
                ? filled(SPARKOUT_NOOP("Remedy", "{time} s"), {{"time", number(value)}})
                : filled(
                    SPARKOUT_NOOP("Remedy", "{time} min"),

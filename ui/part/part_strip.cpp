@@ -10,6 +10,7 @@
 #include "ui/session/document.h"
 #include "ui/session/part_runs.h"
 #include "ui/session/surface_edits.h"
+#include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
@@ -147,7 +148,10 @@ void PartStrip::showStatuses() {
     const auto time = m_runs.time();
     m_whole->setText(
         time
-            ? tr("%1 of %2 · %3 min").arg(holding).arg(count).arg(printedNumber(time->piece_min, 3))
+            ? tr("%1 of %2 · %3")
+                  .arg(holding)
+                  .arg(count)
+                  .arg(Names::timeOfMinutes(time->piece_min))
             : tr("%1 of %2").arg(holding).arg(count));
     m_whole->setAccessibleName(tr("The whole part: %1").arg(m_whole->text()));
     nameTabs();

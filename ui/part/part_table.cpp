@@ -26,12 +26,11 @@ struct PartTable {
     Q_DECLARE_TR_FUNCTIONS(PartTable)
 };
 
-/// To three decimals: the times stand below each other.
-ValueCell minutesCell(const std::optional<double>& time_s) {
-    constexpr int decimals = 3;
-    using units::secondsPerMinute;
-    return ValueCell::of(time_s ? std::optional(*time_s / secondsPerMinute) : std::nullopt,
-                         [](double time_min) { return Names::fixed(time_min, decimals); });
+/// With its unit; minutes for a spreadsheet.
+ValueCell timeCell(const std::optional<double>& time_s) {
+    constexpr int digits = 4;
+    return ValueCell::of(time_s ? std::optional(*time_s / units::secondsPerMinute) : std::nullopt,
+                         [](double time_min) { return Names::timeOfMinutes(time_min, digits); });
 }
 
 ValueCell searchCell(const PartStudies& studies, int id) {
@@ -47,7 +46,7 @@ ValueCell searchCell(const PartStudies& studies, int id) {
         return {.text = PartTable::tr("refused")};
     }
     const FoundCycle* const best = study.search->best();
-    return best ? minutesCell(best->time_s) : ValueCell{.text = PartTable::tr("none feasible")};
+    return best ? timeCell(best->time_s) : ValueCell{.text = PartTable::tr("none feasible")};
 }
 
 ValueCell batchCell(const PartStudies& studies, int id) {
@@ -112,10 +111,14 @@ ValueTable partTable(const SetupState& state, const std::vector<SurfaceStatus>& 
     ValueTable table{
         .columns = {{.text = PartTable::tr("Surface"), .key = "surface", .isText = true},
                     {.text = PartTable::tr("⌀, mm"), .key = "diameter"},
-                    {.text = PartTable::tr("Cycle, min"), .key = "time"},
+                    {.text = PartTable::tr("Cycle"),
+                     .name = PartTable::tr("Cycle, min"),
+                     .key = "time"},
                     {.text = PartTable::tr("Verdict"), .key = "verdict", .isText = true},
                     {.text = PartTable::tr("Minimum margin"), .key = "margin", .isText = true},
-                    {.text = PartTable::tr("Found, min"), .key = "search"},
+                    {.text = PartTable::tr("Found"),
+                     .name = PartTable::tr("Found, min"),
+                     .key = "search"},
                     {.text = PartTable::tr("Batch"), .key = "batch"}},
         .isList = true};
     for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
@@ -125,7 +128,7 @@ ValueTable partTable(const SetupState& state, const std::vector<SurfaceStatus>& 
         table.addRow({.text = nameOf(state, i)},
                      {{.text = nameOf(state, i)},
                       {.text = printedNumber(diameter_mm), .value = diameter_mm},
-                      minutesCell(timeOf(status)),
+                      timeCell(timeOf(status)),
                       {.text = statusText(status), .icon = iconOf(status)},
                       {.text = worstText(status)},
                       searchCell(studies, of.id),
@@ -138,10 +141,10 @@ ValueTable surfaceComparison(const SetupState& state, const std::vector<SurfaceS
     ValueTable table{.columns = {{.text = PartTable::tr("Value / limit"), .isText = true}},
                      .isList = true};
     std::set<ConstraintKind> kinds;
-    std::vector<ValueCell> times{{.text = PartTable::tr("Cycle time, min")}};
+    std::vector<ValueCell> times{{.text = PartTable::tr("Cycle time")}};
     for (std::size_t i = 0; i < statuses.size(); ++i) {
         table.columns.push_back({.text = nameOf(state, i), .isText = true}); // beside the lights
-        times.push_back(minutesCell(timeOf(statuses[i])));
+        times.push_back(timeCell(timeOf(statuses[i])));
         for (const ConstraintResult& requirement : statuses[i].requirements) {
             kinds.insert(requirement.kind);
         }
