@@ -12,7 +12,4 @@ inline constexpr double mpaPerGpa = 1000.0;
 inline constexpr double wPerKw = 1000.0;
 inline constexpr double jPerKj = 1000.0;
 
-/// Times of cycles below it are stated in seconds, as a grinder counts a plunge.
-inline constexpr double shortTime_s = 2 * secondsPerMinute;
-
 } // namespace sparkout::units

@@ -5,6 +5,7 @@
 #include "core/project/cycle.h"
 #include "core/project/member.h"
 #include "core/project/validate.h"
+#include "core/short_time.h"
 #include "core/text.h"
 #include "core/units.h"
 
@@ -275,7 +276,7 @@ std::string RemedyWording::change(const Project& project, const Remedy& remedy) 
 std::string RemedyWording::time(double time_s) const {
     constexpr int digits = 2;
     const double value = rounded(std::abs(time_s), digits);
-    return value < units::shortTime_s
+    return value < shortTime_s
                ? filled(SPARKOUT_NOOP("Remedy", "{time} s"), {{"time", number(value)}})
                : filled(
                    SPARKOUT_NOOP("Remedy", "{time} min"),

@@ -123,7 +123,7 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
 /// is as it was made.
 bool Document::isStarting(const Project& changed, const std::vector<std::string>& open) const {
     if (!openInputs().empty()) {
-        return open.empty();
+        return open.empty() && m_present.inFront().startsWhenDrawn;
     }
     if (!m_started || !sameProject(*m_started, m_project)) {
         return false;
@@ -160,6 +160,7 @@ SetupState Document::with(Project changed, std::vector<std::string> open) const 
     const SurfaceState& before = m_present.inFront();
     SurfaceState after = surfaceState(before.id, before.name, std::move(changed), &before);
     after.open = std::move(open);
+    after.startsWhenDrawn = before.startsWhenDrawn;
     if (made.surfaces.size() > 1
         && (!haveSameShared(before.project, after.project)
             || !haveSameSharedCalibrations(before.project, after.project))) {

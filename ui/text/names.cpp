@@ -4,7 +4,7 @@
 #include "core/digits.h"
 #include "core/project/member.h"
 #include "core/quality/ranges.h"
-#include "core/units.h"
+#include "core/short_time.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
@@ -329,7 +329,7 @@ QString Names::timeOfMinutes(double time_min, int digits) {
 }
 
 QString Names::time(double time_s, int digits) {
-    return std::abs(time_s) < units::shortTime_s
+    return std::abs(time_s) < shortTime_s
                ? tr("%1 s", "time of a cycle").arg(significant(time_s, digits))
                : tr("%1 min", "time of a cycle")
                      .arg(significant(time_s / units::secondsPerMinute, digits));
