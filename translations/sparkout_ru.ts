@@ -3043,6 +3043,10 @@
             <source>Starting cycle</source>
             <translation>Исходный цикл</translation>
         </message>
+        <message>
+            <source>Gap from a keyway</source>
+            <translation>Паз по шпоночному пазу</translation>
+        </message>
     </context>
     <context>
         <name>EstimateNames</name>
@@ -16066,6 +16070,23 @@ target, µm</source>
             <source>“%1”: only the last stage may spark out</source>
             <translation>«%1»: выхаживать может только последняя ступень</translation>
         </message>
+        <message>
+            <source>%1 mm/rev</source>
+            <translation>%1 мм/об</translation>
+        </message>
+        <message>
+            <source>%1 B</source>
+            <comment>share of the wheel's width</comment>
+            <translation>%1 B</translation>
+        </message>
+        <message>
+            <source>It may be typed as 12 mm/rev or 0.3B, too.</source>
+            <translation>Можно ввести и так: 12 мм/об или 0,3B.</translation>
+        </message>
+        <message>
+            <source>It may be typed as 0.005 mm/rev, too.</source>
+            <translation>Можно ввести и так: 0,005 мм/об.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::StageTable</name>
@@ -18385,6 +18406,26 @@ good</source>
         <message>
             <source>Each surface has a name of its own.</source>
             <translation>У каждой поверхности своё название.</translation>
+        </message>
+        <message>
+            <source>Keyway and other gaps</source>
+            <translation>Шпоночный и другие пазы</translation>
+        </message>
+        <message>
+            <source>Deviations</source>
+            <translation>Отклонения</translation>
+        </message>
+        <message>
+            <source>Deviations (%1)</source>
+            <translation>Отклонения (%1)</translation>
+        </message>
+        <message>
+            <source>Tolerances of form and Ra</source>
+            <translation>Допуски формы и Ra</translation>
+        </message>
+        <message>
+            <source>From its drawing</source>
+            <translation>С её чертежа</translation>
         </message>
     </context>
     <context>
@@ -23064,6 +23105,45 @@ s</source>
         <message>
             <source>surface %1</source>
             <translation>поверхность %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::KeywayHelper</name>
+        <message>
+            <source>Not a keyway by width and length; write it like 12P9 × 45, or with the angle of its first edge like 12P9 × 45, 90°.</source>
+            <translation>Не паз по ширине и длине; пишется как 12P9 × 45 или с углом первой кромки: 12P9 × 45, 90°.</translation>
+        </message>
+        <message>
+            <source>The diameter is needed first.</source>
+            <translation>Сначала нужен диаметр.</translation>
+        </message>
+        <message>
+            <source>A keyway of %1 mm is not narrower than the diameter of %2 mm.</source>
+            <translation>Шпоночный паз %1 мм не уже диаметра %2 мм.</translation>
+        </message>
+        <message>
+            <source>%1 mm on ∅%2 mm: a gap of %3°, from %4° on.</source>
+            <translation>%1 мм на ∅%2 мм: паз %3°, начиная с %4°.</translation>
+        </message>
+        <message>
+            <source>It is %1 mm long; the model has it along all %2 mm that are ground.</source>
+            <translation>Длина паза %1 мм; в модели он идёт по всей шлифуемой длине %2 мм.</translation>
+        </message>
+        <message>
+            <source>Keyway, width × length</source>
+            <translation>Шпоночный паз, ширина × длина</translation>
+        </message>
+        <message>
+            <source>e.g. %1</source>
+            <translation>напр. %1</translation>
+        </message>
+        <message>
+            <source>12P9 × 45 makes a gap of the surface; 12P9 × 45, 90° says where its first edge is</source>
+            <translation>12P9 × 45 даёт паз поверхности; 12P9 × 45, 90° задаёт и угол его первой кромки</translation>
+        </message>
+        <message>
+            <source>What the keyway is to the model</source>
+            <translation>Чем паз является в модели</translation>
         </message>
     </context>
 </TS>

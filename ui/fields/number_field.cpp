@@ -162,18 +162,27 @@ Remark NumberField::judgeNumber(double value) const {
     return {};
 }
 
+std::optional<double> NumberField::readForm() const {
+    return m_reads && !parseNumber(text()) ? m_reads(text()) : std::nullopt;
+}
+
 std::optional<double> NumberField::read() const {
+    if (const auto value = readForm()) {
+        return value;
+    }
     const auto calculation = Calculation::of(text());
     return m_spec.scale.kept(calculation ? calculation->value() : parseNumber(text()));
 }
 
 QString NumberField::result() const {
     const auto calculation = Calculation::of(text());
-    if (!calculation || !calculation->value()) {
+    const auto form = readForm();
+    if (!form && (!calculation || !calculation->value())) {
         return {};
     }
     const QString unit = unitText(m_spec.unit);
-    return QStringLiteral("= ") + printedNumber(*calculation->value())
+    return QStringLiteral("= ")
+           + printedNumber(form ? m_spec.scale.shown(*form) : *calculation->value())
            + (unit.isEmpty() ? QString() : QStringLiteral("\u00a0") + unit);
 }
 
