@@ -2263,8 +2263,10 @@
             <translation>ходы в состояние (× вычеркнут)</translation>
         </message>
         <message>
-            <source>m: radial feed, mm per double stroke · axial feed, mm/min</source>
-            <translation>m: радиальная подача, мм на дв. ход · продольная подача, мм/мин</translation>
+            <source>m: radial feed, mm/dbl stroke
+axial feed, mm/min</source>
+            <translation>m: радиальная подача, мм/дв. ход
+продольная подача, мм/мин</translation>
         </message>
         <message>
             <source>m: radial feed, mm/min</source>
@@ -17164,6 +17166,10 @@ target, µm</source>
         <message>
             <source>Verdict on the batch</source>
             <translation>Заключение по партии</translation>
+        </message>
+        <message>
+            <source>%1 (before the last edit)</source>
+            <translation>%1 (до последней правки)</translation>
         </message>
     </context>
     <context>

@@ -110,7 +110,7 @@ private slots:
 
     /// Typed as a share of the wheel's width or per revolution: worked out when the cell is left.
     void anAxialFeedIsTypedAsAShareOfTheWidth() {
-        for (const char* text : {"0.3B", "0,3 В"}) {
+        for (const char* text : {"0.3B", "0,3 b"}) {
             Bench bench(0, 1);
             const Project& project = bench.document.project();
             const double wanted =
