@@ -154,7 +154,8 @@ Remark NumberField::judgeNumber(double value) const {
         return {Mark::error, tr("out of range; allowed: %1")
                                  .arg(rangeShown(m_spec.scale.shown(m_spec.hard), m_spec.unit))};
     }
-    if (!m_spec.soft.contains(value)) {
+    const bool isDrawnBack = value < 0 && m_spec.soft.low > 0; // where that is allowed
+    if (!m_spec.soft.contains(value) && !isDrawnBack) {
         return {
             Mark::warning,
             tr("unusual; usual: %1").arg(rangeShown(m_spec.scale.shown(m_spec.soft), m_spec.unit))};
