@@ -16144,6 +16144,18 @@ target, µm</source>
             <source>Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would begin with for this part, wheel and machine; an estimate</source>
             <translation>Частота вращения заготовки, подачи, припуски, выхаживание, перебеги и выстой, с которых начал бы цех для этой детали, круга и станка; оценка</translation>
         </message>
+        <message>
+            <source>A starting cycle: it follows the drawing, material, wheel and machine until any other input is edited.</source>
+            <translation>Исходный цикл: меняется вместе с чертежом, материалом, кругом и станком, пока не изменена любая другая исходная величина.</translation>
+        </message>
+        <message>
+            <source>Edited: the cycle no longer follows the drawing. “%1” makes it anew.</source>
+            <translation>Изменено: цикл больше не меняется вместе с чертежом. «%1» строит его заново.</translation>
+        </message>
+        <message>
+            <source>Whether the cycle follows the drawing</source>
+            <translation>Меняется ли цикл вместе с чертежом</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::StepSheet</name>

@@ -80,6 +80,9 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     m_begin->addItem(tr("the inputs of “%1”").arg(present), int(BeginWith::copy));
     m_begin->addItem(tr("a new traverse cycle"), int(BeginWith::traverse));
     m_begin->addItem(tr("a new plunge cycle"), int(BeginWith::plunge));
+    const bool travels = state.inFront().project.operation->travels;
+    m_begin->setCurrentIndex( // a drawing of its own, as a new project
+        m_begin->findData(int(travels ? BeginWith::traverse : BeginWith::plunge)));
     m_name->setObjectName(QStringLiteral("surfaceName"));
     m_name->setAccessibleName(tr("Name"));
     fillPlaces();

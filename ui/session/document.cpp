@@ -125,13 +125,17 @@ bool Document::isStarting(const Project& changed, const std::vector<std::string>
     if (!openInputs().empty()) {
         return open.empty() && m_present.inFront().startsWhenDrawn;
     }
-    if (!m_started || !sameProject(*m_started, m_project)) {
+    if (!followsDrawing()) {
         return false;
     }
     const std::string path = firstDifference(m_project, changed);
     const bool isOtherMachine = changed.machine->name != m_project.machine->name;
     return path.starts_with("/part/") || path.starts_with("/material/")
            || path.starts_with("/wheel/") || isOtherMachine;
+}
+
+bool Document::followsDrawing() const {
+    return m_started && openInputs().empty() && sameProject(*m_started, m_project);
 }
 
 void Document::editSetup(SetupState changed, EditText text, const QString& mergeKey) {
@@ -255,6 +259,20 @@ void Document::step(const std::function<void()>& step) {
     endMerge();
     const SetupState before = m_present;
     step();
+    const auto pathOf = [&before](const SurfaceState& now) {
+        const auto index = before.indexOf(now.id);
+        return index ? firstDifference(before.surfaces[*index]->project, now.project)
+                     : std::string();
+    };
+    if (before.indexOf(m_present.inFront().id) && pathOf(m_present.inFront()).empty()) {
+        // What it changed is to be seen: another surface, where the one in front is as it was.
+        for (std::size_t i = 0; i < surfaceCount(); ++i) {
+            if (!pathOf(*m_present.surfaces[i]).empty()) {
+                showSurface(i);
+                break;
+            }
+        }
+    }
     const auto index = before.indexOf(m_present.inFront().id);
     if (!index) {
         return; // the step brought the surface back
