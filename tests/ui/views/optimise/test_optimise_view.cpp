@@ -115,7 +115,7 @@ private slots:
         const SearchSummary engine = optimise(project);
         const Desk desk(project);
         QVERIFY(desk.searched());
-        QCOMPARE(desk.cell(0, FoundColumn::time), OptimiseText::minutes(engine.best->time_s));
+        QCOMPARE(desk.cell(0, FoundColumn::time), OptimiseText::time(engine.best->time_s));
         QCOMPARE(desk.cell(0, FoundColumn::cycle), OptimiseText::cycle(engine.cycle));
         QVERIFY(desk.told().contains(desk.cell(0, FoundColumn::time)));
         const ComparedFeeds& found = desk.view->curves()->runs().back();
@@ -263,7 +263,7 @@ private slots:
             QCOMPARE(cycleAt(), OptimiseText::cycle(point.cycle));
             QCOMPARE(plot.chosen()->data()->at(0)->key, point.best->time_s / 60);
             QVERIFY(
-                plot.accessibleDescription().contains(OptimiseText::minutes(point.best->time_s)));
+                plot.accessibleDescription().contains(OptimiseText::time(point.best->time_s)));
             QVERIFY(plot.hasFocus());
             QTest::keyClick(&plot, Qt::Key_Right);
         }
