@@ -39,17 +39,8 @@ std::vector<std::string> drawingInputs() {
             "/part/length_mm", "/part/stock_mm"};
 }
 
-namespace {
-constexpr double never = 1.7e-7; // is added by no one
-} // namespace
-
-Project withoutDeviations(Project project) {
-    project.part->upper_deviation_um += never;
-    project.part->lower_deviation_um -= never;
-    return project;
-}
-
 Project undrawnProject(Operation operation) {
+    constexpr double never = 1.7e-7; // is added by no one
     StartingDrawing drawing;
     drawing.operation = operation;
     drawing.diameter_mm = 30;
@@ -61,10 +52,18 @@ Project undrawnProject(Operation operation) {
     const auto answer = entries ? startingProject(drawing, *entries) : StartingAnswer();
     Project project = answer.start ? answer.start->project : newProject(operation);
     project = withPracticalLimits(std::move(project));
-    project = withoutDeviations(std::move(project));
     project.part->diameter_mm += never;
+    project.part->upper_deviation_um += never;
+    project.part->lower_deviation_um -= never;
     project.part->length_mm -= never; // a plunge reaches as far as the wheel
     project.part->stock_mm += never;
+    return project;
+}
+
+Project withoutDeviations(Project project) {
+    constexpr double never_um = 1.7e-7; // is added by no one
+    project.part->upper_deviation_um += never_um;
+    project.part->lower_deviation_um -= never_um;
     return project;
 }
 

@@ -14,12 +14,12 @@ namespace sparkout {
 /// Paths of the numbers that a drawing has to give before anything can be computed.
 [[nodiscard]] std::vector<std::string> drawingInputs();
 
-/// In place of the limit deviations some that no drawing has, so that giving one is always a change.
-[[nodiscard]] Project withoutDeviations(Project project);
-
 /// A starting cycle on the usual machine of the catalogue for a part that is yet to be drawn: no
 /// requirement of form, no name, and in place of the drawing's numbers some that no drawing has, so
 /// that giving one is always a change.
 [[nodiscard]] Project undrawnProject(Operation operation);
+
+/// In place of the limit deviations some that no drawing has, so that giving one is always a change.
+[[nodiscard]] Project withoutDeviations(Project project);
 
 } // namespace sparkout

@@ -27,7 +27,7 @@ struct PartTable {
 };
 
 /// With its unit; minutes for a spreadsheet.
-ValueCell timeCell(const std::optional<double>& time_s) {
+ValueCell minutesCell(const std::optional<double>& time_s) {
     constexpr int digits = 4;
     return ValueCell::of(time_s ? std::optional(*time_s / units::secondsPerMinute) : std::nullopt,
                          [](double time_min) { return Names::timeOfMinutes(time_min, digits); });
@@ -46,7 +46,7 @@ ValueCell searchCell(const PartStudies& studies, int id) {
         return {.text = PartTable::tr("refused")};
     }
     const FoundCycle* const best = study.search->best();
-    return best ? timeCell(best->time_s) : ValueCell{.text = PartTable::tr("none feasible")};
+    return best ? minutesCell(best->time_s) : ValueCell{.text = PartTable::tr("none feasible")};
 }
 
 ValueCell batchCell(const PartStudies& studies, int id) {
@@ -128,7 +128,7 @@ ValueTable partTable(const SetupState& state, const std::vector<SurfaceStatus>& 
         table.addRow({.text = nameOf(state, i)},
                      {{.text = nameOf(state, i)},
                       {.text = printedNumber(diameter_mm), .value = diameter_mm},
-                      timeCell(timeOf(status)),
+                      minutesCell(timeOf(status)),
                       {.text = statusText(status), .icon = iconOf(status)},
                       {.text = worstText(status)},
                       searchCell(studies, of.id),
@@ -144,7 +144,7 @@ ValueTable surfaceComparison(const SetupState& state, const std::vector<SurfaceS
     std::vector<ValueCell> times{{.text = PartTable::tr("Cycle time")}};
     for (std::size_t i = 0; i < statuses.size(); ++i) {
         table.columns.push_back({.text = nameOf(state, i), .isText = true}); // beside the lights
-        times.push_back(timeCell(timeOf(statuses[i])));
+        times.push_back(minutesCell(timeOf(statuses[i])));
         for (const ConstraintResult& requirement : statuses[i].requirements) {
             kinds.insert(requirement.kind);
         }

@@ -134,10 +134,6 @@ bool Document::isStarting(const Project& changed, const std::vector<std::string>
            || path.starts_with("/wheel/") || isOtherMachine;
 }
 
-bool Document::followsDrawing() const {
-    return m_started && openInputs().empty() && sameProject(*m_started, m_project);
-}
-
 void Document::editSetup(SetupState changed, EditText text, const QString& mergeKey) {
     if (!sameState(changed, m_present)) {
         (void)push(std::move(changed), text, mergeKey);
@@ -187,6 +183,10 @@ std::vector<std::string> Document::openIn(const Project& changed) const {
         });
     }
     return open;
+}
+
+bool Document::followsDrawing() const {
+    return m_started && openInputs().empty() && sameProject(*m_started, m_project);
 }
 
 bool Document::isOpen(const std::string& path) const {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window on a set-up of several surfaces, as its user has it.
 #include "core/setup/setup_run.h"
-#include "core/project/part.h"
 #include "core/setup/worn_project.h"
 #include "core/study/batch_edits.h"
-#include "core/study/new_project.h"
 #include "core/study/search.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -12,7 +10,6 @@
 #include "tests/ui/support/search_fixtures.h"
 #include "tests/ui/support/setup_fixtures.h"
 #include "tests/ui/support/text_checks.h"
-#include "tests/ui/support/untitled.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/bars/bar_plot.h"
 #include "ui/charts/compare_plot.h"
@@ -21,19 +18,15 @@
 #include "ui/fields/shared_mark.h"
 #include "ui/files/recovery_store.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/part/add_surface_dialog.h"
 #include "ui/part/part_drawing.h"
 #include "ui/part/part_strip.h"
 #include "ui/part/part_window.h"
 #include "ui/session/kept_runs.h"
-#include "ui/session/surface_edits.h"
 #include "ui/session/part_runs.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/view_tabs.h"
 
 #include <QAction>
-#include <QCheckBox>
-#include <QComboBox>
 #include <QListView>
 #include <QSignalSpy>
 #include <QTabBar>
@@ -141,50 +134,6 @@ private slots:
         desk.press("removeSurface");
         QVERIFY(desk.bench.window->files().save());
         QCOMPARE(bytesOf(desk.path), before);
-    }
-
-    /// A surface begins with a drawing of its own; a copy asks what of the other's comes along, and
-    /// keeps its cycle.
-    void aCopiedSurfaceAsksWhatComesAlong() {
-        Setup setup = plainSetup(newProject(Operation::plunge));
-        Part& part = *setup.surfaces.front().project.part;
-        part.gaps.push_back({.from_deg = 0, .width_deg = 30});
-        part.tolerance.roundness_um = 4;
-        Untitled document(setup);
-        const auto isFree = [](const QString&) { return true; };
-        AddSurfaceDialog dialog(document.state(), QStringLiteral("second"), isFree, std::nullopt);
-        QVERIFY(!dialog.isCopy());
-        QCOMPARE(dialog.openInputs(), drawingInputs());
-        auto* begin = dialog.findChild<QComboBox*>(QStringLiteral("begin"));
-        begin->setCurrentIndex(0);
-        QVERIFY(dialog.isCopy());
-        const auto box = [&dialog](const char* name) {
-            return dialog.findChild<QCheckBox*>(QString::fromLatin1(name));
-        };
-        QVERIFY(!box("copyGaps")->isChecked() && box("copyDeviations")->isChecked()
-                && box("copyTolerances")->isChecked());
-        QVERIFY(dialog.openInputs().empty());
-        QVERIFY(dialog.project().part->gaps.empty());
-        QVERIFY(dialog.project().part->tolerance.roundness_um == 4.0);
-        box("copyGaps")->setChecked(true);
-        box("copyTolerances")->setChecked(false);
-        QCOMPARE(dialog.project().part->gaps.size(), 1U);
-        QVERIFY(!dialog.project().part->tolerance.roundness_um);
-        box("copyDeviations")->setChecked(false);
-        const std::vector<std::string> deviations{"/part/upper_deviation_um",
-                                                  "/part/lower_deviation_um"};
-        QCOMPARE(dialog.openInputs(), deviations);
-        SurfaceEdits edits(document);
-        edits.add(dialog.project(), dialog.name(), dialog.openInputs(), !dialog.isCopy());
-        const std::vector<Stage> stages = document.project().cycle->stages;
-        Project given = document.project();
-        given.part->upper_deviation_um = part.upper_deviation_um; // the very same is given, too
-        given.part->lower_deviation_um = part.lower_deviation_um;
-        document.edit(given, {"Input", "Deviations"});
-        QVERIFY(document.openInputs().empty() && !document.followsDrawing());
-        QCOMPARE(document.project().cycle->stages.size(), stages.size());
-        QCOMPARE(document.project().cycle->stages.front().radial_feed_mm_min,
-                 stages.front().radial_feed_mm_min);
     }
 
     /// On a small laptop, with both panels beside the views.
