@@ -7752,12 +7752,12 @@ With another name both versions stay as they are.</source>
             <translation>проходов с новыми уровнями: %1</translation>
         </message>
         <message>
-            <source>best %1 min</source>
-            <translation>лучший %1 мин</translation>
+            <source>best %1</source>
+            <translation>лучший %1</translation>
         </message>
         <message>
-            <source>none below %1 min</source>
-            <translation>нет быстрее %1 мин</translation>
+            <source>none below %1</source>
+            <translation>нет быстрее %1</translation>
         </message>
         <message>
             <source>%1 % gone through</source>
@@ -7832,8 +7832,8 @@ With another name both versions stay as they are.</source>
             <translation>Остановлено раньше, чем нашёлся цикл, который выдерживает все требования.</translation>
         </message>
         <message>
-            <source>No cycle was found that holds in every scenario, and none is quicker than %1 min; each one tried failed in a further scenario.</source>
-            <translation>Не найдено цикла, годного во всех сценариях, и ни один не короче %1 мин; каждый испытанный не выдержал ещё одного сценария.</translation>
+            <source>No cycle was found that holds in every scenario, and none is quicker than %1; each one tried failed in a further scenario.</source>
+            <translation>Не найдено цикла, годного во всех сценариях, и ни один не короче %1; каждый испытанный не выдержал ещё одного сценария.</translation>
         </message>
         <message>
             <source>The heuristic found no cycle that holds every requirement; there may be one, which the exact search finds (%1).</source>
@@ -7856,56 +7856,56 @@ With another name both versions stay as they are.</source>
             <translation>Чаще всего мешают: %1.</translation>
         </message>
         <message>
-            <source>A margin of %1 % is the largest so far, in %2 min; a cycle within %3 min may have a larger one.</source>
-            <translation>Наибольший найденный запас %1 %, цикл за %2 мин; за %3 мин возможен и больший запас.</translation>
+            <source>A margin of %1 % is the largest so far, in %2; a cycle within %3 min may have a larger one.</source>
+            <translation>Наибольший найденный запас %1 %, цикл за %2; за %3 мин возможен и больший запас.</translation>
         </message>
         <message>
-            <source>A margin of %1 % over all that it must hold for, in %2 min: of %3 the largest within %4 min, proved.</source>
-            <translation>Запас %1 % по всему, для чего цикл должен быть годен, за %2 мин: наибольший за %4 мин, доказано (%3).</translation>
+            <source>A margin of %1 % over all that it must hold for, in %2: of %3 the largest within %4 min, proved.</source>
+            <translation>Запас %1 % по всему, для чего цикл должен быть годен, за %2: наибольший за %4 мин, доказано (%3).</translation>
         </message>
         <message>
-            <source>A margin of %1 %, in %2 min: of %3 the largest within %4 min, proved.</source>
-            <translation>Запас %1 %, цикл за %2 мин: наибольший запас за %4 мин, доказано (%3).</translation>
+            <source>A margin of %1 %, in %2: of %3 the largest within %4 min, proved.</source>
+            <translation>Запас %1 %, цикл за %2: наибольший запас за %4 мин, доказано (%3).</translation>
         </message>
         <message>
-            <source>%1 min: of %2 the quickest that holds for the part and the scenarios added; proved for these.</source>
-            <translation>%1 мин: самый быстрый (%2) из годных для детали и добавленных сценариев; для них доказано.</translation>
+            <source>%1: of %2 the quickest that holds for the part and the scenarios added; proved for these.</source>
+            <translation>%1: самый быстрый (%2) из годных для детали и добавленных сценариев; для них доказано.</translation>
         </message>
         <message>
-            <source>%1 min: the quickest of %2, proved.</source>
-            <translation>%1 мин: самый быстрый, доказано (%2).</translation>
+            <source>%1: the quickest of %2, proved.</source>
+            <translation>%1: самый быстрый, доказано (%2).</translation>
         </message>
         <message>
-            <source>%1 min, found by dynamic programming as published, a heuristic: it holds, but a quicker cycle may hold too.</source>
-            <translation>%1 мин, найдено динамическим программированием в опубликованном виде — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
+            <source>%1, found by dynamic programming as published, a heuristic: it holds, but a quicker cycle may hold too.</source>
+            <translation>%1, найдено динамическим программированием в опубликованном виде — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
         </message>
         <message>
-            <source>%1 min, found by labels of time and deflection, a heuristic: it holds, but a quicker cycle may hold too.</source>
-            <translation>%1 мин, найдено метками времени и отжатия — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
+            <source>%1, found by labels of time and deflection, a heuristic: it holds, but a quicker cycle may hold too.</source>
+            <translation>%1, найдено метками времени и отжатия — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
         </message>
         <message>
-            <source>%1 min is the best so far; no cycle of the grid is quicker than %2 min.</source>
-            <translation>%1 мин — лучший найденный; быстрее %2 мин в сетке нет ни одного.</translation>
+            <source>%1 is the best so far; no cycle of the grid is quicker than %2.</source>
+            <translation>%1 — лучший найденный; быстрее %2 в сетке нет ни одного.</translation>
         </message>
         <message>
-            <source>%1 min: the quickest of %2. How the wheel wears is not given, so it is the cheapest too, and the wheel&apos;s life is not searched.</source>
-            <translation>%1 мин: самый быстрый из %2. Износ круга не задан, поэтому он и самый дешёвый, а стойкость круга не ищется.</translation>
+            <source>%1: the quickest of %2. How the wheel wears is not given, so it is the cheapest too, and the wheel&apos;s life is not searched.</source>
+            <translation>%1: самый быстрый из %2. Износ круга не задан, поэтому он и самый дешёвый, а стойкость круга не ищется.</translation>
         </message>
         <message>
-            <source>%1 a part, in %2 min: of %3 the minimum cost, proved.</source>
-            <translation>%1 за деталь, за %2 мин: наименьшая стоимость из %3, доказано.</translation>
+            <source>%1 a part, in %2: of %3 the minimum cost, proved.</source>
+            <translation>%1 за деталь, за %2: наименьшая стоимость из %3, доказано.</translation>
         </message>
         <message>
-            <source>%1 a part, in %2 min, is the minimum cost so far.</source>
-            <translation>%1 за деталь, за %2 мин — пока наименьшая стоимость.</translation>
+            <source>%1 a part, in %2, is the minimum cost so far.</source>
+            <translation>%1 за деталь, за %2 — пока наименьшая стоимость.</translation>
         </message>
         <message>
-            <source>%1 min: of %2 none holds for more parts between dressings, proved.</source>
-            <translation>%1 мин: из %2 ни один не годен для большего числа деталей между правками, доказано.</translation>
+            <source>%1: of %2 none holds for more parts between dressings, proved.</source>
+            <translation>%1: из %2 ни один не годен для большего числа деталей между правками, доказано.</translation>
         </message>
         <message>
-            <source>%1 min: the most parts between dressings so far.</source>
-            <translation>%1 мин: пока наибольшее число деталей между правками.</translation>
+            <source>%1: the most parts between dressings so far.</source>
+            <translation>%1: пока наибольшее число деталей между правками.</translation>
         </message>
         <message>
             <source>No part of the grid costs less than %1.</source>
@@ -7916,8 +7916,8 @@ With another name both versions stay as they are.</source>
             <translation>Ни один цикл сетки не годен для большего числа деталей, чем %1.</translation>
         </message>
         <message>
-            <source>Parts per dressing: %1; %2 min each on average.</source>
-            <translation>Деталей на правку: %1, в среднем по %2 мин.</translation>
+            <source>Parts per dressing: %1; %2 each on average.</source>
+            <translation>Деталей на правку: %1, в среднем по %2.</translation>
         </message>
         <message>
             <source>The next part breaks: %1.</source>
@@ -7936,20 +7936,20 @@ With another name both versions stay as they are.</source>
             <translation>Это на %1 % меньше, чем у исходного цикла.</translation>
         </message>
         <message>
-            <source>Your cycle takes %1 min.</source>
-            <translation>Исходный цикл занимает %1 мин.</translation>
+            <source>Your cycle takes %1.</source>
+            <translation>Исходный цикл занимает %1.</translation>
         </message>
         <message>
-            <source>Between the levels a cycle of %1 min holds; that none is quicker is not proved.</source>
-            <translation>Между уровнями сетки требования выдерживает и цикл за %1 мин (не доказано, что быстрее нет).</translation>
+            <source>Between the levels a cycle of %1 holds; that none is quicker is not proved.</source>
+            <translation>Между уровнями сетки требования выдерживает и цикл за %1 (не доказано, что быстрее нет).</translation>
         </message>
         <message>
             <source>Between the levels nothing quicker was found.</source>
             <translation>Между уровнями сетки ничего быстрее не найдено.</translation>
         </message>
         <message>
-            <source>The stepless limit is %1 min, %2 % below it.</source>
-            <translation>Предел бесступенчатого цикла %1 мин, на %2 % меньше.</translation>
+            <source>The stepless limit is %1, %2 % below it.</source>
+            <translation>Предел бесступенчатого цикла %1, на %2 % меньше.</translation>
         </message>
         <message>
             <source>The limit holds for cycles with a continuous infeed of up to %1 mm/min.</source>
@@ -8052,8 +8052,8 @@ With another name both versions stay as they are.</source>
             <translation>Цикл годен для всех %1 заново выбранных припусков в пределах подачи на шаг, это %2-й из циклов, проверенных так: с доверительной вероятностью 95 % он не годен не более чем для %3 % таких припусков.</translation>
         </message>
         <message>
-            <source>The nominal part alone, of the same levels, would take %1 min: robustness costs %2 % of time.</source>
-            <translation>Для одной номинальной детали из тех же уровней хватило бы %1 мин: надёжность стоит %2 % времени.</translation>
+            <source>The nominal part alone, of the same levels, would take %1: robustness costs %2 % of time.</source>
+            <translation>Для одной номинальной детали из тех же уровней хватило бы %1: надёжность стоит %2 % времени.</translation>
         </message>
         <message>
             <source>Margins by time are searched for the minimum time, or for the maximum margin; this search is of parts between dressings.</source>
@@ -8080,8 +8080,8 @@ With another name both versions stay as they are.</source>
             <translation>Все циклы сетки, быстрее и дальше от пределов которых одновременно нет ни одного: %1.</translation>
         </message>
         <message>
-            <source>Up to %1 min; cycles that take longer may have larger margins.</source>
-            <translation>Найдено до %1 мин; у более длинных циклов запас может быть больше.</translation>
+            <source>Up to %1; cycles that take longer may have larger margins.</source>
+            <translation>Найдено до %1; у более длинных циклов запас может быть больше.</translation>
         </message>
         <message>
             <source>The margin is the least over all that the search must hold for.</source>
@@ -8094,6 +8094,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>The limit holds for cycles that end at size.</source>
             <translation>Предел действителен для циклов, которые кончаются по размеру.</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 мин</translation>
         </message>
     </context>
     <context>

@@ -497,7 +497,7 @@ private slots:
         QVERIFY(outcome.proved());
         robust.nominalTime_s = 40;
         const QString cost = OptimiseText::answer(outcome, {});
-        QVERIFY2(cost.contains(QStringLiteral("0.6667 min: robustness costs 25.0 % of time")),
+        QVERIFY2(cost.contains(QStringLiteral("40.00 s: robustness costs 25.0 % of time")),
                  qPrintable(cost));
         QVERIFY2(cost.contains(QStringLiteral("held in all of 500 phases"))
                      && cost.contains(QStringLiteral("at most 0.74 % of the phases fail"))
