@@ -60,7 +60,7 @@ std::string frontLines(const SearchOutcome& outcome) {
     const SearchWording words;
     std::string text = words.front(outcome) + '\n';
     for (const FoundCycle* each : outcome.front()) {
-        text += "  " + words.minutes(each->time_s) + " min, margin "
+        text += "  " + words.time(each->time_s) + ", margin "
                 + words.percent(each->leastRelativeMargin)
                 + " %, stages: " + std::to_string(each->cycle.stages.size()) + '\n';
     }

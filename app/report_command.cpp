@@ -126,9 +126,11 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
         const bool fits = subject.batch && sameBatch(subject.batch->result.project, predicting);
         subject.predicting = fits ? subject.batch : runWatched(predicting);
     }
-    if (report::rowOf(request.kind).takesBatch) {
-        const auto setup = openSetupOrSay(request.file);
-        subject.dressing = setup ? report::dressingOf(*setup) : nullptr;
+    if (const auto setup = openSetupOrSay(request.file)) {
+        const std::string name = request.surface.toStdString();
+        report::nameSurface(subject, *setup, setup->find(name).value_or(0));
+        subject.dressing =
+            report::rowOf(request.kind).takesBatch ? report::dressingOf(*setup) : nullptr;
     }
     return subject;
 }

@@ -1034,8 +1034,8 @@
     <context>
         <name>CouplingCurves</name>
         <message>
-            <source>Coupled less independent at most %1 µm of diameter, at %2 mm. Spread over the length: independent %3 µm, coupled %4 µm. Time %5 and %6 min.</source>
-            <translation>Разность связанных и независимых не более %1 мкм по диаметру, на %2 мм. Разброс по длине: независимые %3 мкм, связанные %4 мкм. Время %5 и %6 мин.</translation>
+            <source>Coupled less independent at most %1 µm of diameter, at %2 mm. Spread over the length: independent %3 µm, coupled %4 µm. Time %5 and %6.</source>
+            <translation>Разность связанных и независимых не более %1 мкм по диаметру, на %2 мм. Разброс по длине: независимые %3 мкм, связанные %4 мкм. Время %5 и %6.</translation>
         </message>
         <message>
             <source>Independent: %1</source>
@@ -1591,6 +1591,20 @@
         <message>
             <source>; gaps of the surface: %1</source>
             <translation>; пазов на поверхности: %1</translation>
+        </message>
+        <message>
+            <source>Check surfaces %1</source>
+            <translation>Контролировать поверхности %1</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>surface, its size</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1; each: %2</source>
+            <comment>surfaces, tolerances</comment>
+            <translation>%1; каждая: %2</translation>
         </message>
     </context>
     <context>
@@ -2253,8 +2267,10 @@
             <translation>ходы в состояние (× вычеркнут)</translation>
         </message>
         <message>
-            <source>m: radial feed, mm per double stroke · axial feed, mm/min</source>
-            <translation>m: радиальная подача, мм на дв. ход · продольная подача, мм/мин</translation>
+            <source>m: radial feed, mm/dbl stroke
+axial feed, mm/min</source>
+            <translation>m: радиальная подача, мм/дв. ход
+продольная подача, мм/мин</translation>
         </message>
         <message>
             <source>m: radial feed, mm/min</source>
@@ -3033,6 +3049,10 @@
             <source>Starting cycle</source>
             <translation>Исходный цикл</translation>
         </message>
+        <message>
+            <source>Gap from a keyway</source>
+            <translation>Паз по шпоночному пазу</translation>
+        </message>
     </context>
     <context>
         <name>EstimateNames</name>
@@ -3418,10 +3438,6 @@
         <message>
             <source>radius %1</source>
             <translation>радиус %1</translation>
-        </message>
-        <message>
-            <source>%1 min</source>
-            <translation>%1 мин</translation>
         </message>
         <message>
             <source>feed: programmed %1, actual %2 µm</source>
@@ -7799,6 +7815,16 @@ With another name both versions stay as they are.</source>
             <comment>the form it prints</comment>
             <translation>%1, станок не известен</translation>
         </message>
+        <message>
+            <source>%1 s</source>
+            <comment>time of a cycle</comment>
+            <translation>%1 с</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <comment>time of a cycle</comment>
+            <translation>%1 мин</translation>
+        </message>
     </context>
     <context>
         <name>OperationNotice</name>
@@ -7854,12 +7880,12 @@ With another name both versions stay as they are.</source>
             <translation>проходов с новыми уровнями: %1</translation>
         </message>
         <message>
-            <source>best %1 min</source>
-            <translation>лучший %1 мин</translation>
+            <source>best %1</source>
+            <translation>лучший %1</translation>
         </message>
         <message>
-            <source>none below %1 min</source>
-            <translation>нет быстрее %1 мин</translation>
+            <source>none below %1</source>
+            <translation>нет быстрее %1</translation>
         </message>
         <message>
             <source>%1 % gone through</source>
@@ -7934,8 +7960,8 @@ With another name both versions stay as they are.</source>
             <translation>Остановлено раньше, чем нашёлся цикл, который выдерживает все требования.</translation>
         </message>
         <message>
-            <source>No cycle was found that holds in every scenario, and none is quicker than %1 min; each one tried failed in a further scenario.</source>
-            <translation>Не найдено цикла, годного во всех сценариях, и ни один не короче %1 мин; каждый испытанный не выдержал ещё одного сценария.</translation>
+            <source>No cycle was found that holds in every scenario, and none is quicker than %1; each one tried failed in a further scenario.</source>
+            <translation>Не найдено цикла, годного во всех сценариях, и ни один не короче %1; каждый испытанный не выдержал ещё одного сценария.</translation>
         </message>
         <message>
             <source>The heuristic found no cycle that holds every requirement; there may be one, which the exact search finds (%1).</source>
@@ -7958,56 +7984,56 @@ With another name both versions stay as they are.</source>
             <translation>Чаще всего мешают: %1.</translation>
         </message>
         <message>
-            <source>A margin of %1 % is the largest so far, in %2 min; a cycle within %3 min may have a larger one.</source>
-            <translation>Наибольший найденный запас %1 %, цикл за %2 мин; за %3 мин возможен и больший запас.</translation>
+            <source>A margin of %1 % is the largest so far, in %2; a cycle within %3 min may have a larger one.</source>
+            <translation>Наибольший найденный запас %1 %, цикл за %2; за %3 мин возможен и больший запас.</translation>
         </message>
         <message>
-            <source>A margin of %1 % over all that it must hold for, in %2 min: of %3 the largest within %4 min, proved.</source>
-            <translation>Запас %1 % по всему, для чего цикл должен быть годен, за %2 мин: наибольший за %4 мин, доказано (%3).</translation>
+            <source>A margin of %1 % over all that it must hold for, in %2: of %3 the largest within %4 min, proved.</source>
+            <translation>Запас %1 % по всему, для чего цикл должен быть годен, за %2: наибольший за %4 мин, доказано (%3).</translation>
         </message>
         <message>
-            <source>A margin of %1 %, in %2 min: of %3 the largest within %4 min, proved.</source>
-            <translation>Запас %1 %, цикл за %2 мин: наибольший запас за %4 мин, доказано (%3).</translation>
+            <source>A margin of %1 %, in %2: of %3 the largest within %4 min, proved.</source>
+            <translation>Запас %1 %, цикл за %2: наибольший запас за %4 мин, доказано (%3).</translation>
         </message>
         <message>
-            <source>%1 min: of %2 the quickest that holds for the part and the scenarios added; proved for these.</source>
-            <translation>%1 мин: самый быстрый (%2) из годных для детали и добавленных сценариев; для них доказано.</translation>
+            <source>%1: of %2 the quickest that holds for the part and the scenarios added; proved for these.</source>
+            <translation>%1: самый быстрый (%2) из годных для детали и добавленных сценариев; для них доказано.</translation>
         </message>
         <message>
-            <source>%1 min: the quickest of %2, proved.</source>
-            <translation>%1 мин: самый быстрый, доказано (%2).</translation>
+            <source>%1: the quickest of %2, proved.</source>
+            <translation>%1: самый быстрый, доказано (%2).</translation>
         </message>
         <message>
-            <source>%1 min, found by dynamic programming as published, a heuristic: it holds, but a quicker cycle may hold too.</source>
-            <translation>%1 мин, найдено динамическим программированием в опубликованном виде — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
+            <source>%1, found by dynamic programming as published, a heuristic: it holds, but a quicker cycle may hold too.</source>
+            <translation>%1, найдено динамическим программированием в опубликованном виде — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
         </message>
         <message>
-            <source>%1 min, found by labels of time and deflection, a heuristic: it holds, but a quicker cycle may hold too.</source>
-            <translation>%1 мин, найдено метками времени и отжатия — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
+            <source>%1, found by labels of time and deflection, a heuristic: it holds, but a quicker cycle may hold too.</source>
+            <translation>%1, найдено метками времени и отжатия — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
         </message>
         <message>
-            <source>%1 min is the best so far; no cycle of the grid is quicker than %2 min.</source>
-            <translation>%1 мин — лучший найденный; быстрее %2 мин в сетке нет ни одного.</translation>
+            <source>%1 is the best so far; no cycle of the grid is quicker than %2.</source>
+            <translation>%1 — лучший найденный; быстрее %2 в сетке нет ни одного.</translation>
         </message>
         <message>
-            <source>%1 min: the quickest of %2. How the wheel wears is not given, so it is the cheapest too, and the wheel&apos;s life is not searched.</source>
-            <translation>%1 мин: самый быстрый из %2. Износ круга не задан, поэтому он и самый дешёвый, а стойкость круга не ищется.</translation>
+            <source>%1: the quickest of %2. How the wheel wears is not given, so it is the cheapest too, and the wheel&apos;s life is not searched.</source>
+            <translation>%1: самый быстрый из %2. Износ круга не задан, поэтому он и самый дешёвый, а стойкость круга не ищется.</translation>
         </message>
         <message>
-            <source>%1 a part, in %2 min: of %3 the minimum cost, proved.</source>
-            <translation>%1 за деталь, за %2 мин: наименьшая стоимость из %3, доказано.</translation>
+            <source>%1 a part, in %2: of %3 the minimum cost, proved.</source>
+            <translation>%1 за деталь, за %2: наименьшая стоимость из %3, доказано.</translation>
         </message>
         <message>
-            <source>%1 a part, in %2 min, is the minimum cost so far.</source>
-            <translation>%1 за деталь, за %2 мин — пока наименьшая стоимость.</translation>
+            <source>%1 a part, in %2, is the minimum cost so far.</source>
+            <translation>%1 за деталь, за %2 — пока наименьшая стоимость.</translation>
         </message>
         <message>
-            <source>%1 min: of %2 none holds for more parts between dressings, proved.</source>
-            <translation>%1 мин: из %2 ни один не годен для большего числа деталей между правками, доказано.</translation>
+            <source>%1: of %2 none holds for more parts between dressings, proved.</source>
+            <translation>%1: из %2 ни один не годен для большего числа деталей между правками, доказано.</translation>
         </message>
         <message>
-            <source>%1 min: the most parts between dressings so far.</source>
-            <translation>%1 мин: пока наибольшее число деталей между правками.</translation>
+            <source>%1: the most parts between dressings so far.</source>
+            <translation>%1: пока наибольшее число деталей между правками.</translation>
         </message>
         <message>
             <source>No part of the grid costs less than %1.</source>
@@ -8018,8 +8044,8 @@ With another name both versions stay as they are.</source>
             <translation>Ни один цикл сетки не годен для большего числа деталей, чем %1.</translation>
         </message>
         <message>
-            <source>Parts per dressing: %1; %2 min each on average.</source>
-            <translation>Деталей на правку: %1, в среднем по %2 мин.</translation>
+            <source>Parts per dressing: %1; %2 each on average.</source>
+            <translation>Деталей на правку: %1, в среднем по %2.</translation>
         </message>
         <message>
             <source>The next part breaks: %1.</source>
@@ -8038,20 +8064,20 @@ With another name both versions stay as they are.</source>
             <translation>Это на %1 % меньше, чем у исходного цикла.</translation>
         </message>
         <message>
-            <source>Your cycle takes %1 min.</source>
-            <translation>Исходный цикл занимает %1 мин.</translation>
+            <source>Your cycle takes %1.</source>
+            <translation>Исходный цикл занимает %1.</translation>
         </message>
         <message>
-            <source>Between the levels a cycle of %1 min holds; that none is quicker is not proved.</source>
-            <translation>Между уровнями сетки требования выдерживает и цикл за %1 мин (не доказано, что быстрее нет).</translation>
+            <source>Between the levels a cycle of %1 holds; that none is quicker is not proved.</source>
+            <translation>Между уровнями сетки требования выдерживает и цикл за %1 (не доказано, что быстрее нет).</translation>
         </message>
         <message>
             <source>Between the levels nothing quicker was found.</source>
             <translation>Между уровнями сетки ничего быстрее не найдено.</translation>
         </message>
         <message>
-            <source>The stepless limit is %1 min, %2 % below it.</source>
-            <translation>Предел бесступенчатого цикла %1 мин, на %2 % меньше.</translation>
+            <source>The stepless limit is %1, %2 % below it.</source>
+            <translation>Предел бесступенчатого цикла %1, на %2 % меньше.</translation>
         </message>
         <message>
             <source>The limit holds for cycles with a continuous infeed of up to %1 mm/min.</source>
@@ -8154,8 +8180,8 @@ With another name both versions stay as they are.</source>
             <translation>Цикл годен для всех %1 заново выбранных припусков в пределах подачи на шаг, это %2-й из циклов, проверенных так: с доверительной вероятностью 95 % он не годен не более чем для %3 % таких припусков.</translation>
         </message>
         <message>
-            <source>The nominal part alone, of the same levels, would take %1 min: robustness costs %2 % of time.</source>
-            <translation>Для одной номинальной детали из тех же уровней хватило бы %1 мин: надёжность стоит %2 % времени.</translation>
+            <source>The nominal part alone, of the same levels, would take %1: robustness costs %2 % of time.</source>
+            <translation>Для одной номинальной детали из тех же уровней хватило бы %1: надёжность стоит %2 % времени.</translation>
         </message>
         <message>
             <source>Margins by time are searched for the minimum time, or for the maximum margin; this search is of parts between dressings.</source>
@@ -8182,8 +8208,8 @@ With another name both versions stay as they are.</source>
             <translation>Все циклы сетки, быстрее и дальше от пределов которых одновременно нет ни одного: %1.</translation>
         </message>
         <message>
-            <source>Up to %1 min; cycles that take longer may have larger margins.</source>
-            <translation>Найдено до %1 мин; у более длинных циклов запас может быть больше.</translation>
+            <source>Up to %1; cycles that take longer may have larger margins.</source>
+            <translation>Найдено до %1; у более длинных циклов запас может быть больше.</translation>
         </message>
         <message>
             <source>The margin is the least over all that the search must hold for.</source>
@@ -8196,6 +8222,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>The limit holds for cycles that end at size.</source>
             <translation>Предел действителен для циклов, которые кончаются по размеру.</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 мин</translation>
         </message>
     </context>
     <context>
@@ -10621,8 +10651,8 @@ With another name both versions stay as they are.</source>
             <translation>не годен: %1</translation>
         </message>
         <message>
-            <source>Stock %1 mm: steps %2, %3 min</source>
-            <translation>Припуск %1 мм: шагов %2, %3 мин</translation>
+            <source>Stock %1 mm: steps %2, %3</source>
+            <translation>Припуск %1 мм: шагов %2, %3</translation>
         </message>
         <message>
             <source>, diameters %1…%2 µm from nominal</source>
@@ -12920,8 +12950,12 @@ With another name both versions stay as they are.</source>
             <translation>Не каждый цикл выходит на размер.</translation>
         </message>
         <message>
-            <source>Main time %1 min, piece time %2 min.</source>
-            <translation>Основное время %1 мин, штучное время %2 мин.</translation>
+            <source>Main time %1, piece time %2.</source>
+            <translation>Основное время %1, штучное время %2.</translation>
+        </message>
+        <message>
+            <source>Main time %1.</source>
+            <translation>Основное время %1.</translation>
         </message>
     </context>
     <context>
@@ -13639,6 +13673,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Cost of a part with its share of the dressing</source>
             <translation>Стоимость детали с её долей правки</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
     </context>
     <context>
@@ -15767,10 +15805,6 @@ target, µm</source>
             <translation>результаты не сохранены</translation>
         </message>
         <message>
-            <source>%1 min</source>
-            <translation>%1 мин</translation>
-        </message>
-        <message>
             <source>computing…</source>
             <translation>считается…</translation>
         </message>
@@ -16198,6 +16232,23 @@ target, µm</source>
             <source>“%1”: only the last stage may spark out</source>
             <translation>«%1»: выхаживать может только последняя ступень</translation>
         </message>
+        <message>
+            <source>%1 mm/rev</source>
+            <translation>%1 мм/об</translation>
+        </message>
+        <message>
+            <source>%1 B</source>
+            <comment>share of the wheel's width</comment>
+            <translation>%1 B</translation>
+        </message>
+        <message>
+            <source>It may be typed as 12 mm/rev or 0.3B, too.</source>
+            <translation>Можно ввести и так: 12 мм/об или 0,3B.</translation>
+        </message>
+        <message>
+            <source>It may be typed as 0.005 mm/rev, too.</source>
+            <translation>Можно ввести и так: 0,005 мм/об.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::StageTable</name>
@@ -16252,6 +16303,18 @@ target, µm</source>
         <message>
             <source>Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would begin with for this part, wheel and machine; an estimate</source>
             <translation>Частота вращения заготовки, подачи, припуски, выхаживание, перебеги и выстой, с которых начал бы цех для этой детали, круга и станка; оценка</translation>
+        </message>
+        <message>
+            <source>A starting cycle: it follows the drawing, material, wheel and machine until any other input is edited.</source>
+            <translation>Исходный цикл: меняется вместе с чертежом, материалом, кругом и станком, пока не изменена любая другая исходная величина.</translation>
+        </message>
+        <message>
+            <source>Edited: the cycle no longer follows the drawing. “%1” makes it anew.</source>
+            <translation>Изменено: цикл больше не меняется вместе с чертежом. «%1» строит его заново.</translation>
+        </message>
+        <message>
+            <source>Whether the cycle follows the drawing</source>
+            <translation>Меняется ли цикл вместе с чертежом</translation>
         </message>
     </context>
     <context>
@@ -17296,6 +17359,10 @@ target, µm</source>
             <source>Verdict on the batch</source>
             <translation>Заключение по партии</translation>
         </message>
+        <message>
+            <source>%1 (before the last edit)</source>
+            <translation>%1 (до последней правки)</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::VersionsDialog</name>
@@ -18184,8 +18251,8 @@ good</source>
     <context>
         <name>sparkout::StiffnessOffer</name>
         <message>
-            <source>Its effect: γ %1 nm/N; machining time %2 min; diameter deviations %3 µm; requirements that fail %4.</source>
-            <translation>Её влияние: γ %1 нм/Н; основное время %2 мин; отклонения диаметра %3 мкм; невыполненных требований %4.</translation>
+            <source>Its effect: γ %1 nm/N; machining time %2; diameter deviations %3 µm; requirements that fail %4.</source>
+            <translation>Её влияние: γ %1 нм/Н; основное время %2; отклонения диаметра %3 мкм; невыполненных требований %4.</translation>
         </message>
         <message>
             <source>With it the cycle cannot be run: %1</source>
@@ -18283,8 +18350,8 @@ good</source>
             <translation>Поверхность %1: %2, %3</translation>
         </message>
         <message>
-            <source>%1 of %2 · %3 min</source>
-            <translation>%1 из %2 · %3 мин</translation>
+            <source>%1 of %2 · %3</source>
+            <translation>%1 из %2 · %3</translation>
         </message>
         <message>
             <source>%1 of %2</source>
@@ -18366,8 +18433,8 @@ good</source>
             <translation>Ra, оценка</translation>
         </message>
         <message>
-            <source>Cycle time, min</source>
-            <translation>Время цикла, мин</translation>
+            <source>Cycle time</source>
+            <translation>Время цикла</translation>
         </message>
         <message>
             <source>%1, %2</source>
@@ -18376,6 +18443,14 @@ good</source>
         <message>
             <source>Value / limit</source>
             <translation>Значение / предел</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Цикл</translation>
+        </message>
+        <message>
+            <source>Found</source>
+            <translation>Найдено</translation>
         </message>
     </context>
     <context>
@@ -18530,6 +18605,26 @@ good</source>
             <source>Each surface has a name of its own.</source>
             <translation>У каждой поверхности своё название.</translation>
         </message>
+        <message>
+            <source>Keyway and other gaps</source>
+            <translation>Шпоночный и другие пазы</translation>
+        </message>
+        <message>
+            <source>Deviations</source>
+            <translation>Отклонения</translation>
+        </message>
+        <message>
+            <source>Deviations (%1)</source>
+            <translation>Отклонения (%1)</translation>
+        </message>
+        <message>
+            <source>Tolerances of form and Ra</source>
+            <translation>Допуски формы и Ra</translation>
+        </message>
+        <message>
+            <source>From its drawing</source>
+            <translation>С её чертежа</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::NameDialog</name>
@@ -18606,6 +18701,10 @@ good</source>
         <message>
             <source>T_1 + T_p/N = %1 + %2/%3 = %4 min</source>
             <translation>T_(шт.-к) = T_шт + T_пз/N = %1 + %2/%3 = %4 мин</translation>
+        </message>
+        <message>
+            <source>T_a is not entered, so no piece time is stated</source>
+            <translation>T_в не задано, поэтому штучное время не указано</translation>
         </message>
     </context>
     <context>
@@ -20550,8 +20649,8 @@ s</source>
     <context>
         <name>sparkout::MarginFrontPlot</name>
         <message>
-            <source>%1 min, margin %2 %: %3</source>
-            <translation>%1 мин, запас %2 %: %3</translation>
+            <source>%1, margin %2 %: %3</source>
+            <translation>%1, запас %2 %: %3</translation>
         </message>
         <message>
             <source>Time, min</source>
@@ -23209,6 +23308,56 @@ s</source>
         <message>
             <source>Inputs of this document</source>
             <translation>Исходные данные этого документа</translation>
+        </message>
+    </context>
+    <context>
+        <name>Report</name>
+        <message>
+            <source>Surface of the part</source>
+            <translation>Поверхность детали</translation>
+        </message>
+        <message>
+            <source>surface %1</source>
+            <translation>поверхность %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::KeywayHelper</name>
+        <message>
+            <source>Not a keyway by width and length; write it like 12P9 × 45, or with the angle of its first edge like 12P9 × 45, 90°.</source>
+            <translation>Не паз по ширине и длине; пишется как 12P9 × 45 или с углом первой кромки: 12P9 × 45, 90°.</translation>
+        </message>
+        <message>
+            <source>The diameter is needed first.</source>
+            <translation>Сначала нужен диаметр.</translation>
+        </message>
+        <message>
+            <source>A keyway of %1 mm is not narrower than the diameter of %2 mm.</source>
+            <translation>Шпоночный паз %1 мм не уже диаметра %2 мм.</translation>
+        </message>
+        <message>
+            <source>%1 mm on ∅%2 mm: a gap of %3°, from %4° on.</source>
+            <translation>%1 мм на ∅%2 мм: паз %3°, начиная с %4°.</translation>
+        </message>
+        <message>
+            <source>It is %1 mm long; the model has it along all %2 mm that are ground.</source>
+            <translation>Длина паза %1 мм; в модели он идёт по всей шлифуемой длине %2 мм.</translation>
+        </message>
+        <message>
+            <source>Keyway, width × length</source>
+            <translation>Шпоночный паз, ширина × длина</translation>
+        </message>
+        <message>
+            <source>e.g. %1</source>
+            <translation>напр. %1</translation>
+        </message>
+        <message>
+            <source>12P9 × 45 makes a gap of the surface; 12P9 × 45, 90° says where its first edge is</source>
+            <translation>12P9 × 45 даёт паз поверхности; 12P9 × 45, 90° задаёт и угол его первой кромки</translation>
+        </message>
+        <message>
+            <source>What the keyway is to the model</source>
+            <translation>Чем паз является в модели</translation>
         </message>
     </context>
 </TS>

@@ -5,6 +5,7 @@
 #include "core/project/cycle.h"
 #include "core/project/member.h"
 #include "core/project/validate.h"
+#include "core/short_time.h"
 #include "core/text.h"
 #include "core/units.h"
 
@@ -285,10 +286,9 @@ std::string RemedyWording::change(const Project& project, const Remedy& remedy) 
 
 /// Seconds below two minutes.
 std::string RemedyWording::time(double time_s) const {
-    constexpr double few_s = 2 * units::secondsPerMinute;
     constexpr int digits = 2;
     const double value = rounded(std::abs(time_s), digits);
-    return value < few_s
+    return value < shortTime_s
                ? filled(SPARKOUT_NOOP("Remedy", "{time} s"), {{"time", number(value)}})
                : filled(
                    SPARKOUT_NOOP("Remedy", "{time} min"),

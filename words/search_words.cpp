@@ -7,6 +7,7 @@
 #include "core/printable.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
+#include "core/short_time.h"
 #include "core/text.h"
 #include "core/units.h"
 #include "words/issue_words.h"
@@ -82,8 +83,13 @@ std::string SearchWording::filled(const char* text,
     return out;
 }
 
-std::string SearchWording::minutes(double time_s) const {
-    return significant(time_s / units::secondsPerMinute, 4);
+/// Seconds below two minutes.
+std::string SearchWording::time(double time_s) const {
+    constexpr int digits = 4;
+    return time_s < shortTime_s
+               ? filled(SPARKOUT_NOOP("Search", "%1 s"), {significant(time_s, digits)})
+               : filled(SPARKOUT_NOOP("Search", "%1 min"),
+                        {significant(time_s / units::secondsPerMinute, digits)});
 }
 
 std::string SearchWording::percent(double share) const {
@@ -132,11 +138,11 @@ std::string SearchWording::state(const SearchState& state) const {
             filled(SPARKOUT_NOOP("Search", "rounds of levels: %1"), {whole(state.round)}));
     }
     if (state.best_s) {
-        said.push_back(filled(SPARKOUT_NOOP("Search", "best %1 min"), {minutes(*state.best_s)}));
+        said.push_back(filled(SPARKOUT_NOOP("Search", "best %1"), {time(*state.best_s)}));
     }
     if (state.bound_s > 0) {
         said.push_back(
-            filled(SPARKOUT_NOOP("Search", "none below %1 min"), {minutes(state.bound_s)}));
+            filled(SPARKOUT_NOOP("Search", "none below %1"), {time(state.bound_s)}));
     }
     if (state.share > 0) {
         said.push_back(
@@ -289,9 +295,9 @@ std::string SearchWording::noAnswer(const SearchOutcome& outcome) const {
         if (outcome.unresolved()) {
             return filled(SPARKOUT_NOOP("Search",
                                         "No cycle was found that holds in every scenario, and none "
-                                        "is quicker than %1 min; each one tried failed in a "
+                                        "is quicker than %1; each one tried failed in a "
                                         "further scenario."),
-                          {minutes(outcome.search.bound_s)});
+                          {time(outcome.search.bound_s)});
         }
         if (outcome.search.status == SearchStatus::notFound) {
             return filled(SPARKOUT_NOOP("Search",
@@ -321,52 +327,52 @@ std::string SearchWording::noAnswer(const SearchOutcome& outcome) const {
 
 std::string SearchWording::marginAnswer(const SearchOutcome& outcome) const {
     const FoundCycle& best = *outcome.best();
-    const std::string margin = percent(best.leastRelativeMargin), taken = minutes(best.time_s);
+    const std::string margin = percent(best.leastRelativeMargin), taken = time(best.time_s);
     if (!outcome.proved()) {
         return filled(SPARKOUT_NOOP("Search",
-                                    "A margin of %1 % is the largest so far, in %2 min; a cycle "
+                                    "A margin of %1 % is the largest so far, in %2; a cycle "
                                     "within %3 min may have a larger one."),
                       {margin, taken, within(outcome)});
     }
     return filled(
         outcome.robust
             ? SPARKOUT_NOOP("Search",
-                            "A margin of %1 % over all that it must hold for, in %2 min: of %3 the "
+                            "A margin of %1 % over all that it must hold for, in %2: of %3 the "
                             "largest within %4 min, proved.")
             : SPARKOUT_NOOP(
-                "Search", "A margin of %1 %, in %2 min: of %3 the largest within %4 min, proved."),
+                "Search", "A margin of %1 %, in %2: of %3 the largest within %4 min, proved."),
         {margin, taken, gridSize(outcome.search.gridSize), within(outcome)});
 }
 
 std::string SearchWording::timeAnswer(const SearchOutcome& outcome) const {
-    const std::string taken = minutes(outcome.best()->time_s);
+    const std::string taken = time(outcome.best()->time_s);
     if (outcome.proved()) {
         return filled(outcome.robust
                           ? SPARKOUT_NOOP("Search",
-                                          "%1 min: of %2 the quickest that holds for the part and "
+                                          "%1: of %2 the quickest that holds for the part and "
                                           "the scenarios added; proved for these.")
-                          : SPARKOUT_NOOP("Search", "%1 min: the quickest of %2, proved."),
+                          : SPARKOUT_NOOP("Search", "%1: the quickest of %2, proved."),
                       {taken, gridSize(outcome.search.gridSize)});
     }
     if (isHeuristic(outcome.method)) {
         return filled(
             outcome.method == SearchMethod::published
-                ? SPARKOUT_NOOP("Search", "%1 min, found by dynamic programming as published, a "
+                ? SPARKOUT_NOOP("Search", "%1, found by dynamic programming as published, a "
                                           "heuristic: it holds, but a quicker cycle may hold too.")
-                : SPARKOUT_NOOP("Search", "%1 min, found by labels of time and deflection, a "
+                : SPARKOUT_NOOP("Search", "%1, found by labels of time and deflection, a "
                                           "heuristic: it holds, but a quicker cycle may hold too."),
             {taken});
     }
-    return filled(SPARKOUT_NOOP("Search", "%1 min is the best so far; no cycle of the grid is "
-                                          "quicker than %2 min."),
-                  {taken, minutes(outcome.search.bound_s)});
+    return filled(SPARKOUT_NOOP("Search", "%1 is the best so far; no cycle of the grid is "
+                                          "quicker than %2."),
+                  {taken, time(outcome.search.bound_s)});
 }
 
 void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
                                       std::vector<std::string>& lines) const {
     const FoundCycle& best = *outcome.best();
     const bool isCost = outcome.objective() == SearchObjective::cost;
-    const std::string size = gridSize(outcome.search.gridSize), taken = minutes(best.time_s);
+    const std::string size = gridSize(outcome.search.gridSize), taken = time(best.time_s);
     const std::string price = cost(best.cost.value_or(0));
     if (!best.held && !outcome.proved()) {
         lines.push_back(timeAnswer(outcome));
@@ -374,7 +380,7 @@ void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
     }
     if (!best.held) {
         lines.push_back(
-            filled(SPARKOUT_NOOP("Search", "%1 min: the quickest of %2. How the wheel wears is "
+            filled(SPARKOUT_NOOP("Search", "%1: the quickest of %2. How the wheel wears is "
                                            "not given, so it is the cheapest too, and the "
                                            "wheel's life is not searched."),
                    {taken, size}));
@@ -382,17 +388,17 @@ void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
     }
     if (isCost) {
         lines.push_back(filled(outcome.proved()
-                                   ? SPARKOUT_NOOP("Search", "%1 a part, in %2 min: of %3 the "
+                                   ? SPARKOUT_NOOP("Search", "%1 a part, in %2: of %3 the "
                                                              "minimum cost, proved.")
-                                   : SPARKOUT_NOOP("Search", "%1 a part, in %2 min, is the "
+                                   : SPARKOUT_NOOP("Search", "%1 a part, in %2, is the "
                                                              "minimum cost so far."),
                                {price, taken, size}));
     } else {
         lines.push_back(filled(
             outcome.proved()
-                ? SPARKOUT_NOOP("Search", "%1 min: of %2 none holds for more parts between "
+                ? SPARKOUT_NOOP("Search", "%1: of %2 none holds for more parts between "
                                           "dressings, proved.")
-                : SPARKOUT_NOOP("Search", "%1 min: the most parts between dressings so far."),
+                : SPARKOUT_NOOP("Search", "%1: the most parts between dressings so far."),
             {taken, size}));
     }
     if (!outcome.proved() && outcome.interval->bound) {
@@ -404,8 +410,8 @@ void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
                          {fixed(*outcome.interval->bound, 0)}));
     }
     lines.push_back(
-        filled(SPARKOUT_NOOP("Search", "Parts per dressing: %1; %2 min each on average."),
-               {parts(*best.held), minutes(best.held->meanTime_s)}));
+        filled(SPARKOUT_NOOP("Search", "Parts per dressing: %1; %2 each on average."),
+               {parts(*best.held), time(best.held->meanTime_s)}));
     if (best.held->end) {
         lines.push_back(filled(SPARKOUT_NOOP("Search", "The next part breaks: %1."),
                                {requirement(*best.held->end)}));
@@ -437,8 +443,8 @@ std::vector<std::string> SearchWording::answer(const SearchOutcome& outcome,
             change < -noticed
                 ? filled(SPARKOUT_NOOP("Search", "That is %1 % less than your cycle takes."),
                          {percent(-change)})
-                : filled(SPARKOUT_NOOP("Search", "Your cycle takes %1 min."),
-                         {minutes(*before_s)}));
+                : filled(SPARKOUT_NOOP("Search", "Your cycle takes %1."),
+                         {time(*before_s)}));
     }
     addLimit(outcome, lines);
     if (std::string what = binding(outcome); !what.empty()) {
@@ -457,9 +463,9 @@ void SearchWording::addRefinement(const SearchOutcome& outcome,
                                   std::vector<std::string>& lines) const {
     if (const FoundCycle* refined = outcome.refined()) {
         lines.push_back(
-            filled(SPARKOUT_NOOP("Search", "Between the levels a cycle of %1 min holds; that none "
+            filled(SPARKOUT_NOOP("Search", "Between the levels a cycle of %1 holds; that none "
                                            "is quicker is not proved."),
-                   {minutes(refined->time_s)}));
+                   {time(refined->time_s)}));
     } else if (outcome.refinement) {
         lines.push_back(
             translated(SPARKOUT_NOOP("Search", "Between the levels nothing quicker was found.")));
@@ -472,8 +478,8 @@ void SearchWording::addLimit(const SearchOutcome& outcome, std::vector<std::stri
     if (!gap) {
         return;
     }
-    lines.push_back(filled(SPARKOUT_NOOP("Search", "The stepless limit is %1 min, %2 % below it."),
-                           {minutes(outcome.limit.time_s), percent(*gap)}));
+    lines.push_back(filled(SPARKOUT_NOOP("Search", "The stepless limit is %1, %2 % below it."),
+                           {time(outcome.limit.time_s), percent(*gap)}));
     const LimitedCycles& cycles = outcome.limit.cycles;
     if (outcome.searched.operation->travels) {
         lines.push_back(
@@ -626,9 +632,9 @@ void SearchWording::addRobustness(const SearchOutcome& outcome,
     if (robust.nominalTime_s > 0) {
         lines.push_back(
             filled(SPARKOUT_NOOP("Search",
-                                 "The nominal part alone, of the same levels, would take %1 min: "
+                                 "The nominal part alone, of the same levels, would take %1: "
                                  "robustness costs %2 % of time."),
-                   {minutes(robust.nominalTime_s),
+                   {time(robust.nominalTime_s),
                     percent(outcome.best()->time_s / robust.nominalTime_s - 1)}));
     }
 }
@@ -662,9 +668,9 @@ std::string SearchWording::front(const SearchOutcome& outcome) const {
                                              "and farther from its limits: %1."),
                      {whole(std::int64_t(points.size()))})
             : filled(SPARKOUT_NOOP("Search",
-                                   "Up to %1 min; cycles that take longer may have larger "
+                                   "Up to %1; cycles that take longer may have larger "
                                    "margins."),
-                     {minutes(points.back()->time_s)});
+                     {time(points.back()->time_s)});
     return outcome.robust
                ? all + ' '
                      + translated(SPARKOUT_NOOP("Search", "The margin is the least over all that "

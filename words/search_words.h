@@ -23,14 +23,14 @@ public:
     SearchWording(const SearchWording&) = delete;
     SearchWording& operator=(const SearchWording&) = delete;
 
-    [[nodiscard]] std::string minutes(double time_s) const; ///< "5.71", without unit
-    [[nodiscard]] std::string percent(double share) const;  ///< "−70.2", without unit
+    [[nodiscard]] std::string time(double time_s) const;   ///< "43.71 s", "5.714 min"
+    [[nodiscard]] std::string percent(double share) const; ///< "−70.2", without unit
     [[nodiscard]] std::string cost(double cost) const;
     [[nodiscard]] std::string gridSize(std::int64_t size) const; ///< "290304 cycles"
     /// "636", "at least 10000", "any number".
     [[nodiscard]] std::string parts(const PartsHeld& held) const;
 
-    /// How far it is: "stages: 3, best 1.902 min, none below 1.71 min, 2103 judged".
+    /// How far it is: "stages: 3, best 114.1 s, none below 102.6 s, 2103 judged".
     [[nodiscard]] std::string state(const SearchState& state) const;
     /// Why the grid cannot be searched in this way; empty for an outcome that ran, and for one
     /// whose project or batch has faults of its own.

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
+#include <vector>
 
 namespace sparkout::cli {
 
@@ -128,13 +130,13 @@ std::string setupText(const Setup& setup, const SetupRun& run) {
     }
     text += run.holds(setup) ? "every surface meets its requirements\n"
                              : "not every surface meets its requirements\n";
-    const std::pair<const char*, double> times[] = {
-        {"main time To", run.time.main_min},
-        {"auxiliary time Ta", run.time.auxiliary_min},
-        {"piece time T1", run.time.piece_min},
-        {"preparation Tp", run.time.preparation_min},
-        {"with share of Tp", run.time.calculation_min},
-    };
+    std::vector<std::pair<const char*, double>> times{{"main time To", run.time.main_min}};
+    if (run.time.isPieceEntered) {
+        times.insert(times.end(), {{"auxiliary time Ta", run.time.auxiliary_min},
+                                   {"piece time T1", run.time.piece_min},
+                                   {"preparation Tp", run.time.preparation_min},
+                                   {"with share of Tp", run.time.calculation_min}});
+    }
     for (const auto& [name, minutes] : times) {
         text += padded(std::string("  ") + name) + fixed(minutes, 3) + " min\n";
     }

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <string>
 #include <utility>
 
 namespace sparkout {
@@ -210,6 +213,64 @@ std::optional<SizeDesignation> parseSizeDesignation(std::string_view text) {
     found.nominal_mm = *nominal;
     found.grade = *grade;
     return found;
+}
+
+std::optional<KeywayDesignation> parseKeyway(std::string_view text) {
+    KeywayDesignation found;
+    skipBlanks(text);
+    const auto width = takeNumber<double>(text);
+    skipBlanks(text);
+    const std::string_view rest = text;
+    while (const auto letter = takeLetter(text)) {
+        if (*letter == 'x' || *letter == 'X') { // the sign between width and length
+            text = rest;
+            found.field.clear();
+            break;
+        }
+        found.field += *letter;
+    }
+    if (!found.field.empty()) {
+        const auto grade = takeNumber<int>(text);
+        if (!grade || found.field.size() > 2) {
+            return {};
+        }
+        found.field += std::to_string(*grade);
+        skipBlanks(text);
+    }
+    if (take(text, "×") || take(text, "x") || take(text, "X") || take(text, "х")
+        || take(text, "Х") || take(text, "*")) {
+        skipBlanks(text);
+        const std::size_t comma = text.find(", "); // else one of the number itself
+        std::string_view length = text.substr(0, std::min(comma, text.find(';')));
+        text.remove_prefix(length.size());
+        found.length_mm = takeNumber<double>(length);
+        skipBlanks(length);
+        if (!found.length_mm || *found.length_mm <= 0 || !length.empty()) {
+            return {};
+        }
+    }
+    if (take(text, ",") || take(text, ";")) {
+        skipBlanks(text);
+        found.at_deg = takeNumber<double>(text);
+        skipBlanks(text);
+        if (!found.at_deg || *found.at_deg > 360 || !take(text, "°")) {
+            return {};
+        }
+        skipBlanks(text);
+    }
+    if (!width || *width <= 0 || !text.empty()) {
+        return {};
+    }
+    found.width_mm = *width;
+    return found;
+}
+
+std::optional<double> keywayAngle(double width_mm, double diameter_mm) {
+    constexpr double halfTurn_deg = 180;
+    return width_mm > 0 && width_mm < diameter_mm
+               ? std::optional(2 * std::asin(width_mm / diameter_mm) * halfTurn_deg
+                               / std::numbers::pi)
+               : std::nullopt;
 }
 
 std::optional<double> standardTolerance(double nominal_mm, int grade) {

@@ -34,6 +34,21 @@ struct SizeDeviations {
 /// it is no such designation; whether the field exists is for sizeDeviations() to say.
 [[nodiscard]] std::optional<SizeDesignation> parseSizeDesignation(std::string_view text);
 
+/// A keyway on a drawing: width with its field, length, and where its first edge is.
+struct KeywayDesignation {
+    double width_mm = 0;
+    std::string field; ///< "P9"; empty: none is stated
+    std::optional<double> length_mm;
+    std::optional<double> at_deg;
+};
+
+/// Reads "12P9 × 45", "12P9x45", "12 × 45", "12P9", and the place behind it, "12P9 × 45, 90°".
+/// Nothing when it is no such designation or its numbers are not positive.
+[[nodiscard]] std::optional<KeywayDesignation> parseKeyway(std::string_view text);
+
+/// The angle from edge to edge on a diameter, 2·asin(w/d) [°]; nothing: it is not narrower.
+[[nodiscard]] std::optional<double> keywayAngle(double width_mm, double diameter_mm);
+
 /// Standard tolerance IT [µm]; nothing outside 0 < size ≤ 500 mm or IT4…IT14.
 [[nodiscard]] std::optional<double> standardTolerance(double nominal_mm, int grade);
 

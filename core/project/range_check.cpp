@@ -32,6 +32,11 @@ private:
                && field.as<std::optional<double>>(owner) == 0.0 && field.exempt(m_project, owner);
     }
 
+    /// One that may be drawn back is judged by what is refused alone.
+    [[nodiscard]] bool isDrawnBack(const Field& field, const void* owner, double value) const {
+        return value < 0 && field.exempt && field.exempt(m_project, owner);
+    }
+
     void checkNumber(const Field& field, double value, const std::string& path, bool relevant) {
         if (!std::isfinite(value) || !field.hard.contains(value)) {
             add(IssueCode::outOfRange, Severity::error, path, Amount{value, field.unit},
@@ -120,7 +125,8 @@ private:
         case Kind::number: checkNumber(field, field.as<double>(owner), path, relevant); break;
         case Kind::optionalNumber:
             if (const auto& value = field.as<std::optional<double>>(owner)) {
-                checkNumber(field, *value, path, relevant);
+                checkNumber(field, *value, path,
+                            relevant && !isDrawnBack(field, owner, *value));
             }
             break;
         case Kind::integer:

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 namespace sparkout {
 
@@ -26,10 +27,7 @@ public:
             grind(i);
         }
         transition(CardEntry::dress, {});
-        for (std::size_t i = 0; i < m_setup.surfaces.size(); ++i) {
-            transition(CardEntry::control, i);
-            add(CardEntry::measuring, i);
-        }
+        control();
         transition(CardEntry::remove, {});
         if (m_run.isCompleted(m_setup)) {
             m_card.time = m_run.time;
@@ -70,6 +68,24 @@ private:
         add(CardEntry::settings, surface).commands_mm = commandsOf(project);
         if (ran) {
             addRegimes(m_run.surfaces[surface].result, surface);
+        }
+    }
+
+    /// A transition for the surfaces of each kind, in the order of their first ones.
+    void control() {
+        std::vector<std::vector<std::size_t>> groups;
+        const auto kindOf = [this](std::size_t surface) {
+            return measuringKind(*m_setup.surfaces[surface].project.part);
+        };
+        for (std::size_t i = 0; i < m_setup.surfaces.size(); ++i) {
+            const auto group = std::ranges::find_if(
+                groups, [&](const auto& each) { return kindOf(each.front()) == kindOf(i); });
+            group == groups.end() ? groups.push_back({i}) : group->push_back(i);
+        }
+        for (std::vector<std::size_t>& group : groups) {
+            const std::size_t first = group.front();
+            transition(CardEntry::control, first).measured = std::move(group);
+            add(CardEntry::measuring, first);
         }
     }
 
@@ -141,6 +157,12 @@ CardSymbol symbolOf(CardEntry entry) {
     case CardEntry::settings: break;
     }
     return CardSymbol::none;
+}
+
+MeasuringKind measuringKind(const Part& part) {
+    const Tolerance& of = part.tolerance;
+    return {part.surface == Surface::internal, of.radial_runout_um || of.total_runout_um,
+            of.roundness_um || of.cylindricity_um, of.roughness_ra_um.has_value()};
 }
 
 OperationCard operationCard(const Setup& setup, const SetupRun& run) {

@@ -10,6 +10,8 @@
 
 namespace sparkout {
 
+struct Part;
+
 /// What a line of an operation card states; the words are those of the document.
 enum class CardEntry {
     install,   ///< transition: the part is clamped
@@ -55,7 +57,18 @@ struct CardLine {
     std::optional<double> main_min;      ///< T_o of a transition
     std::optional<double> auxiliary_min; ///< T_a of a transition
     std::vector<double> commands_mm;     ///< settings: stock per side at which each stage ends
+    std::vector<std::size_t> measured;   ///< control: the surfaces, of which `surface` is the first
 };
+
+/// What a surface is measured with: surfaces of one kind are one transition.
+struct MeasuringKind {
+    bool isBore = false;
+    bool hasRunout = false;    ///< radial or total
+    bool hasForm = false;      ///< roundness or cylindricity
+    bool hasRoughness = false; ///< Ra
+    friend bool operator==(const MeasuringKind&, const MeasuringKind&) = default;
+};
+[[nodiscard]] MeasuringKind measuringKind(const Part& part);
 
 /// An operation card as values: its lines in their order, and the times of the operation.
 struct OperationCard {

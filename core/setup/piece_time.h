@@ -15,6 +15,8 @@ struct PieceTime {
     double piece_min = 0;       ///< T_1, as given or (T_o + T_a)·(1 + service/100)
     double preparation_min = 0; ///< T_p, as given
     double calculation_min = 0; ///< T_1 + T_p/N, with the part's share of the preparation
+    /// T_1, T_a, one of its times or the service is entered; else T_1 is nothing but the cycles.
+    bool isPieceEntered = false;
 };
 
 /// Of so many surfaces whose cycles take that long together.

@@ -70,4 +70,11 @@ Project undrawnProject(Operation operation) {
     return project;
 }
 
+Project withoutDeviations(Project project) {
+    constexpr double never_um = 1.7e-7; // is added by no one
+    project.part->upper_deviation_um += never_um;
+    project.part->lower_deviation_um -= never_um;
+    return project;
+}
+
 } // namespace sparkout

@@ -3,13 +3,108 @@
 
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
+#include "core/project/wheel.h"
 #include "core/units.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <system_error>
 
 namespace sparkout {
+
+namespace {
+
+bool isPerMinute(const Field& column) {
+    return std::string_view(column.unit) == "mm/min";
+}
+
+/// The one along the work, or none.
+bool isAlong(const Project& project, const Field& column) {
+    const StageFeed* axial = project.operation->axial();
+    return axial && std::string_view(axial->key) == column.key;
+}
+
+/// What the machine can be set to; null where it is not limited.
+const std::vector<double>* rangeOfFeed(const Project& project, const Field& column) {
+    const MachineLimits& limits = project.machine->limits;
+    for (const StageFeed& feed : project.operation->feeds) {
+        if (std::string_view(feed.key) == column.key && limits.*feed.range) {
+            return &*(limits.*feed.range);
+        }
+    }
+    return std::string_view(column.key) == "continuous_feed_mm_min" && limits.continuous_feed_mm_min
+               ? &*limits.continuous_feed_mm_min
+               : nullptr;
+}
+
+/// The nearest value that a range [lowest, highest, step] has.
+double toStep(const std::vector<double>* range, double value) {
+    constexpr double tidy = 1e-9;
+    if (range && range->size() == 3 && (*range)[2] > 0) {
+        const double steps = std::round((value - range->front()) / (*range)[2]);
+        value = range->front() + steps * (*range)[2];
+    }
+    return std::round(value / tidy) * tidy;
+}
+
+/// Without blanks about it.
+std::string_view trimmed(std::string_view text) {
+    while (text.starts_with(' ') || text.starts_with("\u00a0")) {
+        text.remove_prefix(text.starts_with(' ') ? 1 : 2);
+    }
+    while (text.ends_with(' ') || text.ends_with("\u00a0")) {
+        text.remove_suffix(text.ends_with(' ') ? 1 : 2);
+    }
+    return text;
+}
+
+} // namespace
+
+std::optional<FeedForms> feedForms(const Project& project, const Field& column,
+                                   double feed_mm_min) {
+    const double work_rpm = project.machine->work_speed_rpm, width_mm = project.wheel->width_mm;
+    if (!isPerMinute(column) || !(work_rpm > 0)) {
+        return {};
+    }
+    FeedForms forms{feed_mm_min / work_rpm, {}};
+    if (isAlong(project, column) && width_mm > 0) {
+        forms.ofWidth = forms.perRevolution_mm / width_mm;
+    }
+    return forms;
+}
+
+std::optional<double> feedFromForm(const Project& project, const Field& column,
+                                   std::string_view text) {
+    if (!feedForms(project, column, 0)) {
+        return {};
+    }
+    text = trimmed(text);
+    double unit_mm = 0; // of a revolution
+    for (const std::string_view suffix : {"mm/rev", "mm/r", "мм/об", "/rev", "/об"}) {
+        if (unit_mm == 0 && text.ends_with(suffix)) {
+            unit_mm = 1;
+            text.remove_suffix(suffix.size());
+        }
+    }
+    for (const std::string_view suffix : {"B", "b", "В", "в"}) { // Latin and Cyrillic
+        if (unit_mm == 0 && isAlong(project, column) && text.ends_with(suffix)) {
+            unit_mm = project.wheel->width_mm;
+            text.remove_suffix(suffix.size());
+        }
+    }
+    std::string digits(trimmed(text));
+    std::ranges::replace(digits, ',', '.');
+    double value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool isNumber = error == std::errc() && end == digits.data() + digits.size();
+    return unit_mm > 0 && isNumber
+               ? std::optional(toStep(rangeOfFeed(project, column),
+                                      value * unit_mm * project.machine->work_speed_rpm))
+               : std::nullopt;
+}
 
 double tidyStock(double stock_mm) {
     return std::round(stock_mm * 1e9) / 1e9;

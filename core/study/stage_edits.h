@@ -4,9 +4,27 @@
 #include "core/project/project.h"
 
 #include <cstddef>
+#include <optional>
+#include <string_view>
 
-/// Edits of the stages that leave the sum of their stocks as it is.
+/// Edits of the stages that leave the sum of their stocks as it is, and feeds in the forms that
+/// tables of cutting data and drawings of a shop have.
 namespace sparkout {
+
+/// A feed per revolution of the work and, of one along it, as a share of the wheel's width.
+struct FeedForms {
+    double perRevolution_mm = 0;
+    std::optional<double> ofWidth;
+};
+
+/// Of a feed in mm/min, a column of the stages; nothing of other columns, or while nothing turns.
+[[nodiscard]] std::optional<FeedForms> feedForms(const Project& project, const Field& column,
+                                                 double feed_mm_min);
+
+/// A feed that is typed in one of these forms, "12 mm/rev" or, of one along the work, "0.3B", in
+/// mm/min, to a step of the machine where it has one. Nothing when it is no such text.
+[[nodiscard]] std::optional<double> feedFromForm(const Project& project, const Field& column,
+                                                 std::string_view text);
 
 /// A stock without last bits such as 0.30000000000000004 [mm].
 [[nodiscard]] double tidyStock(double stock_mm);

@@ -224,7 +224,8 @@ LegendEntries StateGridPlot::legendEntries() const {
 void StateGridPlot::setTexts() {
     across()->setLabel(tr("Stock left per side, mm"));
     const bool axial = m_outcome && m_outcome->grid.project.operation->axial();
-    up()->setLabel(axial ? tr("m: radial feed, mm per double stroke · axial feed, mm/min")
+    // In two lines: one is longer than the axis of a small window.
+    up()->setLabel(axial ? tr("m: radial feed, mm/dbl stroke\naxial feed, mm/min")
                          : tr("m: radial feed, mm/min"));
     thinLabels();
 }

@@ -154,7 +154,8 @@ Remark NumberField::judgeNumber(double value) const {
         return {Mark::error, tr("out of range; allowed: %1")
                                  .arg(rangeShown(m_spec.scale.shown(m_spec.hard), m_spec.unit))};
     }
-    if (!m_spec.soft.contains(value)) {
+    const bool isDrawnBack = value < 0 && m_spec.soft.low > 0; // where that is allowed
+    if (!m_spec.soft.contains(value) && !isDrawnBack) {
         return {
             Mark::warning,
             tr("unusual; usual: %1").arg(rangeShown(m_spec.scale.shown(m_spec.soft), m_spec.unit))};
@@ -162,18 +163,27 @@ Remark NumberField::judgeNumber(double value) const {
     return {};
 }
 
+std::optional<double> NumberField::readForm() const {
+    return m_reads && !parseNumber(text()) ? m_reads(text()) : std::nullopt;
+}
+
 std::optional<double> NumberField::read() const {
+    if (const auto value = readForm()) {
+        return value;
+    }
     const auto calculation = Calculation::of(text());
     return m_spec.scale.kept(calculation ? calculation->value() : parseNumber(text()));
 }
 
 QString NumberField::result() const {
     const auto calculation = Calculation::of(text());
-    if (!calculation || !calculation->value()) {
+    const auto form = readForm();
+    if (!form && (!calculation || !calculation->value())) {
         return {};
     }
     const QString unit = unitText(m_spec.unit);
-    return QStringLiteral("= ") + printedNumber(*calculation->value())
+    return QStringLiteral("= ")
+           + printedNumber(form ? m_spec.scale.shown(*form) : *calculation->value())
            + (unit.isEmpty() ? QString() : QStringLiteral("\u00a0") + unit);
 }
 

@@ -48,6 +48,11 @@ public:
     void revert();                              ///< back to the value before this edit
     void clearText();                           ///< as if deleted by hand
     void settle();                              ///< ends the edit, as leaving the field does
+    /// Reads a text in another form than a number, in the unit of the value; taken like the result
+    /// of arithmetic.
+    void setReads(std::function<std::optional<double>(const QString&)> reads) {
+        m_reads = std::move(reads);
+    }
     /// Says whether a value goes with the other inputs.
     void setFits(std::function<bool(std::optional<double>)> fits) { m_fits = std::move(fits); }
 
@@ -78,7 +83,9 @@ private:
     [[nodiscard]] Remark judge(std::optional<double>& value) const;
     [[nodiscard]] Remark judgeNumber(double value) const;
     [[nodiscard]] std::optional<double> read() const; ///< what the text means
-    [[nodiscard]] QString result() const;             ///< of arithmetic, "= 0.125 mm"; else empty
+    [[nodiscard]] std::optional<double> readForm() const; ///< by setReads()
+    /// Of arithmetic or another form, "= 0.125 mm"; else empty.
+    [[nodiscard]] QString result() const;
     void showResult();
     void step(int steps);
     void showValue();
@@ -92,6 +99,7 @@ private:
     std::optional<double> m_value;
     std::optional<double> m_settled; ///< before the running edit: what a refused text falls back to
     std::function<bool(std::optional<double>)> m_fits;
+    std::function<std::optional<double>(const QString&)> m_reads;
     bool m_waits = false; ///< the text is good, but not taken before a pause
     Remark m_own;         ///< of the text
     Remark m_issue;       ///< of the value, from validation

@@ -12,8 +12,10 @@
 #include "ui/part/part_drawing.h"
 #include "ui/session/surface_edits.h"
 #include "ui/text/number_text.h"
+#include "ui/text/size_field.h"
 #include "ui/text/texts.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -23,6 +25,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -59,6 +62,10 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     , m_places(new QListWidget(this))
     , m_begin(new QComboBox(this))
     , m_name(new QLineEdit(name, this))
+    , m_along(new QWidget(this))
+    , m_gaps(new QCheckBox(m_along))
+    , m_deviations(new QCheckBox(m_along))
+    , m_tolerances(new QCheckBox(m_along))
     , m_buttons(new QDialogButtonBox(this)) {
     setWindowTitle(tr("Add a surface"));
     setHelpTopic(*this, QStringLiteral("surfaces#add"));
@@ -73,12 +80,16 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     m_begin->addItem(tr("the inputs of “%1”").arg(present), int(BeginWith::copy));
     m_begin->addItem(tr("a new traverse cycle"), int(BeginWith::traverse));
     m_begin->addItem(tr("a new plunge cycle"), int(BeginWith::plunge));
+    const bool travels = state.inFront().project.operation->travels;
+    m_begin->setCurrentIndex( // a drawing of its own, as a new project
+        m_begin->findData(int(travels ? BeginWith::traverse : BeginWith::plunge)));
     m_name->setObjectName(QStringLiteral("surfaceName"));
     m_name->setAccessibleName(tr("Name"));
     fillPlaces();
     auto* form = new QFormLayout;
     form->addRow(tr("Name"), m_name);
     form->addRow(tr("Begins with"), m_begin);
+    askWhatComesAlong(*form);
     form->addRow(tr("Place"), m_places);
     auto* add = m_buttons->addButton(tr("&Add"), QDialogButtonBox::AcceptRole);
     m_buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
@@ -90,6 +101,7 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_name, &QLineEdit::textChanged, this, &AddSurfaceDialog::follow);
+    connect(m_begin, &QComboBox::currentIndexChanged, this, &AddSurfaceDialog::follow);
     connect(m_places, &QListWidget::currentRowChanged, this, &AddSurfaceDialog::follow);
     connect(m_drawing, &PartDrawing::stepClicked, this, &AddSurfaceDialog::chooseStep);
     const auto wanted = step ? step : m_outline.firstFreeStep();
@@ -98,6 +110,31 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     m_name->setFocus();
     resize(atFontSize(460), atFontSize(420));
     follow();
+}
+
+/// Of the drawing of the surface that is copied, as far as it has it.
+void AddSurfaceDialog::askWhatComesAlong(QFormLayout& form) {
+    const Part& part = *m_state.inFront().project.part;
+    const Tolerance& of = part.tolerance;
+    const bool hasTolerances = of.radial_runout_um || of.total_runout_um || of.roundness_um
+                               || of.cylindricity_um || of.roughness_ra_um;
+    const QString size = fieldOf(part);
+    m_gaps->setObjectName(QStringLiteral("copyGaps"));
+    m_gaps->setText(tr("Keyway and other gaps"));
+    m_gaps->setVisible(!part.gaps.empty());
+    m_deviations->setObjectName(QStringLiteral("copyDeviations"));
+    m_deviations->setText(size.isEmpty() ? tr("Deviations") : tr("Deviations (%1)").arg(size));
+    m_deviations->setChecked(true);
+    m_tolerances->setObjectName(QStringLiteral("copyTolerances"));
+    m_tolerances->setText(tr("Tolerances of form and Ra"));
+    m_tolerances->setChecked(true);
+    m_tolerances->setVisible(hasTolerances);
+    auto* boxes = new QVBoxLayout(m_along);
+    boxes->setContentsMargins(0, 0, 0, 0);
+    for (QCheckBox* box : {m_gaps, m_deviations, m_tolerances}) {
+        boxes->addWidget(box);
+    }
+    form.addRow(tr("From its drawing"), m_along);
 }
 
 void AddSurfaceDialog::fillPlaces() {
@@ -126,10 +163,15 @@ void AddSurfaceDialog::chooseStep(std::size_t step) {
 }
 
 void AddSurfaceDialog::follow() {
+    m_along->setEnabled(isCopy());
     m_drawing->setChosenStep(step());
     const bool isFree = m_isFree(m_name->text());
     m_buttons->buttons().front()->setEnabled(isFree);
     m_name->setToolTip(isFree ? QString() : tr("Each surface has a name of its own."));
+}
+
+bool AddSurfaceDialog::isCopy() const {
+    return static_cast<BeginWith>(m_begin->currentData().toInt()) == BeginWith::copy;
 }
 
 QString AddSurfaceDialog::name() const {
@@ -138,9 +180,14 @@ QString AddSurfaceDialog::name() const {
 
 std::vector<std::string> AddSurfaceDialog::openInputs() const {
     std::vector<std::string> open;
-    const auto begin = static_cast<BeginWith>(m_begin->currentData().toInt());
-    if (begin == BeginWith::copy) {
-        return m_state.inFront().open;
+    if (isCopy()) {
+        open = m_state.inFront().open;
+        for (const char* path : {"/part/upper_deviation_um", "/part/lower_deviation_um"}) {
+            if (!m_deviations->isChecked() && std::ranges::find(open, path) == open.end()) {
+                open.emplace_back(path);
+            }
+        }
+        return open;
     }
     const bool isShaft = m_state.inFront().project.part->surface == Surface::external;
     for (const std::string& path : drawingInputs()) {
@@ -165,6 +212,16 @@ Project AddSurfaceDialog::project() const {
         copyShared(present, made);
         made.part->surface = present.part->surface;
         made.part->shaft.ground_from_mm = present.part->shaft.ground_from_mm;
+    } else {
+        if (!m_gaps->isChecked()) {
+            made.part->gaps.clear();
+        }
+        if (!m_tolerances->isChecked()) {
+            made.part->tolerance = {};
+        }
+        if (!m_deviations->isChecked()) {
+            made = withoutDeviations(std::move(made));
+        }
     }
     if (const auto at = step()) {
         putOnStep(made, m_outline.steps[*at]);

@@ -10,8 +10,10 @@
 #include <string>
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
+class QFormLayout;
 class QLineEdit;
 class QListWidget;
 
@@ -19,8 +21,8 @@ namespace sparkout {
 
 class PartDrawing;
 
-/// Asks where on the part a further surface is, which cycle it begins with, and its name. A step of
-/// the shaft gives it place, length and diameter.
+/// Asks where on the part a further surface is, which cycle it begins with, and its name; of a copy
+/// also what of the drawing comes along. A step of the shaft gives it place, length and diameter.
 class AddSurfaceDialog : public QDialog {
     Q_OBJECT
 
@@ -31,11 +33,13 @@ public:
                      std::optional<std::size_t> step, QWidget* parent = nullptr);
 
     [[nodiscard]] QString name() const;
+    [[nodiscard]] bool isCopy() const; ///< of the surface in front: its cycle stays
     [[nodiscard]] Project project() const;
     /// Numbers of its drawing that are yet to be given.
     [[nodiscard]] std::vector<std::string> openInputs() const;
 
 private:
+    void askWhatComesAlong(QFormLayout& form);
     void fillPlaces();
     void follow();
     [[nodiscard]] std::optional<std::size_t> step() const; ///< nothing: where the present one is
@@ -48,6 +52,8 @@ private:
     QListWidget* m_places;
     QComboBox* m_begin;
     QLineEdit* m_name;
+    QWidget* m_along; ///< what comes along
+    QCheckBox *m_gaps, *m_deviations, *m_tolerances;
     QDialogButtonBox* m_buttons;
 };
 

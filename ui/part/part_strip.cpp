@@ -10,6 +10,7 @@
 #include "ui/session/document.h"
 #include "ui/session/part_runs.h"
 #include "ui/session/surface_edits.h"
+#include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
@@ -20,11 +21,28 @@
 #include <QTabBar>
 #include <QToolButton>
 
+#include <algorithm>
+#include <vector>
+
 namespace sparkout {
 
 namespace {
 
-constexpr qsizetype longestOnTab = 24; ///< letters; the tool tip has all of them
+constexpr int leastOnTab = 6; ///< letters of a name; with less of it a tab has its number alone
+
+/// The widest that texts may be so that all of them fit into a room: short ones leave theirs over.
+int widestOf(std::vector<int> widths, int room) {
+    std::ranges::sort(widths);
+    auto left = static_cast<int>(widths.size());
+    for (const int width : widths) {
+        if (width > room / left) {
+            return room / left;
+        }
+        room -= width;
+        --left;
+    }
+    return widths.empty() ? 0 : widths.back();
+}
 
 } // namespace
 
@@ -147,7 +165,10 @@ void PartStrip::showStatuses() {
     const auto time = m_runs.time();
     m_whole->setText(
         time
-            ? tr("%1 of %2 · %3 min").arg(holding).arg(count).arg(printedNumber(time->piece_min, 3))
+            ? tr("%1 of %2 · %3")
+                  .arg(holding)
+                  .arg(count)
+                  .arg(Names::timeOfMinutes(time->piece_min))
             : tr("%1 of %2").arg(holding).arg(count));
     m_whole->setAccessibleName(tr("The whole part: %1").arg(m_whole->text()));
     nameTabs();
@@ -155,22 +176,28 @@ void PartStrip::showStatuses() {
 
 void PartStrip::nameTabs() {
     QStringList names;
-    int wanted = 0;
+    std::vector<int> widths;
+    const QFontMetrics metrics = m_tabs->fontMetrics();
     constexpr int besideText = 2 * metrics::margin + metrics::iconSmall + metrics::gap;
     for (int tab = 0; tab < m_tabs->count(); ++tab) {
         const QString name =
             printableText(SurfaceEdits::nameOf(m_document.state(), static_cast<std::size_t>(tab)));
-        const QString shown =
-            name.size() > longestOnTab ? name.left(longestOnTab - 1) + u'…' : name;
-        names += QStringLiteral("%1 %2").arg(tab + 1).arg(shown);
-        wanted += m_tabs->fontMetrics().horizontalAdvance(names.back()) + besideText;
+        names += QStringLiteral("%1 %2").arg(tab + 1).arg(name);
+        widths.push_back(metrics.horizontalAdvance(names.back()));
     }
     const int room = width() - m_drawing->minimumSizeHint().width() - m_whole->sizeHint().width()
-                     - m_menu->sizeHint().width() - 5 * metrics::gap;
+                     - m_menu->sizeHint().width() - 5 * metrics::gap
+                     - m_tabs->count() * besideText;
+    const int widest = widestOf(widths, room);
+    const int least = metrics.horizontalAdvance(QStringLiteral("00 ")
+                                                + QString(leastOnTab, u'n'));
     for (int tab = 0; tab < m_tabs->count(); ++tab) {
-        const QString text = wanted <= room
-                                 ? QString(names[tab]).replace(u'&', QStringLiteral("&&"))
-                                 : QString::number(tab + 1);
+        const int own = widths[static_cast<std::size_t>(tab)];
+        const QString text =
+            own > widest && widest < least
+                ? QString::number(tab + 1)
+                : metrics.elidedText(names[tab], Qt::ElideRight, std::min(own, widest))
+                      .replace(u'&', QStringLiteral("&&"));
         if (m_tabs->tabText(tab) != text) {
             m_tabs->setTabText(tab, text);
         }

@@ -26,12 +26,11 @@ struct PartTable {
     Q_DECLARE_TR_FUNCTIONS(PartTable)
 };
 
-/// To three decimals: the times stand below each other.
+/// With its unit; minutes for a spreadsheet.
 ValueCell minutesCell(const std::optional<double>& time_s) {
-    constexpr int decimals = 3;
-    using units::secondsPerMinute;
-    return ValueCell::of(time_s ? std::optional(*time_s / secondsPerMinute) : std::nullopt,
-                         [](double time_min) { return Names::fixed(time_min, decimals); });
+    constexpr int digits = 4;
+    return ValueCell::of(time_s ? std::optional(*time_s / units::secondsPerMinute) : std::nullopt,
+                         [](double time_min) { return Names::timeOfMinutes(time_min, digits); });
 }
 
 ValueCell searchCell(const PartStudies& studies, int id) {
@@ -109,10 +108,14 @@ ValueTable partTable(const SetupState& state, const std::vector<SurfaceStatus>& 
     ValueTable table{
         .columns = {{.text = PartTable::tr("Surface"), .key = "surface", .isText = true},
                     {.text = PartTable::tr("⌀, mm"), .key = "diameter"},
-                    {.text = PartTable::tr("Cycle, min"), .key = "time"},
+                    {.text = PartTable::tr("Cycle"),
+                     .name = PartTable::tr("Cycle, min"),
+                     .key = "time"},
                     {.text = PartTable::tr("Verdict"), .key = "verdict", .isText = true},
                     {.text = PartTable::tr("Minimum margin"), .key = "margin", .isText = true},
-                    {.text = PartTable::tr("Found, min"), .key = "search"},
+                    {.text = PartTable::tr("Found"),
+                     .name = PartTable::tr("Found, min"),
+                     .key = "search"},
                     {.text = PartTable::tr("Batch"), .key = "batch"}},
         .isList = true};
     for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
@@ -135,7 +138,7 @@ ValueTable surfaceComparison(const SetupState& state, const std::vector<SurfaceS
     ValueTable table{.columns = {{.text = PartTable::tr("Value / limit"), .isText = true}},
                      .isList = true};
     std::set<ConstraintKind> kinds;
-    std::vector<ValueCell> times{{.text = PartTable::tr("Cycle time, min")}};
+    std::vector<ValueCell> times{{.text = PartTable::tr("Cycle time")}};
     for (std::size_t i = 0; i < statuses.size(); ++i) {
         table.columns.push_back({.text = nameOf(state, i), .isText = true}); // beside the lights
         times.push_back(minutesCell(timeOf(statuses[i])));

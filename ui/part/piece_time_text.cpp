@@ -48,6 +48,10 @@ QString pieceTimeText(const SetupTimes& times, std::size_t surfaces,
     } else {
         lines += PieceTimeText::tr("T_o: not known, not every cycle ends at size");
     }
+    if (!piece.isPieceEntered) {
+        lines += PieceTimeText::tr("T_a is not entered, so no piece time is stated");
+        return lines.join(u'\n');
+    }
     lines += auxiliaryLine(times, surfaces, piece);
     if (times.piece_min) {
         lines += PieceTimeText::tr("T_1 = %1 min, as given").arg(shownTime(piece.piece_min));

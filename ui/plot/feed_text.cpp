@@ -3,7 +3,6 @@
 
 #include "core/simulation/feed_curves.h"
 #include "core/simulation/stroke_step.h"
-#include "core/units.h"
 #include "ui/text/names.h"
 
 #include <QCoreApplication>
@@ -69,7 +68,7 @@ QString FeedText::where(const FeedPoint& p, double time_s, const FeedSeries& ser
         parts << tr("radius %1").arg(p.radius);
     }
     return parts.join(QStringLiteral(", ")) + QStringLiteral(" — ")
-           + tr("%1 min").arg(Names::significant(time_s / units::secondsPerMinute, 4));
+           + Names::time(time_s, 4);
 }
 
 QString FeedText::values(const FeedPoint& p, const FeedSeries& series) {

@@ -132,9 +132,9 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
 /// is as it was made.
 bool Document::isStarting(const Project& changed, const std::vector<std::string>& open) const {
     if (!openInputs().empty()) {
-        return open.empty();
+        return open.empty() && m_present.inFront().startsWhenDrawn;
     }
-    if (!m_started || !sameProject(*m_started, m_project)) {
+    if (!followsDrawing()) {
         return false;
     }
     const std::string path = firstDifference(m_project, changed);
@@ -180,6 +180,7 @@ SetupState Document::with(Project changed, std::vector<std::string> open) const 
     const SurfaceState& before = m_present.inFront();
     SurfaceState after = surfaceState(before.id, before.name, std::move(changed), &before);
     after.open = std::move(open);
+    after.startsWhenDrawn = before.startsWhenDrawn;
     if (made.surfaces.size() > 1
         && (!haveSameShared(before.project, after.project)
             || !haveSameSharedCalibrations(before.project, after.project))) {
@@ -202,6 +203,10 @@ std::vector<std::string> Document::openIn(const Project& changed) const {
         });
     }
     return open;
+}
+
+bool Document::followsDrawing() const {
+    return m_started && openInputs().empty() && sameProject(*m_started, m_project);
 }
 
 bool Document::isOpen(const std::string& path) const {
@@ -274,6 +279,20 @@ void Document::step(const std::function<void()>& step) {
     endMerge();
     const SetupState before = m_present;
     step();
+    const auto pathOf = [&before](const SurfaceState& now) {
+        const auto index = before.indexOf(now.id);
+        return index ? firstDifference(before.surfaces[*index]->project, now.project)
+                     : std::string();
+    };
+    if (before.indexOf(m_present.inFront().id) && pathOf(m_present.inFront()).empty()) {
+        // What it changed is to be seen: another surface, where the one in front is as it was.
+        for (std::size_t i = 0; i < surfaceCount(); ++i) {
+            if (!pathOf(*m_present.surfaces[i]).empty()) {
+                showSurface(i);
+                break;
+            }
+        }
+    }
     const auto index = before.indexOf(m_present.inFront().id);
     if (!index) {
         return; // the step brought the surface back

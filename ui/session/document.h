@@ -92,6 +92,10 @@ public:
     void undo();
     void redo();
 
+    /// Whether the cycle is the one that was made for the drawing, with nothing else edited since:
+    /// it is made anew when the drawing changes.
+    [[nodiscard]] bool followsDrawing() const;
+
     /// The project as it was the last time under an operation, as far as undo reaches; null when
     /// it never was.
     [[nodiscard]] const Project* lastWith(Operation operation) const;

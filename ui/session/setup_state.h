@@ -20,6 +20,8 @@ struct SurfaceState {
     Project project; ///< without its runs
     std::shared_ptr<const std::vector<KeptRun>> runs;
     std::vector<std::string> open{}; ///< paths of the numbers that are yet to be given
+    /// Once they are a starting cycle is made for them; else the cycle stays as it is.
+    bool startsWhenDrawn = true;
 
     [[nodiscard]] Project withRuns() const;
 };

@@ -60,12 +60,14 @@ QString SurfaceEdits::nameOf(const SetupState& state, std::size_t surface) {
     return name.empty() ? tr("Surface %1").arg(surface + 1) : QString::fromStdString(name);
 }
 
-void SurfaceEdits::add(Project project, const QString& name, std::vector<std::string> open) {
+void SurfaceEdits::add(Project project, const QString& name, std::vector<std::string> open,
+                       bool startsWhenDrawn) {
     copyShared(m_document.project(), project);
     project.runs.clear();
     SurfaceState made = surfaceState(m_document.newSurfaceId(), name.simplified().toStdString(),
                                      std::move(project));
     made.open = std::move(open);
+    made.startsWhenDrawn = startsWhenDrawn;
     insert(std::move(made), addSurfaceText);
 }
 

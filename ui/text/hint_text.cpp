@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/hint_text.h"
 
+#include "core/project/part.h"
 #include "ui/text/defaults.h"
 #include "ui/text/shown_scale.h"
+#include "ui/text/size_field.h"
 #include "ui/text/source_names.h"
 #include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
@@ -68,6 +70,16 @@ QString symbolMarkup(const Field& field) {
 QString labelMarkup(const Field& field) {
     const QString label = StockReading::label(field).toHtmlEscaped();
     return *field.symbol ? QStringLiteral("%1&nbsp;%2").arg(label, symbolMarkup(field)) : label;
+}
+
+QString labelMarkup(const Field& field, const Project& project) {
+    const auto inItalics = [](const QString& symbol) {
+        return QStringLiteral("<i>%1</i>").arg(symbol);
+    };
+    QString label = labelMarkup(field);
+    const QString usual = QString::fromUtf8(field.symbol);
+    const QString own = symbolOf(field, *project.part);
+    return own == usual ? label : label.replace(inItalics(usual), inItalics(own));
 }
 
 QString columnText(const Field& field) {

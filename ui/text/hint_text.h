@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/field.h"
+#include "core/project/project.h"
 
 #include <QString>
 
@@ -10,6 +11,8 @@ namespace sparkout {
 
 /// "Diameter d" as rich text: the symbol in italics, with its index below the line.
 [[nodiscard]] QString labelMarkup(const Field& field);
+/// With the symbol that it has in a project.
+[[nodiscard]] QString labelMarkup(const Field& field, const Project& project);
 
 /// The symbol alone; empty when there is none.
 [[nodiscard]] QString symbolMarkup(const Field& field);

@@ -4,6 +4,7 @@
 #include "core/digits.h"
 #include "core/project/member.h"
 #include "core/quality/ranges.h"
+#include "core/short_time.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
@@ -321,6 +322,17 @@ QString Names::significant(double value, int digits) {
     const double size = std::abs(value);
     const bool plain = size == 0 || (size >= leastPlain && size < mostPlain);
     return plain ? fixed(value, decimalsOf(value, digits)) : printedNumber(value, digits);
+}
+
+QString Names::timeOfMinutes(double time_min, int digits) {
+    return time(time_min * units::secondsPerMinute, digits);
+}
+
+QString Names::time(double time_s, int digits) {
+    return std::abs(time_s) < shortTime_s
+               ? tr("%1 s", "time of a cycle").arg(significant(time_s, digits))
+               : tr("%1 min", "time of a cycle")
+                     .arg(significant(time_s / units::secondsPerMinute, digits));
 }
 
 } // namespace sparkout

@@ -71,6 +71,10 @@ public:
     static QString signedMicrometres(double value_um);        ///< the same, with its sign
     static QString millimetres(double value_mm);              ///< 4 decimals
     static QString significant(double value, int digits = 3); ///< never "1e-15"
+    /// Of a cycle, with its unit: "24.3 s" below two minutes, else "2.54 min".
+    static QString time(double time_s, int digits = 3);
+    static QString timeOfMinutes(double time_min, int digits = 3); ///< the same
+    static QString timeOfMinutes(double time_min, int digits = 3); ///< the same
 };
 
 } // namespace sparkout

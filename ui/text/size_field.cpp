@@ -64,6 +64,12 @@ TypedSize readSize(const QString& typed, const Part& part) {
                      signedNumber(deviations->lower_um))};
 }
 
+QString symbolOf(const Field& field, const Part& part) {
+    const QString symbol = QString::fromUtf8(field.symbol);
+    const bool isDeviation = symbol == u"es" || symbol == u"ei";
+    return isDeviation && part.surface == Surface::internal ? symbol.toUpper() : symbol;
+}
+
 QString fieldOf(const Part& part) {
     static constexpr std::array letters{"h", "js", "g", "f", "k", "m", "n", "p", "e", "d", "j"};
     for (const char* shaft : letters) {

@@ -9,6 +9,7 @@
 
 namespace sparkout {
 
+struct Field;
 struct Part;
 
 /// A size with its field as typed, 30h6 or, for the part's own diameter, h6: what it says, or why
@@ -19,6 +20,9 @@ struct TypedSize {
     QString text; ///< the deviations in words, or the reason; empty when nothing is typed
 };
 [[nodiscard]] TypedSize readSize(const QString& typed, const Part& part);
+
+/// The symbol of an input of the part: deviations of holes, ES and EI, are written in capitals.
+[[nodiscard]] QString symbolOf(const Field& field, const Part& part);
 
 /// The field whose limits a part has, "30h6"; empty when it is none of the standard's.
 [[nodiscard]] QString fieldOf(const Part& part);

@@ -29,6 +29,7 @@
 #include <QLabel>
 #include <QStackedWidget>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -70,6 +71,14 @@ void LessonWiring::connectTo(const Parts& parts) {
     enterViews(parts);
     WindowLayout& layout = parts.layout;
     connect(&parts.desk.run(), &LessonRun::started, this, [&layout] { layout.showLesson(true); });
+    // Not on the view that was in front, which may have nothing of it to show.
+    connect(&parts.desk.run(), &LessonRun::started, this, [&tabs = parts.tabs] {
+        const auto first = std::ranges::find_if(
+            tabs.views(), [&tabs](const View* view) { return !tabs.isAway(view); });
+        if (first != tabs.views().end()) {
+            tabs.showView(*first);
+        }
+    });
     connect(&parts.desk, &LessonDesk::limitsChanged, this, [this, parts] { apply(parts); });
     LessonDesk& desk = parts.desk;
     connect(parts.actions.lessons, &QAction::triggered, &desk,

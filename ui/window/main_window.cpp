@@ -384,6 +384,7 @@ void MainWindow::connectReports() {
                     m_judge->batch(),
                     &m_cursor,
                     isSetup ? std::optional(m_document.setup()) : std::nullopt,
+                    m_document.surface(),
                     m_studies.currentPrediction()};
         },
         m_settings, this);

@@ -50,7 +50,7 @@ void PartCommands::add(std::optional<std::size_t> step) {
     AddSurfaceDialog dialog(m_document.state(), m_edits.freeName(), isFree, step, m_window);
     if (dialog.exec() == QDialog::Accepted) {
         const std::vector<std::string> open = dialog.openInputs();
-        m_edits.add(dialog.project(), dialog.name(), open);
+        m_edits.add(dialog.project(), dialog.name(), open, !dialog.isCopy());
         if (!open.empty()) {
             emit begun(open.front());
         }

@@ -32,6 +32,7 @@ namespace {
 constexpr QSize usualWindow(1366, 768);
 constexpr QSize frameAllowance(8, 40);
 constexpr int verdictWidth = 303;
+constexpr int wideVerdictWidth = 350; ///< in a wide window: most rows on one line
 constexpr int leastVerdictWidth = 292; ///< in smaller type: frames and gaps do not shrink
 constexpr int messagesHeight = 96;
 
@@ -190,6 +191,7 @@ void WindowLayout::fitPanels() {
     m_widths->want(m_inputsDock, 0); // as narrow as it can be, in any type and language
     m_widths->wantInWideWindow(m_inputsDock, m_inputs.twoColumnWidth());
     m_widths->want(m_verdictDock, std::max(atFontSize(verdictWidth), leastVerdictWidth));
+    m_widths->wantInWideWindow(m_verdictDock, atFontSize(wideVerdictWidth));
 }
 
 void WindowLayout::restore() {

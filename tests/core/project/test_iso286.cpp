@@ -267,6 +267,53 @@ private slots:
         QVERIFY(designation);
         QVERIFY(!sizeDeviations(*designation));
     }
+
+    /// As drawings write a keyway, in Latin and Cyrillic letters.
+    void keywaysAreRead_data() {
+        addColumns<double, QByteArray, double, double>("width", "field", "length", "at");
+        QTest::newRow("12P9 × 45") << 12.0 << QByteArray("P9") << 45.0 << -1.0;
+        QTest::newRow("12Р9х45") << 12.0 << QByteArray("P9") << 45.0 << -1.0;
+        QTest::newRow(" 12 P9 x 45 ") << 12.0 << QByteArray("P9") << 45.0 << -1.0;
+        QTest::newRow("12N9*45.5") << 12.0 << QByteArray("N9") << 45.5 << -1.0;
+        QTest::newRow("8JS9×45,5, 90°") << 8.0 << QByteArray("JS9") << 45.5 << 90.0;
+        QTest::newRow("12x45") << 12.0 << QByteArray("") << 45.0 << -1.0;
+        QTest::newRow("6,5 × 20; 7.5 °") << 6.5 << QByteArray("") << 20.0 << 7.5;
+        QTest::newRow("12P9") << 12.0 << QByteArray("P9") << -1.0 << -1.0;
+        QTest::newRow("12P9; 180°") << 12.0 << QByteArray("P9") << -1.0 << 180.0;
+        QTest::newRow("12") << 12.0 << QByteArray("") << -1.0 << -1.0;
+    }
+    void keywaysAreRead() {
+        QFETCH(double, width);
+        QFETCH(QByteArray, field);
+        QFETCH(double, length);
+        QFETCH(double, at);
+        const auto keyway = parseKeyway(QTest::currentDataTag());
+        QVERIFY(keyway);
+        QCOMPARE(keyway->width_mm, width);
+        QCOMPARE(keyway->field, field.toStdString());
+        QCOMPARE(keyway->length_mm.value_or(-1), length);
+        QCOMPARE(keyway->at_deg.value_or(-1), at);
+    }
+
+    void otherTextsAreNoKeyway() {
+        for (const char* text : {"", "P9", "12P", "12P9 ×", "12P9 × 0", "0 × 45", "12P9 × 45 mm",
+                                 "12P9 × 45, 90", "12P9 × 45, 361°", "12 × × 45", "12P9 45",
+                                 "12PPP9 × 45", "a × 45", "12 × 45 × 5", "12P9 × 45, 90°°"}) {
+            QVERIFY2(!parseKeyway(text), text);
+        }
+    }
+
+    /// The chord of the angle is the width, up to the whole diameter.
+    void aKeywayIsAChord() {
+        for (const double width_mm : {0.5, 12.0, 39.999}) {
+            const auto angle_deg = keywayAngle(width_mm, 40);
+            QVERIFY(angle_deg);
+            const double chord_mm = 40 * std::sin(*angle_deg / 2 * std::acos(-1) / 180);
+            QVERIFY(std::abs(chord_mm - width_mm) < 1e-12 * 40);
+        }
+        QVERIFY(std::abs(*keywayAngle(20, 40) - 60) < 1e-12);
+        QVERIFY(!keywayAngle(40, 40) && !keywayAngle(0, 40));
+    }
 };
 
 } // namespace sparkout::test_iso286

@@ -3,7 +3,10 @@
 #include "core/study/stock_edits.h"
 #include "tests/whole_project.h"
 
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
@@ -101,6 +104,42 @@ private slots:
             QCOMPARE(more.cycle->stages[1].stock_mm, half_mm);
             QCOMPARE(more.cycle->stages[0].stock_mm, tidyStock(stock_mm - half_mm));
         }
+    }
+
+    /// By hand: 0.3 of a wheel of 50 mm at 180 rev/min is 15 mm/rev or 2700 mm/min; a step of the
+    /// machine is taken where it has one.
+    void feedsAreReadInOtherForms() {
+        Project project = newProject(Operation::traverse);
+        project.wheel->width_mm = 50;
+        project.machine->work_speed_rpm = 180;
+        project.machine->limits.axial_feed_mm_min.reset();
+        const Field& axial = *tableOf<Stage>().find("axial_feed_mm_min");
+        const Field& plunge = *tableOf<Stage>().find("radial_feed_mm_min");
+        const Field& step = *tableOf<Stage>().find("radial_feed_mm");
+        for (const char* text : {"0.3B", "0,3 B", "0.3 b", "0.3В", "15 mm/rev", "15 мм/об",
+                                 " 15/rev ", "15\u00a0mm/rev"}) {
+            const auto feed = feedFromForm(project, axial, text);
+            QVERIFY2(feed && std::abs(*feed - 2700) < 1e-9, text);
+        }
+        for (const char* text : {"", "B", "0.3", "mm/rev", "0.3 C", "1 2B", "0.3B2", "x B"}) {
+            QVERIFY2(!feedFromForm(project, axial, text), text);
+        }
+        const auto forms = feedForms(project, axial, 2700);
+        QVERIFY(forms && forms->ofWidth);
+        QVERIFY(std::abs(forms->perRevolution_mm - 15) < 1e-12);
+        QVERIFY(std::abs(*forms->ofWidth - 0.3) < 1e-12);
+        project.machine->limits.axial_feed_mm_min = {20, 5000, 50};
+        QVERIFY(std::abs(*feedFromForm(project, axial, "0.301B") - 2720) < 1e-9); // of 2709
+        QVERIFY(!feedForms(project, step, 0.004)); // a feed of a step is one already
+        QVERIFY(!feedFromForm(project, step, "12 mm/rev"));
+        project = newProject(Operation::plunge);
+        project.machine->work_speed_rpm = 200;
+        project.machine->limits.plunge_feed_mm_min.reset();
+        QVERIFY(std::abs(*feedFromForm(project, plunge, "0.004 mm/rev") - 0.8) < 1e-9);
+        QVERIFY(!feedFromForm(project, plunge, "0.3B")); // the wheel is not fed along the work
+        const auto radial = feedForms(project, plunge, 0.8);
+        QVERIFY(radial && !radial->ofWidth);
+        QVERIFY(std::abs(radial->perRevolution_mm - 0.004) < 1e-12);
     }
 
     void stocksThatAddUpStay() {

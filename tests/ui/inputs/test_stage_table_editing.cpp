@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The cells of the stage table: typed over, refused, taken back.
+#include "core/project/machine.h"
+#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
 #include "tests/ui/support/window_bench.h"
+#include "ui/inputs/forms/stage_model.h"
 
 #include <QApplication>
 #include <QLocale>
 #include <QRegularExpression>
 
+#include <cmath>
 #include <functional>
 #include <initializer_list>
 
@@ -102,6 +106,29 @@ private slots:
         QCOMPARE(bench.table.view().currentIndex().row(), 0);
         bench.document.undo();
         QCOMPARE(bench.stages()[0].radial_feed_mm.value(), 0.004);
+    }
+
+    /// Typed as a share of the wheel's width or per revolution: worked out when the cell is left.
+    void anAxialFeedIsTypedAsAShareOfTheWidth() {
+        for (const char* text : {"0.3B", "0,3 b"}) {
+            Bench bench(0, 1);
+            const Project& project = bench.document.project();
+            const double wanted =
+                0.3 * project.wheel->width_mm * project.machine->work_speed_rpm;
+            auto* editor = bench.openEditor();
+            QVERIFY(editor);
+            editor->selectAll();
+            QTest::keyClicks(editor, QString::fromUtf8(text));
+            QTest::keyClick(editor, Qt::Key_Return);
+            QTRY_VERIFY(!bench.table.view().findChild<NumberField*>());
+            QVERIFY(std::abs(bench.stages()[0].axial_feed_mm_min.value() - wanted) < 1e-6);
+            const QModelIndex cell = bench.table.view().model()->index(0, 1);
+            QCOMPARE(cell.data(StageModel::formRole).toString(), QStringLiteral("0.3 B"));
+            QVERIFY(cell.data(Qt::ToolTipRole).toString().contains(u"mm/rev"));
+            QVERIFY(!bench.table.view().model()->index(0, 2).data(StageModel::formRole).isValid());
+            bench.document.undo();
+            QCOMPARE(bench.stages()[0].axial_feed_mm_min.value(), 1800.0);
+        }
     }
 
     void aRefusedTextStaysInTheCellMarkedAndTheStageKeepsItsValue() {

@@ -338,6 +338,44 @@ private slots:
         }
     }
 
+    /// The sheets of the document are counted through, the sketch with them.
+    void sheetsAreCountedThrough() {
+        m_language.apply(QStringLiteral("en"));
+        for (const std::size_t surfaces : {1U, 6U}) {
+            const auto sheets = cardOf(manySurfaces(surfaces)).sheets;
+            QVERIFY(sheets.size() >= 2);
+            for (std::size_t i = 0; i < sheets.size(); ++i) {
+                QStringList numbers; // behind the captions of both cells
+                const auto& texts = sheets[i].texts;
+                for (std::size_t k = 0; k + 1 < texts.size() && numbers.size() < 2; ++k) {
+                    if (texts[k].text == u"Sheets"
+                        || (texts[k].text == u"Sheet" && !numbers.isEmpty())) {
+                        numbers << texts[k + 1].text;
+                    }
+                }
+                QCOMPARE(numbers, (QStringList{QString::number(sheets.size()),
+                                               QString::number(i + 1)}));
+            }
+        }
+    }
+
+    /// T_шт stands on the card where a time beside the cycles was entered.
+    void aPieceTimeThatNobodyEnteredIsNotPrinted() {
+        Setup setup = setupOf("spindle");
+        setup.times = {};
+        const auto piece = [&setup] {
+            const auto head = report::OperationCardReport::head(
+                setup, operationCard(setup, runSetup(setup)), {}, today);
+            return head.equipment.at(5);
+        };
+        QCOMPARE(piece(), QString());
+        setup.times.handling_s = 60;
+        QVERIFY(parseNumber(piece()).value_or(0) > 1);
+        setup.times = {};
+        setup.times.piece_min = 9;
+        QCOMPARE(parseNumber(piece()), std::optional(9.0));
+    }
+
     /// A marking that begins with the wheel's size says it for both.
     void theSizeOfTheWheelIsWrittenOnce() {
         Setup setup = setupOf("spindle");

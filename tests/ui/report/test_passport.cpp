@@ -225,6 +225,31 @@ private slots:
         QVERIFY(fitness(project) == (fails ? Fitness::unfit : Fitness::conditional));
     }
 
+    /// Of a part of several surfaces: the one that is meant, and a command that runs.
+    void theSurfaceIsNamed() {
+        Setup setup = plainSetup(smallBatch());
+        setup.surfaces.push_back(setup.surfaces.front());
+        setup.surfaces[0].name = "journal";
+        setup.surfaces[1].name = "bearing seat";
+        report::Subject subject = subjectOf(smallBatch());
+        report::nameSurface(subject, setup, 1);
+        for (const report::Kind kind : {report::Kind::passport, report::Kind::card}) {
+            const report::Report made = report::rowOf(kind).make(subject);
+            QVERIFY2(made.subject.contains(QStringLiteral("2 (bearing seat)")),
+                     qPrintable(made.subject));
+            const QString text = textOfHtml(bytesOf(made, Format::html));
+            QVERIFY(text.contains(QStringLiteral("2 (bearing seat)")));
+            QCOMPARE(text.contains(QStringLiteral("part.sparkout\" --surface 2 -o")),
+                     kind == report::Kind::passport);
+        }
+        setup.surfaces[0].name = "2"; // the number is a name: the surface's own has to do
+        report::nameSurface(subject, setup, 1);
+        QCOMPARE(subject.surfaceOption, QStringLiteral("\"bearing seat\""));
+        report::Subject alone = subjectOf(smallBatch());
+        report::nameSurface(alone, plainSetup(smallBatch()), 0);
+        QVERIFY(alone.surface.isEmpty() && alone.surfaceOption.isEmpty());
+    }
+
     /// What the papers and the window say of a cycle is one sentence.
     void theHeadlineIsThatOfTheWindow_data() { addLanguages(); }
     void theHeadlineIsThatOfTheWindow() {

@@ -358,6 +358,29 @@ private slots:
         }
     }
 
+    /// A step that changes another surface than the one in front, as accepted cycles of a search of
+    /// all do, shows that one.
+    void undoShowsASurfaceThatItChanges() {
+        Untitled document(threeSurfaces());
+        SetupState changed = document.state();
+        auto last = std::make_shared<SurfaceState>(*changed.surfaces[2]);
+        last->project.part->diameter_mm = 33;
+        changed.surfaces[2] = last;
+        document.editSetup(changed, editText);
+        QCOMPARE(document.surface(), std::size_t{0});
+        std::string path;
+        connect(&document, &Document::stepped, this,
+                [&path](const std::string& stepped) { path = stepped; });
+        document.undo();
+        QCOMPARE(document.surface(), std::size_t{2});
+        QCOMPARE(document.project().part->diameter_mm, 30.0);
+        QCOMPARE(path, std::string("/part/diameter_mm"));
+        document.showSurface(0);
+        document.redo();
+        QCOMPARE(document.surface(), std::size_t{2});
+        QCOMPARE(document.project().part->diameter_mm, 33.0);
+    }
+
     void undoBringsTheSurfaceToTheFrontThatItConcerns() {
         Untitled document(threeSurfaces());
         document.showSurface(1);

@@ -4,6 +4,8 @@
 #include "tests/ui/support/catalogue_bench.h"
 #include "tests/ui/support/typing.h"
 #include "tests/whole_project.h"
+#include "ui/text/hint_text.h"
+#include "ui/text/size_field.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -91,6 +93,55 @@ private slots:
         QCOMPARE(window.document().project().part->diameter_mm, before.diameter_mm);
         QCOMPARE(window.document().project().part->lower_deviation_um, before.lower_deviation_um);
         QVERIFY(!window.document().canUndo());
+    }
+
+    /// By hand: 12 mm on a diameter of 40 mm are 2·asin(0.3) = 34.92°.
+    void aKeywayBecomesAGap() {
+        Window window(partPage);
+        Project project = window.document().project();
+        project.part->diameter_mm = 40;
+        project.part->length_mm = 60;
+        window.document().edit(project, {"Input", "Diameter"});
+        auto* keyway = window.on<QLineEdit>("keywayField");
+        typeOver(*keyway, QStringLiteral("12P9 x 45"));
+        auto* meaning = window.on<QLabel>("keywayMeaning");
+        QVERIFY2(meaning->isVisible() && meaning->text().contains(QStringLiteral("34.92")),
+                 qPrintable(meaning->text()));
+        QVERIFY(meaning->text().contains(QStringLiteral("45 mm"))); // shorter than the surface
+        QTest::keyClick(keyway, Qt::Key_Return);
+        const auto gaps = [&window] { return window.document().project().part->gaps; };
+        QCOMPARE(gaps().size(), 1U);
+        QCOMPARE(gaps().front().from_deg, 0.0);
+        QCOMPARE(gaps().front().width_deg, 34.92);
+        typeOver(*keyway, QStringLiteral("10P9 x 45")); // there: it takes the other's place
+        QTest::keyClick(keyway, Qt::Key_Return);
+        QCOMPARE(gaps().size(), 1U);
+        QCOMPARE(gaps().front().width_deg, 28.96);
+        typeOver(*keyway, QStringLiteral("10P9 x 70"));
+        QVERIFY(!meaning->text().contains(QStringLiteral("long"))); // through
+        typeOver(*keyway, QStringLiteral("45 P9"));
+        QTest::keyClick(keyway, Qt::Key_Return);
+        QCOMPARE(gaps().front().width_deg, 28.96);
+        QVERIFY2(meaning->text().contains(QStringLiteral("not narrower")),
+                 qPrintable(meaning->text()));
+        window.document().undo();
+        QCOMPARE(gaps().front().width_deg, 34.92);
+        window.document().undo();
+        QVERIFY(gaps().empty());
+    }
+
+    /// ISO 286: the deviations of holes are ES and EI.
+    void deviationsOfBoresAreCapitals() {
+        Window window(partPage);
+        Project project = window.document().project();
+        const Field& upper = *tableOf<Part>().find("upper_deviation_um");
+        QCOMPARE(symbolOf(upper, *project.part), QStringLiteral("es"));
+        QVERIFY(labelMarkup(upper, project).contains(QStringLiteral("<i>es</i>")));
+        project.part->surface = Surface::internal;
+        QCOMPARE(symbolOf(upper, *project.part), QStringLiteral("ES"));
+        QVERIFY(labelMarkup(upper, project).contains(QStringLiteral("<i>ES</i>")));
+        const Field& diameter = *tableOf<Part>().find("diameter_mm");
+        QCOMPARE(labelMarkup(diameter, project), labelMarkup(diameter));
     }
 
     void aToleranceClassIsTakenWhenItIsLeft() {

@@ -453,7 +453,9 @@ private slots:
         const int one = inputs->width();
         window.resize(1920, 1080);
         QTRY_VERIFY(inputs->width() >= inputs->twoColumnWidth());
-        QVERIFY(window.findChild<ViewTabs*>()->width() > 900);
+        QVERIFY(window.findChild<ViewTabs*>()->width() > 850);
+        auto* verdict = window.findChild<QDockWidget*>(QStringLiteral("verdict"));
+        QTRY_VERIFY(verdict->width() >= 340); // it shares in the room
         window.resize(1366, 1080);
         QTRY_COMPARE(inputs->width(), one);
         window.resize(1920, 1080);

@@ -18,7 +18,8 @@ namespace sparkout {
 namespace {
 
 /// Of a title, left and right; where the columns have no room the narrower one.
-constexpr int wideMargin = 3, narrowMargin = 0;
+constexpr int wideMargin = 3, narrowMargin = 1;
+constexpr double smallestTitle = 0.75; ///< of the usual titles, where they have no room even so
 
 } // namespace
 
@@ -32,7 +33,7 @@ ColumnHeader::ColumnHeader(QWidget* parent)
 
 void ColumnHeader::prepare(QTextDocument& title, int section) const {
     QFont small = font();
-    small.setPointSizeF(small.pointSizeF() * noteType);
+    small.setPointSizeF(small.pointSizeF() * noteType * m_size);
     QTextOption option(Qt::AlignHCenter);
     option.setWrapMode(QTextOption::WordWrap);
     title.setDocumentMargin(0);
@@ -41,19 +42,30 @@ void ColumnHeader::prepare(QTextDocument& title, int section) const {
     title.setHtml(model()->headerData(section, orientation(), markupRole).toString());
 }
 
-void ColumnHeader::fit(int width) {
-    const int columns = count();
-    if (!model() || columns == 0) {
-        return;
-    }
+std::vector<int> ColumnHeader::titleWidths() const {
     std::vector<int> widths;
-    for (int i = 0; i < columns; ++i) {
+    for (int i = 0; i < count(); ++i) {
         QTextDocument title;
         prepare(title, i);
         title.setTextWidth(1);
         widths.push_back(int(std::ceil(title.idealWidth())));
     }
-    const int titles = std::accumulate(widths.begin(), widths.end(), 0);
+    return widths;
+}
+
+void ColumnHeader::fit(int width) {
+    const int columns = count();
+    if (!model() || columns == 0) {
+        return;
+    }
+    m_size = 1;
+    std::vector<int> widths = titleWidths();
+    int titles = std::accumulate(widths.begin(), widths.end(), 0);
+    if (const int room = width - 2 * narrowMargin * columns; titles > room && room > 0) {
+        m_size = std::max(smallestTitle, double(room) / titles);
+        widths = titleWidths();
+        titles = std::accumulate(widths.begin(), widths.end(), 0);
+    }
     m_margin = titles + 2 * wideMargin * columns <= width ? wideMargin : narrowMargin;
     const int used = titles + 2 * m_margin * columns;
     const int spare = std::max(0, width - used);

@@ -3,6 +3,8 @@
 
 #include <QHeaderView>
 
+#include <vector>
+
 class QTextDocument;
 
 namespace sparkout {
@@ -25,8 +27,10 @@ protected:
 
 private:
     void prepare(QTextDocument& title, int section) const;
+    [[nodiscard]] std::vector<int> titleWidths() const; ///< of their longest words
 
-    int m_margin; ///< of a title, left and right
+    int m_margin;      ///< of a title, left and right
+    double m_size = 1; ///< of the type of titles, where they have no room less
 };
 
 } // namespace sparkout

@@ -248,6 +248,9 @@ void FormPage::addList(const Field& field, const std::string& path, Place into) 
     } else {
         into.rows.addWidget(table);
     }
+    if (RowHelper* helper = makeRowHelper(path, m_document, parent)) {
+        addHelper(helper, path, into);
+    }
     connect(table, &ListTable::refusalsChanged, this, &FormPage::refusalsChanged);
     m_lists.push_back(table);
 }
@@ -339,7 +342,9 @@ void FormPage::showRank(const InputRank& rank) {
     }
     for (const auto& [helper, path] : m_helpers) {
         const FormRow* const row = rowAt(path);
-        FormAccess::hide(*helper, row && !row->isShown());
+        const auto list = std::ranges::find(m_lists, path, &ListTable::path);
+        FormAccess::hide(*helper, row                    ? !row->isShown()
+                                  : list != m_lists.end() && (*list)->isHidden());
     }
     if (m_projectBox) {
         m_projectBox->setVisible(std::ranges::any_of(m_rows, [](const FormRow* row) {

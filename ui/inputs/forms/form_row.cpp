@@ -112,6 +112,7 @@ void FormRow::show(const Project& project, bool replaced, const InputRank& rank)
     const ConstMember member = findMember(project, m_editor->path());
     m_isRelevant = member && member.relevant(project) && m_access != Access::hidden;
     m_editor->show(replaced);
+    m_label->setText(labelMarkup(m_editor->field(), project)); // of a bore it is another
     m_isShown = m_isRelevant
                 && (rank.shows(project, m_editor->field(), m_editor->path())
                     || m_editor->remark().mark != Mark::none || m_editor->widget()->hasFocus());
@@ -209,7 +210,7 @@ void FormRow::retranslate(const Project& project) {
     const Field& field = m_editor->field();
     m_editor->retranslate();
     fitWide();
-    m_label->setText(labelMarkup(field));
+    m_label->setText(labelMarkup(field, project));
     m_unit->setText(unitText(field.unit));
     m_shared->retranslate();
     showCalibration(project);

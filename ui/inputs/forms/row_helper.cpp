@@ -22,6 +22,11 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
 namespace sparkout {
 
 namespace {
@@ -34,6 +39,28 @@ QLabel* noteLabel(QWidget* parent, const char* name) {
     label->setWordWrap(true);
     setRelativeFont(*label, noteType);
     return label;
+}
+
+/// A line to type in with its name, set like the rows of numbers, and a note below it.
+void layOutTyped(RowHelper& helper, QLabel& label, QLineEdit& line, QLabel& note) {
+    helper.setFocusProxy(&line);
+    setTextWidth(line, metrics::field);
+    line.setMaxLength(40);
+    label.setTextFormat(Qt::PlainText);
+    label.setWordWrap(true);
+    label.setBuddy(&line);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(metrics::gap);
+    row->addWidget(&label, 1);
+    row->addWidget(&line);
+    auto* noUnit = new QWidget(&helper); // below the units of the other rows
+    setTextWidth(*noUnit, unitColumn);
+    row->addWidget(noUnit);
+    auto* layout = new QVBoxLayout(&helper);
+    layout->setContentsMargins(0, metrics::row, 0, metrics::row);
+    layout->setSpacing(metrics::row);
+    layout->addLayout(row);
+    layout->addWidget(&note);
 }
 
 void sayWhatIsDone(QPushButton& button, const QString& text, const QString& tip) {
@@ -146,6 +173,9 @@ RowHelper* makeRowHelper(const std::string& path, Document& document, QWidget* p
     if (path == "/card/mass_kg") {
         return new OfferHelper(estimatedMass, document, parent);
     }
+    if (path == "/part/gaps") {
+        return new KeywayHelper(document, parent);
+    }
     return path == "/part/diameter_mm" ? new SizeHelper(document, parent) : nullptr;
 }
 
@@ -246,24 +276,7 @@ SizeHelper::SizeHelper(Document& document, QWidget* parent)
     , m_size(new QLineEdit(this))
     , m_meaning(noteLabel(this, "sizeMeaning")) {
     m_size->setObjectName(QStringLiteral("sizeField"));
-    setFocusProxy(m_size);
-    setTextWidth(*m_size, metrics::field);
-    m_size->setMaxLength(40);
-    m_label->setTextFormat(Qt::PlainText);
-    m_label->setWordWrap(true);
-    m_label->setBuddy(m_size);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(metrics::gap);
-    row->addWidget(m_label, 1);
-    row->addWidget(m_size);
-    auto* noUnit = new QWidget(this); // below the units of the other rows
-    setTextWidth(*noUnit, unitColumn);
-    row->addWidget(noUnit);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, metrics::row, 0, metrics::row);
-    layout->setSpacing(metrics::row);
-    layout->addLayout(row);
-    layout->addWidget(m_meaning);
+    layOutTyped(*this, *m_label, *m_size, *m_meaning);
     connect(m_size, &QLineEdit::textChanged, this, &SizeHelper::showTyped);
     connect(m_size, &QLineEdit::editingFinished, this, &SizeHelper::fill);
     connect(&document, &Document::projectReplaced, this, [this] { m_size->clear(); });
@@ -333,6 +346,84 @@ void SizeHelper::retranslate() {
     m_size->setToolTip(tr("ISO 286: 30h6 fills diameter and limits; h6 keeps the diameter"));
     m_meaning->setAccessibleName(tr("What the tolerance class means"));
     showPart();
+}
+
+KeywayHelper::KeywayHelper(Document& document, QWidget* parent)
+    : RowHelper(parent)
+    , m_document(document)
+    , m_label(new QLabel(this))
+    , m_keyway(new QLineEdit(this))
+    , m_meaning(noteLabel(this, "keywayMeaning")) {
+    m_keyway->setObjectName(QStringLiteral("keywayField"));
+    layOutTyped(*this, *m_label, *m_keyway, *m_meaning);
+    connect(m_keyway, &QLineEdit::textChanged, this, &KeywayHelper::showTyped);
+    connect(m_keyway, &QLineEdit::editingFinished, this, &KeywayHelper::fill);
+    connect(&document, &Document::projectReplaced, this, [this] { m_keyway->clear(); });
+    connect(&document, &Document::changed, this, &KeywayHelper::showTyped);
+    retranslate();
+}
+
+KeywayHelper::Typed KeywayHelper::typed() const {
+    const Part& part = *m_document.project().part;
+    const QString text = m_keyway->text().trimmed();
+    if (text.isEmpty()) {
+        return {};
+    }
+    const auto keyway = parseKeyway(text.toStdString());
+    if (!keyway) {
+        return {{}, tr("Not a keyway by width and length; write it like 12P9 × 45, or with the "
+                       "angle of its first edge like 12P9 × 45, 90°.")};
+    }
+    if (m_document.isOpen("/part/diameter_mm")) {
+        return {{}, tr("The diameter is needed first.")};
+    }
+    const auto angle_deg = keywayAngle(keyway->width_mm, part.diameter_mm);
+    if (!angle_deg) {
+        return {{}, tr("A keyway of %1 mm is not narrower than the diameter of %2 mm.")
+                        .arg(printedNumber(keyway->width_mm), printedNumber(part.diameter_mm))};
+    }
+    constexpr double perDegree = 100; // two decimals, finer than any radius
+    const SurfaceGap gap{keyway->at_deg.value_or(0), std::round(*angle_deg * perDegree) / perDegree};
+    QString words = tr("%1 mm on ∅%2 mm: a gap of %3°, from %4° on.")
+                        .arg(printedNumber(keyway->width_mm), printedNumber(part.diameter_mm),
+                             printedNumber(gap.width_deg), printedNumber(gap.from_deg));
+    if (keyway->length_mm && *keyway->length_mm < part.length_mm) {
+        words += u' '
+                 + tr("It is %1 mm long; the model has it along all %2 mm that are ground.")
+                       .arg(printedNumber(*keyway->length_mm), printedNumber(part.length_mm));
+    }
+    return {gap, words};
+}
+
+void KeywayHelper::showTyped() {
+    m_meaning->setText(typed().text);
+    m_meaning->setVisible(!m_meaning->text().isEmpty());
+}
+
+void KeywayHelper::fill() {
+    const std::optional<SurfaceGap> gap = typed().gap;
+    if (!gap || !m_keyway->isModified()) {
+        return;
+    }
+    m_keyway->setModified(false);
+    Project project = m_document.project();
+    std::vector<SurfaceGap>& gaps = project.part->gaps;
+    const auto same = std::ranges::find_if(gaps, [&gap](const SurfaceGap& each) {
+        return each.from_deg <= gap->from_deg && gap->from_deg <= each.from_deg + each.width_deg;
+    });
+    same == gaps.end() ? gaps.push_back(*gap) : static_cast<void>(*same = *gap);
+    m_document.endMerge();
+    m_document.edit(std::move(project), {"Edit", QT_TRANSLATE_NOOP("Edit", "Gap from a keyway")});
+}
+
+void KeywayHelper::retranslate() {
+    m_label->setText(tr("Keyway, width × length"));
+    m_keyway->setPlaceholderText(tr("e.g. %1").arg(QStringLiteral("12P9 × 45")));
+    m_keyway->setAccessibleName(m_label->text());
+    m_keyway->setToolTip(tr("12P9 × 45 makes a gap of the surface; 12P9 × 45, 90° says where its "
+                            "first edge is"));
+    m_meaning->setAccessibleName(tr("What the keyway is to the model"));
+    showTyped();
 }
 
 } // namespace sparkout

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/part.h"
 #include "ui/session/document.h"
 #include "ui/text/size_field.h"
 
@@ -96,6 +97,32 @@ private:
     Document& m_document;
     QLabel* m_label;
     QLineEdit* m_size;
+    QLabel* m_meaning;
+};
+
+/// Takes a keyway as a drawing states it, 12P9 × 45, says what it is to the model, and makes it a
+/// gap of the surface when it is left or Enter is pressed. One that begins within a gap takes its
+/// place.
+class KeywayHelper : public RowHelper {
+    Q_OBJECT
+
+public:
+    KeywayHelper(Document& document, QWidget* parent);
+    void retranslate() override;
+
+private:
+    /// What is typed as a gap of the part: its words, or why it is none.
+    struct Typed {
+        std::optional<SurfaceGap> gap;
+        QString text;
+    };
+    [[nodiscard]] Typed typed() const;
+    void showTyped();
+    void fill();
+
+    Document& m_document;
+    QLabel* m_label;
+    QLineEdit* m_keyway;
     QLabel* m_meaning;
 };
 

@@ -2,6 +2,8 @@
 #include "ui/inputs/forms/stage_delegate.h"
 
 #include "core/project/cycle.h"
+#include "core/study/stage_edits.h"
+#include "ui/fields/number_field.h"
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/editors/spark_out_editor.h"
 #include "ui/inputs/forms/stage_model.h"
@@ -100,11 +102,37 @@ void StageDelegate::paintInTwoLines(QPainter& painter, QStyleOptionViewItem item
     painter.restore();
 }
 
+/// A feed, and below it in small type the same in another form.
+void StageDelegate::paintWithForm(QPainter& painter, QStyleOptionViewItem item,
+                                  const QString& form) {
+    const QString text = std::exchange(item.text, QString());
+    QStyle& style = *(item.widget ? item.widget->style() : QApplication::style());
+    style.drawControl(QStyle::CE_ItemViewItem, &item, &painter, item.widget); // ground
+    const QRect inside =
+        item.rect.adjusted(metrics::row, metrics::hair, -metrics::row, -metrics::hair);
+    const QRect below(inside.left(), inside.bottom() + 1 - barHeight(item.fontMetrics),
+                      inside.width(), barHeight(item.fontMetrics));
+    QColor ink = item.palette.color(
+        item.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text);
+    painter.save();
+    painter.setPen(ink);
+    painter.setFont(fitting(item.font, text, inside.width()));
+    painter.drawText(inside.adjusted(0, 0, 0, -below.height()),
+                     int(Qt::AlignRight | Qt::AlignVCenter), text);
+    painter.setFont(fitting(barFont(item.font), form, inside.width()));
+    painter.drawText(below, int(Qt::AlignRight | Qt::AlignVCenter), form);
+    painter.restore();
+}
+
 QWidget* StageDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                                      const QModelIndex& index) const {
     const Field& field = stagesOf(index).field(index);
     if (field.kind != Kind::countOrWord) {
-        return ListDelegate::createEditor(parent, option, index);
+        QWidget* made = ListDelegate::createEditor(parent, option, index);
+        static_cast<NumberField*>(made)->setReads([this, &field](const QString& text) {
+            return feedFromForm(document().project(), field, text.toStdString());
+        });
+        return made;
     }
     auto* self = const_cast<StageDelegate*>(this);
     auto* editor = new SparkOutEditor(field, document().project().operation, parent);
@@ -163,7 +191,9 @@ void StageDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     QStyleOptionViewItem item = option;
     initStyleOption(&item, index);
     if (!share.isValid()) {
-        if (needsTwoLines(item)) {
+        if (const QString form = index.data(StageModel::formRole).toString(); !form.isEmpty()) {
+            paintWithForm(*painter, item, form);
+        } else if (needsTwoLines(item)) {
             paintInTwoLines(*painter, item);
         } else {
             ListDelegate::paint(painter, option, index);

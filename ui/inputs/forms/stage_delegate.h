@@ -29,6 +29,7 @@ protected:
 
 private:
     [[nodiscard]] static bool needsTwoLines(const QStyleOptionViewItem& item);
+    static void paintWithForm(QPainter& painter, QStyleOptionViewItem item, const QString& form);
     static void paintInTwoLines(QPainter& painter, QStyleOptionViewItem item);
 };
 

@@ -115,8 +115,12 @@ void StageModel::resizeRows(Project& project, std::size_t rows, std::size_t last
 
 QString StageModel::takeText(Project& project, int row, const Field& column,
                              const QString& text) const {
-    return column.kind == Kind::countOrWord ? takeSparkOut(project, std::size_t(row), column, text)
-                                            : ListModel::takeText(project, row, column, text);
+    if (column.kind == Kind::countOrWord) {
+        return takeSparkOut(project, std::size_t(row), column, text);
+    }
+    const auto feed = feedFromForm(project, column, text.toStdString());
+    return ListModel::takeText(project, row, column,
+                               feed ? showNumber(*feed, QLocale::c()) : text);
 }
 
 QString StageModel::takeSparkOut(Project& project, std::size_t row, const Field& column,
@@ -202,9 +206,44 @@ double StageModel::timeShare(int row) const {
     return time_s > 0 ? m_run->result.timeByStage_s[std::size_t(row)] / time_s : 0;
 }
 
+QStringList StageModel::formsOf(const QModelIndex& index) const {
+    constexpr int digits = 3;
+    if (!index.isValid() || !isField(index) || !relevant(index)
+        || access(index) == Access::hidden || remark(index).mark != Mark::none) {
+        return {};
+    }
+    const auto value = number(index);
+    const auto forms = value ? feedForms(document().project(), field(index), *value) : std::nullopt;
+    if (!forms) {
+        return {};
+    }
+    QStringList all{tr("%1 mm/rev").arg(printedNumber(forms->perRevolution_mm, digits))};
+    if (forms->ofWidth) {
+        all << tr("%1 B", "share of the wheel's width").arg(printedNumber(*forms->ofWidth, digits));
+    }
+    return all;
+}
+
 QVariant StageModel::data(const QModelIndex& index, int role) const {
     if (role == staleRole) {
         return m_stale;
+    }
+    if (role == formRole) {
+        const QStringList forms = formsOf(index);
+        return forms.isEmpty() ? QVariant() : QVariant(forms.last());
+    }
+    if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
+        const QStringList forms = formsOf(index);
+        const QString text = ListModel::data(index, role).toString();
+        return forms.isEmpty()         ? ListModel::data(index, role)
+               : role == Qt::ToolTipRole
+                   ? text
+                         + QStringLiteral("<p>= %1</p><p>%2</p>")
+                               .arg(forms.join(QStringLiteral(" = ")),
+                                    forms.size() > 1
+                                        ? tr("It may be typed as 12 mm/rev or 0.3B, too.")
+                                        : tr("It may be typed as 0.005 mm/rev, too."))
+                   : text + QStringLiteral(", ") + forms.join(QStringLiteral(", "));
     }
     if (role != shareRole || !known(index.row())) {
         return role == shareRole ? QVariant() : ListModel::data(index, role);

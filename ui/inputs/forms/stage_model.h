@@ -18,6 +18,8 @@ class StageModel : public ListModel {
 public:
     static constexpr int shareRole = Qt::UserRole + 10; ///< 0…1; invalid where there is none
     static constexpr int staleRole = Qt::UserRole + 11; ///< of the last run that could be made
+    /// A feed as a share of the wheel's width, else per revolution; empty where there is none.
+    static constexpr int formRole = Qt::UserRole + 12;
 
     StageModel(std::string path, const Field& list, Document& document);
 
@@ -49,6 +51,8 @@ private:
     [[nodiscard]] QString sparkOutShown(const QModelIndex& index) const;
     [[nodiscard]] QString takeSparkOut(Project& project, std::size_t row, const Field& column,
                                        const QString& text) const;
+    /// A feed in its other forms, the shortest last; empty of other cells.
+    [[nodiscard]] QStringList formsOf(const QModelIndex& index) const;
     [[nodiscard]] bool isStock(const QModelIndex& index) const;
     [[nodiscard]] bool known(int row) const; ///< whether the last run has this stage
     [[nodiscard]] double stockShare(int row) const;

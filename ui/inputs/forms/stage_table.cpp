@@ -4,14 +4,17 @@
 #include "core/project/cycle.h"
 #include "core/starting/starting_project.h"
 #include "core/study/stage_edits.h"
+#include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/forms/stage_delegate.h"
 #include "ui/inputs/forms/stage_model.h"
 #include "ui/inputs/forms/stock_fit.h"
+#include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/session/document.h"
 
 #include <QCheckBox>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLayout>
 #include <QPushButton>
 #include <QTableView>
@@ -40,7 +43,15 @@ StageTable::StageTable(Document& document, StageModel* model, QWidget* parent)
     , m_continuous(new QCheckBox(this))
     , m_sparkOut(new QPushButton(this))
     , m_start(new QPushButton(this))
-    , m_fit(new QPushButton(this)) {
+    , m_fit(new QPushButton(this))
+    , m_follows(new QLabel(this)) {
+    m_follows->setObjectName(QStringLiteral("followsDrawing"));
+    m_follows->setTextFormat(Qt::PlainText);
+    m_follows->setWordWrap(true);
+    setRelativeFont(*m_follows, noteType);
+    layout()->addWidget(m_follows);
+    connect(&document, &Document::changed, this, &StageTable::showFollows);
+    connect(&document, &Document::projectReplaced, this, [this] { m_hasFollowed = false; });
     m_sparkOut->setObjectName(QStringLiteral("addSparkOut"));
     m_sparkOut->setAutoDefault(false);
     layout()->addWidget(m_sparkOut);
@@ -88,9 +99,25 @@ void StageTable::retranslate() {
                 "Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would begin "
                 "with for this part, wheel and machine; an estimate")));
     m_start->setAccessibleDescription(m_start->toolTip());
+    m_follows->setAccessibleName(tr("Whether the cycle follows the drawing"));
+    showFollows();
     showSparkOut();
     showContinuous();
     showFit();
+}
+
+/// That the cycle changes with the drawing is said while it does, and that it no longer does.
+void StageTable::showFollows() {
+    const bool follows = document().followsDrawing();
+    m_hasFollowed = m_hasFollowed || follows;
+    m_follows->setText(
+        follows ? tr("A starting cycle: it follows the drawing, material, wheel and machine until "
+                     "any other input is edited.")
+        : m_hasFollowed && document().missingInputs().empty()
+            ? tr("Edited: the cycle no longer follows the drawing. “%1” makes it anew.")
+                  .arg(m_start->text())
+            : QString());
+    m_follows->setVisible(!m_follows->text().isEmpty());
 }
 
 void StageTable::showSparkOut() {

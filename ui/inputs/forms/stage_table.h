@@ -6,6 +6,7 @@
 #include "ui/inputs/forms/list_table.h"
 
 class QCheckBox;
+class QLabel;
 class QPushButton;
 
 namespace sparkout {
@@ -41,6 +42,7 @@ private:
     void applyStages(std::vector<Stage> stages, EditText text, int selected);
 
     void showFit();
+    void showFollows();
     void showSparkOut();
     void addSparkOut();
     void showContinuous();
@@ -51,6 +53,8 @@ private:
     QPushButton* m_sparkOut; ///< as long as there is none
     QPushButton* m_start;    ///< takes a starting cycle
     QPushButton* m_fit;
+    QLabel* m_follows; ///< that the cycle follows the drawing, or no longer does
+    bool m_hasFollowed = false;
 };
 
 } // namespace sparkout

@@ -61,8 +61,8 @@ QString gammasShown(const Outcome& outcome) {
     return shown(least) == shown(most) ? shown(least) : shown(least) + u'…' + shown(most);
 }
 
-QString minutesShown(const Outcome& outcome) {
-    return Names::fixed(outcome.result.time_s / units::secondsPerMinute, 3);
+QString timeShown(const Outcome& outcome) {
+    return Names::time(outcome.result.time_s, 4);
 }
 
 QString deviationsShown(const Outcome& outcome) {
@@ -161,10 +161,10 @@ void StiffnessOffer::showEffect(const OutcomePtr& before, const OutcomePtr& afte
         return;
     }
     m_effect->setText(
-        tr("Its effect: γ %1 nm/N; machining time %2 min; diameter deviations %3 µm; requirements "
+        tr("Its effect: γ %1 nm/N; machining time %2; diameter deviations %3 µm; requirements "
            "that fail %4.")
             .arg(beforeAndAfter(before, after, gammasShown),
-                 beforeAndAfter(before, after, minutesShown),
+                 beforeAndAfter(before, after, timeShown),
                  beforeAndAfter(before, after, deviationsShown),
                  beforeAndAfter(before, after, failingShown)));
 }

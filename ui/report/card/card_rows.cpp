@@ -210,18 +210,48 @@ QStringList CardRows::cells(const CardRegime& regime) {
 }
 
 QString CardRows::measuring(const Project& project) {
-    QStringList all{isBore(project) ? tr("Bore comparator") : tr("Indicating calliper")};
-    const Tolerance& of = project.part->tolerance;
-    if (of.radial_runout_um || of.total_runout_um) {
+    const MeasuringKind kind = measuringKind(*project.part);
+    QStringList all{kind.isBore ? tr("Bore comparator") : tr("Indicating calliper")};
+    if (kind.hasRunout) {
         all << tr("dial indicator with stand");
     }
-    if (of.roundness_um || of.cylindricity_um) {
+    if (kind.hasForm) {
         all << tr("roundness tester");
     }
-    if (of.roughness_ra_um) {
+    if (kind.hasRoughness) {
         all << tr("roughness tester");
     }
     return all.join(QStringLiteral("; "));
+}
+
+/// Tolerances that all of the surfaces have stand once, after them.
+QString CardRows::control(const CardLine& line, const Setup& setup) {
+    const auto limitsOf = [&setup](std::size_t surface) {
+        return tolerances(*setup.surfaces[surface].project.part).join(QStringLiteral("; "));
+    };
+    const auto sizeOf = [&setup](std::size_t surface) {
+        return drawnSize(*setup.surfaces[surface].project.part);
+    };
+    const auto with = [](const QString& text, const QString& limits) {
+        return limits.isEmpty() ? text : text + QStringLiteral("; ") + limits;
+    };
+    const std::size_t first = line.measured.front();
+    const QString common = limitsOf(first);
+    if (line.measured.size() == 1) {
+        return with(tr("Check surface %1: %2").arg(surfaceName(setup, first), sizeOf(first)),
+                    common);
+    }
+    const bool isCommon = std::ranges::all_of(
+        line.measured, [&](std::size_t surface) { return limitsOf(surface) == common; });
+    QStringList each;
+    for (const std::size_t surface : line.measured) {
+        const QString size =
+            tr("%1: %2", "surface, its size").arg(surfaceName(setup, surface), sizeOf(surface));
+        each << (isCommon ? size : with(size, limitsOf(surface)));
+    }
+    const QString all = tr("Check surfaces %1").arg(each.join(QStringLiteral("; ")));
+    return isCommon && !common.isEmpty() ? tr("%1; each: %2", "surfaces, tolerances").arg(all, common)
+                                         : all;
 }
 
 QString CardRows::text(const CardLine& line, const Setup& setup, const SetupRun& run) {
@@ -242,13 +272,7 @@ QString CardRows::text(const CardLine& line, const Setup& setup, const SetupRun&
                    ? tr("Dress the wheel as its dullness requires")
                    : tr("Dress the wheel as its dullness requires: %1").arg(dressing);
     }
-    case CardEntry::control: {
-        const QStringList limits = tolerances(*project.part);
-        const QString size = tr("Check surface %1: %2")
-                                 .arg(surfaceName(setup, *line.surface), drawnSize(*project.part));
-        return limits.isEmpty() ? size
-                                : size + QStringLiteral("; ") + limits.join(QStringLiteral("; "));
-    }
+    case CardEntry::control: return control(line, setup);
     case CardEntry::measuring: return measuring(project);
     case CardEntry::remove: break;
     }

@@ -41,6 +41,7 @@ private:
     static QString settings(const CardLine& line, const SetupRun& run, const Project& project);
     static QString regime(const CardRegime& regime);
     static QString measuring(const Project& project);
+    static QString control(const CardLine& line, const Setup& setup);
     static QStringList cells(const CardRegime& regime);
 };
 

@@ -124,7 +124,8 @@ std::size_t CardSheets::taken(const std::vector<Line>& lines, std::size_t from, 
     return count > 0 ? count : most; // it is longer than a sheet
 }
 
-std::vector<FormSheet> CardSheets::card(const std::vector<CardRow>& rows) const {
+std::vector<FormSheet> CardSheets::card(const std::vector<CardRow>& rows,
+                                        std::size_t following) const {
     const std::vector<Line> lines = wrapped(rows);
     std::vector<std::size_t> counts;
     for (std::size_t from = 0; from < lines.size() || counts.empty();) {
@@ -136,7 +137,8 @@ std::vector<FormSheet> CardSheets::card(const std::vector<CardRow>& rows) const 
     for (std::size_t s = 0; s < counts.size(); ++s) {
         const bool first = s == 0;
         FormSheet sheet =
-            begun(form::card, static_cast<int>(s) + 1, static_cast<int>(counts.size()));
+            begun(form::card, first, static_cast<int>(s) + 1,
+                  static_cast<int>(counts.size() + following));
         if (first) {
             captionedRow(sheet, form::operationRow, m_head.operation, form::left, operationTop);
             captionedRow(sheet, form::equipmentRow, m_head.equipment, form::left,
@@ -163,15 +165,14 @@ QRectF CardSheets::sketchRoom(bool first) {
 }
 
 FormSheet CardSheets::sketch(int number, int count) const {
-    return begun(form::sketch, number, count);
+    return begun(form::sketch, true, number, count);
 }
 
-FormSheet CardSheets::begun(const form::Kind& kind, int number, int count) const {
+FormSheet CardSheets::begun(const form::Kind& kind, bool isFirst, int number, int count) const {
     FormSheet sheet;
     sheet.title = form::text(kind.name) + QStringLiteral(", ") + QString::number(number);
-    const bool first = number == 1;
     addInventory(sheet, number, count);
-    if (first) {
+    if (isFirst) {
         addSigners(sheet);
         addDesignations(sheet);
     } else {
@@ -182,10 +183,10 @@ FormSheet CardSheets::begun(const form::Kind& kind, int number, int count) const
     }
     addFoot(sheet, kind);
     sheet.texts.push_back(fitted({form::right - 120, form::top - 3.6, 120, 3.4},
-                                 form::text(first ? kind.first : kind.following),
+                                 form::text(isFirst ? kind.first : kind.following),
                                  form::captionPoints, Qt::AlignRight));
     sheet.frame({form::left, form::top, form::width, form::bottom - form::top}, form::thick);
-    const double from = first ? operationTop : columnsFollowing;
+    const double from = isFirst ? operationTop : columnsFollowing;
     sheet.lines.push_back({QLineF(form::left, from, form::right, from), form::thick});
     return sheet;
 }

@@ -32,9 +32,12 @@ class CardSheets {
 public:
     explicit CardSheets(CardHead head) : m_head(std::move(head)) {}
 
-    /// Rows wrapped to their cells, on as many sheets as it takes.
-    [[nodiscard]] std::vector<FormSheet> card(const std::vector<CardRow>& rows) const;
-    /// A sheet of the sketch, empty between head and foot.
+    /// Rows wrapped to their cells, on as many sheets as it takes; others may follow, which are
+    /// counted with them.
+    [[nodiscard]] std::vector<FormSheet> card(const std::vector<CardRow>& rows,
+                                              std::size_t following = 0) const;
+    /// The sheet of the sketch, empty between head and foot, with its number among those of the
+    /// document.
     [[nodiscard]] FormSheet sketch(int number, int count) const;
     /// Where there is room on it [mm].
     [[nodiscard]] static QRectF sketchRoom(bool first);
@@ -49,7 +52,8 @@ private:
     /// How many of the lines from one on a sheet takes without parting what belongs together.
     [[nodiscard]] static std::size_t taken(const std::vector<Line>& lines, std::size_t from,
                                            std::size_t room);
-    [[nodiscard]] FormSheet begun(const form::Kind& kind, int number, int count) const;
+    [[nodiscard]] FormSheet begun(const form::Kind& kind, bool isFirst, int number,
+                                  int count) const;
     void addInventory(FormSheet& sheet, int number, int count) const;
     void addSigners(FormSheet& sheet) const;
     void addDesignations(FormSheet& sheet) const;

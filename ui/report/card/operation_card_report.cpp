@@ -59,7 +59,7 @@ CardHead OperationCardReport::head(const Setup& setup, const OperationCard& card
         time(&PieceTime::main_min),
         given(time(&PieceTime::auxiliary_min), auxiliary),
         given(time(&PieceTime::preparation_min), card.time && card.time->preparation_min > 0),
-        given(time(&PieceTime::piece_min), auxiliary),
+        given(time(&PieceTime::piece_min), card.time && card.time->isPieceEntered),
         oneLine(project.coolant)};
     return head;
 }
@@ -138,7 +138,8 @@ Report OperationCardReport::write(const Setup& setup, const SetupRun& run, const
     Report report = begun(tr("Operation card"), setup, file, date);
     report.blocks = {formHead(head, form::card), table(rows),
                      Paragraph{form::text(form::card.note)}};
-    report.sheets = CardSheets(head).card(rows);
+    constexpr std::size_t sketches = 1;
+    report.sheets = CardSheets(head).card(rows, sketches);
     addSketch(report, head, setup);
     return report;
 }
@@ -152,7 +153,8 @@ Report OperationCardReport::sketch(const Setup& setup, const Company& company, c
 }
 
 void OperationCardReport::addSketch(Report& report, const CardHead& head, const Setup& setup) {
-    FormSheet sheet = CardSheets(head).sketch(1, 1);
+    const int number = static_cast<int>(report.sheets.size()) + 1; // the last of the document
+    FormSheet sheet = CardSheets(head).sketch(number, number);
     SketchSheet::draw(sheet, CardSheets::sketchRoom(true), setup);
     report.sheets.push_back(std::move(sheet));
     const bool isAlone = report.blocks.empty(); // else the card's head has said it all

@@ -307,8 +307,7 @@ std::vector<double> SketchSheet::spread(const std::vector<double>& widths,
 
 void SketchSheet::drawLeader(const GroundStep& step, const QPointF& from) {
     const QPointF tip((x(step.from_mm) + x(step.to_mm)) / 2, m_axis - half(step.diameter_mm));
-    const QLineF whole(from, tip);
-    const QPointF start = whole.pointAt(SketchCallout::circle_mm / 2 / whole.length());
+    const QPointF start = from + QPointF(0, SketchCallout::circle_mm / 2); // below all texts
     line(start.x(), start.y(), tip.x(), tip.y(), fine);
     SketchCallout::drawArrow(m_sheet, tip, start);
 }

@@ -219,8 +219,11 @@ Table PassportInputs::inputs(const Project& project) {
 std::vector<Block> PassportInputs::recomputing(const Subject& subject) {
     const Project& project = subject.outcome->result.project;
     const QString file = manyLines(QFileInfo(subject.file).fileName()).simplified();
-    const QString command = QStringLiteral("sparkout --report passport \"%1\" -o passport.pdf")
-                                .arg(file.isEmpty() ? QStringLiteral("FILE") : file);
+    const QString surface = subject.surfaceOption.isEmpty()
+                                ? QString()
+                                : QStringLiteral(" --surface ") + subject.surfaceOption;
+    const QString command = QStringLiteral("sparkout --report passport \"%1\"%2 -o passport.pdf")
+                                .arg(file.isEmpty() ? QStringLiteral("FILE") : file, surface);
     Facts facts{{{tr("Program"), QStringLiteral("Sparkout %1").arg(QString::fromUtf8(version))},
                  {tr("Version of the engine"),
                   QString::fromStdString(subject.outcome->result.engineVersion)}}};

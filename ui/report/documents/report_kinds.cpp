@@ -6,6 +6,7 @@
 #include "core/setup/piece_time.h"
 #include "core/study/evaluate.h"
 #include "core/units.h"
+#include "ui/report/card/card_rows.h"
 #include "ui/report/card/operation_card_report.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/documents/passport.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -39,18 +41,35 @@ Report withCompany(Report report, const Company& company) {
     return report;
 }
 
+/// Which surface of its part it is about, first in its head and in the line at the top of pages.
+Report withSurface(Report report, const Subject& subject) {
+    const auto head = std::ranges::find_if(
+        report.blocks, [](const Block& block) { return std::holds_alternative<Facts>(block); });
+    if (subject.surface.isEmpty() || head == report.blocks.end()) {
+        return report;
+    }
+    auto& all = std::get<Facts>(*head).facts;
+    all.insert(all.begin(),
+               {QCoreApplication::translate("Report", "Surface of the part"), subject.surface});
+    report.subject += (report.subject.isEmpty() ? QString() : QStringLiteral(" · "))
+                      + QCoreApplication::translate("Report", "surface %1").arg(subject.surface);
+    return report;
+}
+
 /// With the project's own numbers.
 Company companyOf(const Subject& subject) {
     return subject.company.with(*subject.outcome->result.project.card);
 }
 
 Report makeCard(const Subject& subject) {
-    return withCompany(CycleCard::write(subject.outcome, subject.file, subject.date, subject.batch),
-                       companyOf(subject));
+    return withCompany(
+        withSurface(CycleCard::write(subject.outcome, subject.file, subject.date, subject.batch),
+                    subject),
+        companyOf(subject));
 }
 
 Report makePassport(const Subject& subject) {
-    return withCompany(passport(subject), companyOf(subject));
+    return withCompany(withSurface(passport(subject), subject), companyOf(subject));
 }
 
 Report makeHandout(const Subject& subject) {
@@ -101,6 +120,19 @@ std::optional<Kind> kindOf(const QString& key) {
 
 QString menuText(Kind kind) {
     return QCoreApplication::translate("ReportKind", rowOf(kind).menu);
+}
+
+void nameSurface(Subject& subject, const Setup& setup, std::size_t surface) {
+    if (setup.surfaces.size() < 2) {
+        return;
+    }
+    subject.surface = CardRows::surfaceName(setup, surface);
+    const std::string number = std::to_string(surface + 1);
+    // A shell reads a number as it stands; only where a name of another surface is that number
+    // the name has to do.
+    subject.surfaceOption = setup.find(number) == surface
+                                ? QString::fromStdString(number)
+                                : u'"' + QString::fromStdString(setup.surfaces[surface].name) + u'"';
 }
 
 SetupSubject setupOf(const Outcome& outcome) {

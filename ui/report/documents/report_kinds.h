@@ -41,6 +41,10 @@ struct Subject {
         predicting;   ///< run whole, of what was measured of the outcome's project; or null
     OutcomePtr worst; ///< run of the batch's worst part, beside a batch
     QString file;     ///< path of the project, or empty
+    /// Of a part of several surfaces: the one of the outcome; empty: there is no other.
+    QString surface;
+    /// That surface, as the option --surface names it.
+    QString surfaceOption;
     QDate date;
     std::shared_ptr<const SetupSubject> setup; ///< null: the outcome alone
     DressingSubjectPtr dressing; ///< of the set-up, for a kind that takes a batch; or null
@@ -63,6 +67,9 @@ struct KindRow {
 [[nodiscard]] const KindRow& rowOf(Kind kind);
 [[nodiscard]] std::optional<Kind> kindOf(const QString& key);
 [[nodiscard]] QString menuText(Kind kind); ///< with its mnemonic
+
+/// States which of the surfaces of a set-up is reported, where there are several.
+void nameSurface(Subject& subject, const Setup& setup, std::size_t surface);
 
 /// An outcome as the set-up of its one surface.
 [[nodiscard]] SetupSubject setupOf(const Outcome& outcome);

@@ -54,7 +54,7 @@ std::pair<QString, QString> inputFact(const Project& project, const char* path) 
     const Field& field = *member.field;
     QString name = inputText(field.label);
     if (*field.symbol) {
-        name += QStringLiteral(" ") + QString::fromUtf8(field.symbol).remove(u'_');
+        name += QStringLiteral(" ") + symbolOf(field, *project.part).remove(u'_');
     }
     if (field.kind == sparkout::Kind::text) {
         return {name, cell(oneLine(field.as<std::string>(member.owner)))};

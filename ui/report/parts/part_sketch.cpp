@@ -27,6 +27,7 @@ constexpr double zoneLine = 34, lengthLine = 206, wholeLine = 230;
 constexpr double arrow = 7, centre = 26, wallWidth = 10;
 constexpr double supportName = axis + mostHalf + 22; ///< under the body
 constexpr int fontPixels = 12;
+constexpr double betweenNames = 8; ///< of a row
 constexpr QColor ink(0, 0, 0), faint(110, 110, 110), paper(255, 255, 255), body(225, 230, 236),
     ground(190, 205, 222);
 
@@ -92,7 +93,13 @@ private:
     [[nodiscard]] double half(double diameter_mm) const {
         return std::max(leastHalf, mostHalf * diameter_mm / m_largest_mm);
     }
-    void text(const QPointF& middle, const QString& text);
+    [[nodiscard]] double widthOf(const QString& text) const {
+        return QFontMetricsF(m_painter.font()).horizontalAdvance(text);
+    }
+    /// Returns where it ends.
+    double text(const QPointF& middle, const QString& text);
+    /// As near to its place as the room between two names of the same row lets it.
+    void textBetween(double from, double to, const QPointF& middle, const QString& text);
     void dimension(double from, double to, double y, const QString& name);
     void drawBody();
     void drawBore();
@@ -107,6 +114,7 @@ private:
     double m_from_mm = 0; ///< where the ground length begins
     double m_whole_mm;
     double m_largest_mm;
+    double m_headstockTo = 0, m_tailstockFrom = sketchSize.width(); ///< their names
 };
 
 Drawing::Drawing(QPainter& painter, const Outcome& outcome)
@@ -126,12 +134,18 @@ Drawing::Drawing(QPainter& painter, const Outcome& outcome)
     }
 }
 
-void Drawing::text(const QPointF& middle, const QString& text) {
-    const QFontMetricsF metrics(m_painter.font());
-    const double width = metrics.horizontalAdvance(text);
+double Drawing::text(const QPointF& middle, const QString& text) {
+    const double width = widthOf(text);
     const double from = std::clamp(middle.x() - width / 2, 2.0, sketchSize.width() - width - 2);
     m_painter.setPen(ink);
     m_painter.drawText(QPointF(from, middle.y()), text);
+    return from + width;
+}
+
+void Drawing::textBetween(double from, double to, const QPointF& middle, const QString& text) {
+    const double half = widthOf(text) / 2 + betweenNames;
+    const double at = std::max(from + half, std::min(middle.x(), to - half));
+    this->text({at, middle.y()}, text);
 }
 
 void Drawing::dimension(double from, double to, double y, const QString& name) {
@@ -189,13 +203,14 @@ void Drawing::drawSupports() {
                                         QPointF(left - centre, axis + 10)});
         m_painter.drawPolygon(QPolygonF{QPointF(right, axis), QPointF(right + centre, axis - 10),
                                         QPointF(right + centre, axis + 10)});
-        text({right + centre, supportName}, Sketch::tailstock());
+        m_tailstockFrom = text({right + centre, supportName}, Sketch::tailstock())
+                          - widthOf(Sketch::tailstock());
     }
     if (bore && m_part.blind_bore) {
         m_painter.setBrush(body);
         m_painter.drawRect(QRectF(left - wallWidth, axis - mostHalf, wallWidth, 2 * mostHalf));
     }
-    text({left - centre, supportName}, Sketch::headstock());
+    m_headstockTo = text({left - centre, supportName}, Sketch::headstock());
     for (const SteadyRest& rest : m_part.shaft.steady_rests) {
         const double at = x(rest.position_mm);
         m_painter.setPen(QPen(ink, 1));
@@ -208,7 +223,7 @@ void Drawing::drawSupports() {
 
 void Drawing::drawStretches() {
     const std::vector<Stretch> all = stretches(m_outcome);
-    const auto shown = std::max<std::size_t>(1, all.size() / 12); // more would not be read
+    double nameEnd = 0; // names that have no room are left out
     for (std::size_t i = 0; i < all.size(); ++i) {
         const double from = x(m_from_mm + all[i].from_mm);
         const double to = x(m_from_mm + all[i].to_mm);
@@ -216,8 +231,9 @@ void Drawing::drawStretches() {
         for (const double at : {from, to}) {
             m_painter.drawLine(QPointF(at, zoneLine + 4), QPointF(at, axis + mostHalf));
         }
-        if (i % shown == 0) {
-            text({(from + to) / 2, zoneLine + 14}, all[i].name);
+        const double middle = (from + to) / 2;
+        if (middle - widthOf(all[i].name) / 2 > nameEnd + betweenNames / 2) {
+            nameEnd = text({middle, zoneLine + 14}, all[i].name);
         }
     }
 }
@@ -233,7 +249,7 @@ void Drawing::drawGauge() {
     m_painter.setBrush(ink);
     m_painter.drawPolygon(QPolygonF{QPointF(at, bottom - 4), QPointF(at - 4, bottom + 4),
                                     QPointF(at + 4, bottom + 4)});
-    text({at, bottom + 22}, Sketch::gauge());
+    textBetween(m_headstockTo, m_tailstockFrom, {at, bottom + 22}, Sketch::gauge());
 }
 
 void Drawing::drawDimensions() {

@@ -164,7 +164,7 @@ QString RunsPanel::detailOf(int run) const {
     }
     const QString time = read->missing.contains("/cycle_time_min")
                              ? tr("no results kept")
-                             : tr("%1 min").arg(Names::significant(read->summary.cycle_time_min));
+                             : Names::timeOfMinutes(read->summary.cycle_time_min);
     const RecalledRun* const now = run < 0 ? nullptr : m_kept.recalled(run);
     const bool isComputed = run >= 0 && (m_kept.isChosen(run) || m_kept.surfaceOf(run).isEmpty());
     return run < 0 || (!now && !isComputed) ? time

@@ -62,16 +62,14 @@ QString CouplingCurves::summary() const {
             result.sections, {}, [this](const SectionResult& s) { return fromMiddle_um(s); });
         return fine(fromMiddle_um(*high) - fromMiddle_um(*low));
     };
-    const auto minutes = [](const SimulationResult& result) {
-        return Names::significant(result.time_s / units::secondsPerMinute, 4);
-    };
+    const auto time = [](const SimulationResult& result) { return Names::time(result.time_s, 4); };
     QString text =
         tr("Coupled less independent at most %1 µm of diameter, at %2 mm. Spread over "
-           "the length: independent %3 µm, coupled %4 µm. Time %5 and %6 min.")
+           "the length: independent %3 µm, coupled %4 µm. Time %5 and %6.")
             .arg(fine(*largest * units::umPerMm),
                  Names::significant(m_comparison->independent.sections[at].position_mm, 4),
                  spread(m_comparison->independent), spread(m_comparison->coupled),
-                 minutes(m_comparison->independent), minutes(m_comparison->coupled));
+                 time(m_comparison->independent), time(m_comparison->coupled));
     for (const auto& [result, form] : {std::pair(&m_comparison->independent, tr("Independent: %1")),
                                        std::pair(&m_comparison->coupled, tr("Coupled: %1"))}) {
         if (result->status != RunStatus::completed) {

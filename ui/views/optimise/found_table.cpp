@@ -19,7 +19,8 @@ struct FoundTable {
 
 std::vector<ValueHead> headsOf(const SearchOutcome& outcome) {
     std::vector<ValueHead> heads{
-        {.text = FoundTable::tr("Time, min"),
+        {.text = FoundTable::tr("Time"),
+         .name = FoundTable::tr("Time, min"),
          .tip = FoundTable::tr("Machining time"),
          .key = "time"},
         {.text = FoundTable::tr("Cycle"),
@@ -93,7 +94,7 @@ std::vector<ValueCell> cellsOf(const SearchOutcome& outcome, const FoundCycle& f
                                std::optional<double> before_s) {
     const auto stages = static_cast<double>(found.cycle.stages.size());
     std::vector<ValueCell> cells{
-        {.text = OptimiseText::minutes(found.time_s),
+        {.text = OptimiseText::time(found.time_s),
          .value = found.time_s / units::secondsPerMinute},
         {.text = OptimiseText::found(found, outcome.project)},
         {.text = QLocale().toString(qulonglong(found.cycle.stages.size())), .value = stages},

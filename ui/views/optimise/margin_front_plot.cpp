@@ -158,8 +158,8 @@ std::size_t MarginFrontPlot::rowOf(const FoundCycle& found) const {
 }
 
 QString MarginFrontPlot::described(const FoundCycle& found) const {
-    return tr("%1 min, margin %2 %: %3")
-        .arg(OptimiseText::minutes(found.time_s), OptimiseText::percent(found.leastRelativeMargin),
+    return tr("%1, margin %2 %: %3")
+        .arg(OptimiseText::time(found.time_s), OptimiseText::percent(found.leastRelativeMargin),
              OptimiseText::found(found, m_outcome->project));
 }
 

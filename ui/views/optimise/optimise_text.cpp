@@ -58,8 +58,9 @@ public:
 
 } // namespace
 
-QString OptimiseText::minutes(double time_s) {
-    return QString::fromStdString(SearchText().minutes(time_s));
+QString OptimiseText::time(double time_s) {
+    constexpr int digits = 4;
+    return Names::time(time_s, digits);
 }
 
 QString OptimiseText::percent(double share) {

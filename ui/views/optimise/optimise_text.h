@@ -12,7 +12,7 @@ namespace sparkout {
 class OptimiseText {
     Q_DECLARE_TR_FUNCTIONS(OptimiseText)
 public:
-    static QString minutes(double time_s); ///< "5.71", without unit
+    static QString time(double time_s); ///< "43.71 s", "5.714 min"
     static QString percent(double share);  ///< "−70.2", without unit
     /// "290 304 cycles".
     static QString gridSize(std::int64_t size);

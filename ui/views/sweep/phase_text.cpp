@@ -69,10 +69,6 @@ QString PhaseText::millimetres(double stock_mm) {
     return printedNumber(stock_mm, stockDigits);
 }
 
-QString PhaseText::minutes(double time_s) {
-    return Names::significant(time_s / units::secondsPerMinute);
-}
-
 QString PhaseText::reason(RunStatus status, const std::optional<ConstraintResult>& worst) {
     if (status != RunStatus::completed) {
         return Names::status(status);
@@ -176,8 +172,8 @@ QString PhaseText::stock(const PhaseDecision& decision, double stock_mm) {
     if (found == decision.pieces.end()) {
         return {};
     }
-    QString text = tr("Stock %1 mm: steps %2, %3 min")
-                       .arg(millimetres(stock_mm), steps(*found), minutes(found->time_s));
+    QString text = tr("Stock %1 mm: steps %2, %3")
+                       .arg(millimetres(stock_mm), steps(*found), Names::time(found->time_s));
     const auto low = sizes(found->low), high = sizes(found->high);
     if (low && high) {
         const double length_mm = found->piece.to_mm - found->piece.from_mm;

@@ -27,7 +27,6 @@ public:
     static QString steps(const DecidedPiece& decided);        ///< "12 + 5 + 3"
     static QString pieceVerdict(const DecidedPiece& decided); ///< "holds", "fails: …"
     static QString millimetres(double stock_mm);
-    static QString minutes(double time_s);
 
     /// Diameters less the nominal one over all zones or sections; nothing where there are none.
     static std::optional<DeviationRange> sizes(const PieceEnd& end);

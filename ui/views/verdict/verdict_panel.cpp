@@ -61,16 +61,17 @@ void VerdictPanel::build() {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->setSpacing(0);
-    auto* head = new QWidget(this);
+    m_head = new QWidget(this);
     auto* area = new QScrollArea(this);
-    outer->addWidget(head);
+    outer->addWidget(m_head);
     outer->addWidget(area, 1);
-    buildHead(head);
+    buildHead(m_head);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setFocusPolicy(Qt::NoFocus);
     auto* page = new QWidget(area);
+    m_page = page;
     area->setWidget(page);
     m_layout = new QVBoxLayout(page);
     m_layout->setContentsMargins(0, metrics::tight, 0, metrics::gap);
@@ -251,7 +252,9 @@ void VerdictPanel::showJudged() {
     const bool isOld = m_latest && !m_latest->ran();
     const JudgedRun judged = judgedRun();
     const Judgement& judgement = judged.judgement;
-    m_overall->setText(keptTogether(JudgementText::headline(judgement)));
+    const QString headline = JudgementText::headline(judgement);
+    m_overall->setText(
+        keptTogether(isOld ? tr("%1 (before the last edit)").arg(headline) : headline));
     m_light->setPixmap(judgedPixmap(judgement.state, iconSmall + 3, devicePixelRatioF(), isOld));
     m_stocks->setText(JudgementText::stocks(judgement, judged.areStocksComing));
     m_batch->setText(JudgementText::batch(judgement, judged.isBatchComing));
@@ -295,6 +298,17 @@ void VerdictPanel::grey(bool on) {
     }
     for (QLabel* label : {m_time, m_status, m_overall, m_why, m_off}) {
         label->setPalette(own);
+    }
+    QPalette ground;
+    if (on) {
+        constexpr float faint = 0.15F;
+        QColor line = QGuiApplication::palette().color(QPalette::WindowText);
+        line.setAlphaF(faint);
+        ground.setBrush(QPalette::Window, QBrush(line, Qt::BDiagPattern));
+    }
+    for (QWidget* each : {m_head, m_page}) {
+        each->setPalette(ground);
+        each->setAutoFillBackground(on);
     }
     m_model->setGreyed(on);
     m_form->setGreyed(on, own);

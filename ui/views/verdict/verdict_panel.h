@@ -66,7 +66,7 @@ private:
     void showJudged();
     [[nodiscard]] JudgedRun judgedRun() const; ///< of the outcome that is shown
     void showRefusedFields();
-    void grey(bool on);
+    void grey(bool on); ///< of the inputs before the last edit: grey on a hatched ground
     /// The requirement that is explained: the one chosen, else the worst when it fails.
     [[nodiscard]] const ConstraintResult* explained() const;
     void showRequirements();
@@ -82,6 +82,7 @@ private:
     QLabel* m_batch = nullptr;
     QLabel* m_why = nullptr;
     QLabel* m_off = nullptr; ///< what is not checked
+    QWidget *m_head = nullptr, *m_page = nullptr;
     QVBoxLayout* m_layout = nullptr;
     RemedySection* m_remedies = nullptr;
     CopyTable* m_table = nullptr;

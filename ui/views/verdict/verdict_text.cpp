@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict/verdict_text.h"
 
+#include "core/short_time.h"
 #include "core/units.h"
 #include "ui/text/names.h"
 
@@ -22,9 +23,8 @@ QString minutes(double time_s) {
 
 /// Below two minutes in seconds first, as a grinder counts a plunge.
 QString time(const SimulationResult& result) {
-    constexpr double short_s = 120;
     const QString seconds = Names::significant(result.time_s, 4);
-    return result.time_s < short_s
+    return result.time_s < shortTime_s
                ? VerdictText::tr("%1 s (%2)").arg(seconds, minutes(result.time_s))
                : VerdictText::tr("%1 (%2 s)").arg(minutes(result.time_s), seconds);
 }

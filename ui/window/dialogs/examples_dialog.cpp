@@ -10,7 +10,7 @@
 #include "ui/session/document.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/judgement_text.h"
-#include "ui/text/number_text.h"
+#include "ui/text/names.h"
 #include "ui/text/texts.h"
 #include "ui/views/verdict/verdict_text.h"
 
@@ -105,9 +105,13 @@ QString ExamplesDialog::resultOf(const Entry& entry) {
     if (!run.isCompleted(entry.setup)) {
         return tr("Not every cycle ends at size.");
     }
-    const QString time = tr("Main time %1 min, piece time %2 min.")
-                             .arg(printedNumber(run.time.main_min, exampleDigits),
-                                  printedNumber(run.time.piece_min, exampleDigits));
+    const auto shown = [](double time_min) {
+        return Names::timeOfMinutes(time_min, exampleDigits);
+    };
+    const QString time =
+        run.time.isPieceEntered
+            ? tr("Main time %1, piece time %2.").arg(shown(run.time.main_min), shown(run.time.piece_min))
+            : tr("Main time %1.").arg(shown(run.time.main_min));
     Judgement worst; // of the surface to speak of first
     for (const SurfaceRun& surface : run.surfaces) {
         Judgement one = judge(surface.result, surface.constraints, judgeStocks(surface.result));

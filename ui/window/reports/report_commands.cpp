@@ -52,6 +52,9 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     subject.file = now.file;
     subject.date = documentDay();
     subject.company = m_settings.company();
+    if (now.setup) {
+        report::nameSurface(subject, *now.setup, now.surface);
+    }
     subject.breathe = [] { QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents); };
     std::optional<report::Paper> paper;
     if (kind == report::Kind::handout && now.cycle && !chooseHandout(subject, *now.cycle, paper)) {

@@ -29,6 +29,7 @@ public:
         BatchOutcomePtr batch;
         const CycleCursor* cycle = nullptr; ///< where the window's cycle stands
         std::optional<Setup> setup;         ///< where there are several surfaces, or wear
+        std::size_t surface = 0;            ///< that of the outcome, in the set-up
         BatchOutcomePtr predicting = {};    ///< that measured parts are held against; or null
     };
 

@@ -115,7 +115,7 @@ private slots:
         const SearchSummary engine = optimise(project);
         const Desk desk(project);
         QVERIFY(desk.searched());
-        QCOMPARE(desk.cell(0, FoundColumn::time), OptimiseText::minutes(engine.best->time_s));
+        QCOMPARE(desk.cell(0, FoundColumn::time), OptimiseText::time(engine.best->time_s));
         QCOMPARE(desk.cell(0, FoundColumn::cycle), OptimiseText::cycle(engine.cycle));
         QVERIFY(desk.told().contains(desk.cell(0, FoundColumn::time)));
         const ComparedFeeds& found = desk.view->curves()->runs().back();
@@ -263,7 +263,7 @@ private slots:
             QCOMPARE(cycleAt(), OptimiseText::cycle(point.cycle));
             QCOMPARE(plot.chosen()->data()->at(0)->key, point.best->time_s / 60);
             QVERIFY(
-                plot.accessibleDescription().contains(OptimiseText::minutes(point.best->time_s)));
+                plot.accessibleDescription().contains(OptimiseText::time(point.best->time_s)));
             QVERIFY(plot.hasFocus());
             QTest::keyClick(&plot, Qt::Key_Right);
         }
@@ -497,7 +497,7 @@ private slots:
         QVERIFY(outcome.proved());
         robust.nominalTime_s = 40;
         const QString cost = OptimiseText::answer(outcome, {});
-        QVERIFY2(cost.contains(QStringLiteral("0.6667 min: robustness costs 25.0 % of time")),
+        QVERIFY2(cost.contains(QStringLiteral("40.00 s: robustness costs 25.0 % of time")),
                  qPrintable(cost));
         QVERIFY2(cost.contains(QStringLiteral("held in all of 500 phases"))
                      && cost.contains(QStringLiteral("at most 0.74 % of the phases fail"))

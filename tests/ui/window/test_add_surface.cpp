@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dialog that adds a surface, and what comes of it in the document.
+#include "core/project/cycle.h"
+#include "core/project/part.h"
+#include "core/study/new_project.h"
+#include "tests/registry.h"
+#include "tests/ui/support/untitled.h"
+#include "ui/part/add_surface_dialog.h"
+#include "ui/session/surface_edits.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QTest>
+
+#include <string>
+#include <vector>
+
+namespace sparkout::test_add_surface {
+
+class TestAddSurface : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// A surface begins with a drawing of its own; a copy asks what of the other's comes along, and
+    /// keeps its cycle.
+    void aCopiedSurfaceAsksWhatComesAlong() {
+        Setup setup = plainSetup(newProject(Operation::plunge));
+        Part& part = *setup.surfaces.front().project.part;
+        part.gaps.push_back({.from_deg = 0, .width_deg = 30});
+        part.tolerance.roundness_um = 4;
+        Untitled document(setup);
+        const auto isFree = [](const QString&) { return true; };
+        AddSurfaceDialog dialog(document.state(), QStringLiteral("second"), isFree, std::nullopt);
+        QVERIFY(!dialog.isCopy());
+        QCOMPARE(dialog.openInputs(), drawingInputs());
+        auto* begin = dialog.findChild<QComboBox*>(QStringLiteral("begin"));
+        begin->setCurrentIndex(0);
+        QVERIFY(dialog.isCopy());
+        const auto box = [&dialog](const char* name) {
+            return dialog.findChild<QCheckBox*>(QString::fromLatin1(name));
+        };
+        QVERIFY(!box("copyGaps")->isChecked() && box("copyDeviations")->isChecked()
+                && box("copyTolerances")->isChecked());
+        QVERIFY(dialog.openInputs().empty());
+        QVERIFY(dialog.project().part->gaps.empty());
+        QVERIFY(dialog.project().part->tolerance.roundness_um == 4.0);
+        box("copyGaps")->setChecked(true);
+        box("copyTolerances")->setChecked(false);
+        QCOMPARE(dialog.project().part->gaps.size(), 1U);
+        QVERIFY(!dialog.project().part->tolerance.roundness_um);
+        box("copyDeviations")->setChecked(false);
+        const std::vector<std::string> deviations{"/part/upper_deviation_um",
+                                                  "/part/lower_deviation_um"};
+        QCOMPARE(dialog.openInputs(), deviations);
+        SurfaceEdits edits(document);
+        edits.add(dialog.project(), dialog.name(), dialog.openInputs(), !dialog.isCopy());
+        const std::vector<Stage> stages = document.project().cycle->stages;
+        Project given = document.project();
+        given.part->upper_deviation_um = part.upper_deviation_um; // the very same is given, too
+        given.part->lower_deviation_um = part.lower_deviation_um;
+        document.edit(given, {"Input", "Deviations"});
+        QVERIFY(document.openInputs().empty() && !document.followsDrawing());
+        QCOMPARE(document.project().cycle->stages.size(), stages.size());
+        QCOMPARE(document.project().cycle->stages.front().radial_feed_mm_min,
+                 stages.front().radial_feed_mm_min);
+    }
+};
+
+} // namespace sparkout::test_add_surface
+
+SPARKOUT_TEST(test_add_surface, TestAddSurface)
+#include "test_add_surface.moc"
