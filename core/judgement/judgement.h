@@ -21,7 +21,7 @@ namespace sparkout {
 
 /// Why a requirement that is asked for is not decided.
 enum class UndecidedReason {
-    notCalibrated,  ///< its value is an estimate that comes out too small
+    notCalibrated,  ///< its value is an estimate, and the limit lies within its range
     inputMissing,   ///< some of the inputs that its limit rests on are given, but not all
     machineNotKnown ///< the machine's own form is not in its value
 };
@@ -50,6 +50,7 @@ struct JudgedStocks {
     /// The requirement to speak of first, at the stock where it is worst; of the settings only one
     /// that fails. Nothing where none is checked.
     std::optional<ConstraintResult> worst;
+    bool hasOpenEstimate = false; ///< whose limit lies within its range, for some stock
 };
 
 /// Visits of a radius that a decision on the stocks may take, estimated before it begins: some
