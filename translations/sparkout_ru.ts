@@ -10791,6 +10791,10 @@ With another name both versions stay as they are.</source>
             <translation>доля профиля, занятая срезом</translation>
         </message>
         <message>
+            <source>overlap: revolutions over a point in a stroke</source>
+            <translation>перекрытие: оборотов над точкой за ход</translation>
+        </message>
+        <message>
             <source>calibration of Ra: measured over computed</source>
             <translation>поправка Ra: измеренная к вычисленной</translation>
         </message>

@@ -130,9 +130,11 @@ std::optional<FormulaSheet> sheetOfRoughness(const Judged& of) {
     return roughnessSheet(of.result.project, *judgedSection(of).lastCut);
 }
 
-std::optional<double> roughnessDepth(const Project& project, double /*b*/, double /*stock*/) {
+std::optional<double> roughnessDepth(const Project& project, double b, double /*stock*/) {
     const auto& Ra = project.part->tolerance.roughness_ra_um;
-    return Ra ? std::optional(RoughnessModel(project).limitDepth(*Ra / umPerMm)) : std::nullopt;
+    return Ra ? std::optional(
+               RoughnessModel(project).limitDepth(*Ra / umPerMm, overlapOf(project, b)))
+              : std::nullopt;
 }
 
 std::vector<SectionShape> shapesOf(const SimulationResult& result) {

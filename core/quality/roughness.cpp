@@ -97,6 +97,7 @@ std::optional<double> factorOfMeasuredRa(const Project& project) {
     const LaneBalance balance(std::max(gauged.gamma_mm_n, 0.0), b * law.ks, b * law.kr,
                               law.threshold);
     const LastCut cut{.depth_mm = a,
+                      .overlap = overlapOf(project, b),
                       .pressed_mm = steadyPress(balance, travels ? 2 : 1, a),
                       .step_s = 1, // both times in steps
                       .sparkOut_s = measured->spark_out.value_or(end.sparkOut),
@@ -175,7 +176,13 @@ double RoughnessModel::roughness(double a, FormulaSheet* sheet) const {
 }
 
 double RoughnessModel::roughness(const LastCut& cut, FormulaSheet* sheet) const {
-    const double straight = roughness(cut.depth_mm, sheet);
+    const bool isStroke = cut.overlap > 1;
+    const double a = cut.depth_mm / cut.overlap;
+    if (isStroke) {
+        state(sheet, "{a} = {a_s}/{u}", {"a", a, "mm"},
+              {{"a_s", cut.depth_mm, "mm"}, {"u", cut.overlap, ""}});
+    }
+    const double straight = roughness(a, sheet);
     if (!(cut.sparkOut_s > 0)) {
         return straight;
     }
@@ -183,11 +190,12 @@ double RoughnessModel::roughness(const LastCut& cut, FormulaSheet* sheet) const 
     const double left = restShare + (1 - restShare) * std::exp(-cut.sparkOut_s / tau);
     const double Ra = straight * left;
     if (sheet) {
-        state(sheet, "{τ} = {k}·{T}·{h}/{a}", {"τ", tau, "s"},
+        state(sheet, isStroke ? "{τ} = {k}·{T}·{h}/{a_s}" : "{τ} = {k}·{T}·{h}/{a}",
+              {"τ", tau, "s"},
               {constantTerm("k", deflectionTimes),
                {"T", cut.step_s, "s"},
                {"h", cut.pressed_mm, "mm"},
-               {"a", cut.depth_mm, "mm"}});
+               {isStroke ? "a_s" : "a", cut.depth_mm, "mm"}});
         state(sheet, "{Ra_e} = {Ra}·({r} + (1 − {r})·exp(−{t}/{τ}))", {"Ra_e", Ra, "mm"},
               {{"Ra", straight, "mm"},
                constantTerm("r", restShare),
@@ -201,13 +209,13 @@ double RoughnessModel::mostDepth(double Ra) const {
     return limitDepth(Ra / restShare);
 }
 
-double RoughnessModel::limitDepth(double Ra, FormulaSheet* sheet) const {
+double RoughnessModel::limitDepth(double Ra, double overlap, FormulaSheet* sheet) const {
     const double De = m_cutting.De_mm, eta = m_cutting.dullness;
     const double rows = Ra / (m_factor * isakov);
     const double y = rows * std::sqrt(rows) / m_profile;
     const double s = y * (y + 2 * std::sqrt(eta));
     const double rootShare = s * m_cutting.Vk_mm_s / (std::numbers::pi * m_cutting.Vd_mm_s);
-    const double a = De * rootShare * rootShare;
+    const double a = overlap * De * rootShare * rootShare;
     if (sheet) {
         stateGrain(sheet);
         state(sheet, "{y} = ({Ra}/({f}·{c}))^(3/2)/{G}", {"y", y, ""},
@@ -216,15 +224,23 @@ double RoughnessModel::limitDepth(double Ra, FormulaSheet* sheet) const {
                constantTerm("c", isakov),
                {"G", m_profile, "mm^1.5"}});
         state(sheet, "{s} = {y}·({y} + 2·√({η}))", {"s", s, ""}, {{"y", y, ""}, {"η", eta, ""}});
-        state(sheet, "{a} = {D_e}·({s}·{V_k}/(π·{V_d}))²", {"a", a, "mm"},
-              {{"D_e", De, "mm"},
-               {"s", s, ""},
-               {"V_k", m_cutting.Vk_mm_s, "mm/s"},
-               {"V_d", m_cutting.Vd_mm_s, "mm/s"}});
+        const FormulaTerm ofPlace{"D_e", De, "mm"}, share{"s", s, ""},
+            ofWheel{"V_k", m_cutting.Vk_mm_s, "mm/s"}, ofWork{"V_d", m_cutting.Vd_mm_s, "mm/s"};
+        if (overlap > 1) {
+            state(sheet, "{a} = {u}·{D_e}·({s}·{V_k}/(π·{V_d}))²", {"a", a, "mm"},
+                  {{"u", overlap, ""}, ofPlace, share, ofWheel, ofWork});
+        } else {
+            state(sheet, "{a} = {D_e}·({s}·{V_k}/(π·{V_d}))²", {"a", a, "mm"},
+                  {ofPlace, share, ofWheel, ofWork});
+        }
         state(sheet, "{S_ф} = {a}·{n}", {"S_ф", a * m_cutting.n_rpm, "mm/min"},
               {{"a", a, "mm"}, {"n", m_cutting.n_rpm, "rev/min"}});
     }
     return a;
+}
+
+double overlapOf(const Project& project, double b) {
+    return project.operation->travels ? std::max(1.0, project.wheel->width_mm / b) : 1;
 }
 
 bool isRoughnessCalibrated(const Project& project) {
@@ -250,10 +266,10 @@ FormulaSheet roughnessSheet(const Project& project, const LastCut& cut) {
     return sheet;
 }
 
-FormulaSheet roughnessLimitSheet(const Project& project, double Ra) {
+FormulaSheet roughnessLimitSheet(const Project& project, double Ra, double b) {
     FormulaSheet sheet{SPARKOUT_NOOP("Formula", "Limiting feed, roughness"), "MODEL-8", {}};
     stateContact(&sheet, project, cuttingOf(project));
-    RoughnessModel(project).limitDepth(Ra, &sheet);
+    RoughnessModel(project).limitDepth(Ra, overlapOf(project, b), &sheet);
     return sheet;
 }
 

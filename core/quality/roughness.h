@@ -38,13 +38,14 @@ struct RoughnessFactor {
 ///     Ra = f·0.2·( (d_g/tg φ)·√(Δ/(4·N_s))·( √(η + s) − √η ) )^(2/3)
 ///     s = (π²/V_k)·√(d(d + D)·n·S_ф/D) = π·(V_d/V_k)·√(a/D_e),   N_s = 0.5·(62 − 100·W_g)
 ///
-/// with S_ф = a·n, a the depth that the last revolution or double stroke with infeed took [mm], f
-/// the factor. The form with D_e is the printed one for external grinding and carries it to bores.
+/// with S_ф = a·n, a = a_s/u what a revolution took of the depth a_s of the last revolution or
+/// double stroke with infeed [mm], u = 1 of a plunge and the overlap B·n/S_ax of a stroke, f the
+/// factor. The form with D_e is the printed one for external grinding and carries it to bores.
 /// Ra rises with a from 0 on: a limit of Ra is a limit of a. In the spark-out after it
 ///
-///     Ra_e = Ra·( r + (1 − r)·exp(−t/τ) ),   τ = 2·T·h/a,   r = ½
+///     Ra_e = Ra·( r + (1 − r)·exp(−t/τ) ),   τ = 2·T·h/a_s,   r = ½
 ///
-/// falls towards a rest: T·h/a is how long the system would take to give back at the rate of that
+/// falls towards a rest: T·h/a_s is how long the system would take to give back at the rate of that
 /// step what the step had to take, which is no less than the time constant of its deflection.
 class RoughnessModel {
 public:
@@ -52,13 +53,15 @@ public:
     explicit RoughnessModel(const Project& project);
     RoughnessModel(const Project& project, double factor);
 
-    /// Ra [mm] straight after a step with infeed that took so much [mm].
+    /// Ra [mm] straight after infeed that took so much a revolution [mm].
     double roughness(double a, FormulaSheet* sheet = nullptr) const;
     /// Ra [mm] at the end of the cycle.
     double roughness(const LastCut& cut, FormulaSheet* sheet = nullptr) const;
-    /// What a step may take [mm] that leaves this Ra [mm] without a spark-out; S_f = limitDepth·n.
-    double limitDepth(double Ra, FormulaSheet* sheet = nullptr) const;
-    /// What it may take if any spark-out may follow [mm]: never less than the last cut of a cycle.
+    /// What a step of the overlap u may take [mm] that leaves this Ra [mm] without a spark-out;
+    /// S_f = limitDepth·n.
+    double limitDepth(double Ra, double overlap = 1, FormulaSheet* sheet = nullptr) const;
+    /// What a revolution of a plunge may take if any spark-out may follow [mm]: no less than the
+    /// last cut of a cycle that leaves this Ra.
     [[nodiscard]] double mostDepth(double Ra) const;
 
 private:
@@ -73,7 +76,12 @@ private:
 /// Straight after the infeed.
 [[nodiscard]] FormulaSheet roughnessSheet(const Project& project, double a);
 [[nodiscard]] FormulaSheet roughnessSheet(const Project& project, const LastCut& cut);
-/// The limiting depth and, as its last step, the limiting feed S_ф = a·n [mm/min].
-[[nodiscard]] FormulaSheet roughnessLimitSheet(const Project& project, double Ra);
+/// The limiting depth of a pass of the effective width b and, as its last step, the limiting feed
+/// S_ф = a·n [mm/min].
+[[nodiscard]] FormulaSheet roughnessLimitSheet(const Project& project, double Ra, double b);
+
+/// u of passes of the effective width b: revolutions that the wheel takes over a point in a stroke,
+/// 1 in a plunge.
+[[nodiscard]] double overlapOf(const Project& project, double b);
 
 } // namespace sparkout

@@ -70,6 +70,7 @@ void LimitWatch::keepStep(const Lanes& lanes, const Step& step) {
     }
     if (isWhole || !(last.duration_s > 0)) {
         last.duration_s = step.duration_s;
+        last.overlap = step.overlap;
         last.at.swap(last.begun);
     }
     last.sparkOut_s = feeds ? 0 : last.sparkOut_s + step.duration_s;
@@ -178,6 +179,7 @@ void LimitWatch::put(SimulationResult& result) const {
         if (*most > 0) {
             const auto lane = static_cast<std::size_t>(most - m_last.taken_mm.begin());
             sections[i].lastCut = LastCut{.depth_mm = *most,
+                                          .overlap = m_last.overlap,
                                           .pressed_mm = m_last.pressed_mm[lane],
                                           .step_s = m_last.duration_s,
                                           .sparkOut_s = m_last.sparkOut_s,

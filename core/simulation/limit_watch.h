@@ -46,6 +46,7 @@ public:
         double infeed_mm = 0; ///< none or less in a spark-out
         double fed_mm = 0;
         double duration_s = 0;
+        double overlap = 1; ///< B·n/S_ax of a double stroke
         std::size_t stage = 0;
     };
     /// After the passes of a revolution or double stroke.
@@ -106,6 +107,7 @@ private:
         std::size_t stage = 0;      ///< of the last whole one
         double infeed_mm = 0;       ///< of that one; 0: there is none
         double duration_s = 0;
+        double overlap = 1;
         double sparkOut_s = 0; ///< since it
     };
     LastStep m_last;

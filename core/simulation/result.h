@@ -66,6 +66,7 @@ struct StageSums {
 /// with infeed has cut has its first step without one here.
 struct LastCut {
     double depth_mm = 0;   ///< a, taken by all passes of the step
+    double overlap = 1;    ///< u, revolutions that the wheel takes over a point in a stroke
     double pressed_mm = 0; ///< h, what the step had to take: a and the deflection that it left
     double step_s = 0;     ///< T, time of the step
     double sparkOut_s = 0; ///< t, of all steps after the last with infeed

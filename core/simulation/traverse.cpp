@@ -90,7 +90,8 @@ public:
         if (!done) {
             return false;
         }
-        m_run.stepDone(fedBefore_mm, before_s, m_stage);
+        m_run.stepDone(fedBefore_mm, before_s, m_stage,
+                       m_project.wheel->width_mm / m_stroke->width_mm);
         return !m_run.mustEnd();
     }
 

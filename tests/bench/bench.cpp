@@ -146,7 +146,7 @@ void passWithEveryConstraint(benchmark::State& state, bool sparking) {
         peaks.passBegins(lanes, range, 0, 1);
         const double root = cut(lanes, coefficients, feed, range);
         watch.passDone(lanes, range, root, feed, &place, 0, 1);
-        watch.stepDone(lanes, {feed.cap, feed.base + feed.cap, 0.33, 0});
+        watch.stepDone(lanes, {feed.cap, feed.base + feed.cap, 0.33, 1, 0});
         benchmark::DoNotOptimize(root);
         benchmark::ClobberMemory();
         feed.base += feed.rate;
