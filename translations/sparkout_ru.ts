@@ -4702,8 +4702,48 @@ With another name both versions stay as they are.</source>
             <translation>Поправка шероховатости</translation>
         </message>
         <message>
-            <source>Measured Ra over computed Ra.</source>
-            <translation>Отношение измеренной Ra к расчётной.</translation>
+            <source>Measured Ra over computed Ra; at 1 it is not known, and Ra is a range. A measured Ra sets it.</source>
+            <translation>Отношение измеренной Ra к расчётной; при 1 оно не известно, и Ra — диапазон. Задаётся измеренной Ra.</translation>
+        </message>
+        <message>
+            <source>Measured Ra</source>
+            <translation>Измеренная Ra</translation>
+        </message>
+        <message>
+            <source>Ra of a part ground with this wheel, dressed as it is. It sets the roughness calibration.</source>
+            <translation>Ra детали, прошлифованной этим кругом при той же правке. Задаёт поправку шероховатости.</translation>
+        </message>
+        <message>
+            <source>Infeed it was measured at</source>
+            <translation>Подача, при которой измерена</translation>
+        </message>
+        <message>
+            <source>of the cycle's last feed</source>
+            <translation>последняя подача цикла</translation>
+        </message>
+        <message>
+            <source>By a revolution of the part in a plunge, else by a double stroke, at the speeds and diameters stated.</source>
+            <translation>На оборот детали при врезном шлифовании, иначе на двойной ход, при заданных скоростях и диаметрах.</translation>
+        </message>
+        <message>
+            <source>Spark-out it was measured at</source>
+            <translation>Выхаживание, после которого измерена</translation>
+        </message>
+        <message>
+            <source>as many as in the cycle</source>
+            <translation>сколько в цикле</translation>
+        </message>
+        <message>
+            <source>Revolutions in a plunge, else double strokes, after that infeed.</source>
+            <translation>Обороты при врезном шлифовании, иначе двойные ходы после этой подачи.</translation>
+        </message>
+        <message>
+            <source>Ra is an estimate</source>
+            <translation>Ra — оценка</translation>
+        </message>
+        <message>
+            <source>Ra of a ground part, with the infeed and spark-out that it was measured at.</source>
+            <translation>Ra прошлифованной детали с подачей и выхаживанием, при которых она измерена.</translation>
         </message>
         <message>
             <source>Grain surface energy</source>
@@ -7545,8 +7585,8 @@ With another name both versions stay as they are.</source>
             <translation>Шероховатость не ограничивает подачу, пока расчёт не откалиброван: %1</translation>
         </message>
         <message>
-            <source>Roughness is not limiting while it is not calibrated: with the roughness calibration of 1 the computed Ra is too small, and no depth of cut can be derived from it.</source>
-            <translation>Шероховатость не ограничивает подачу, пока расчёт не откалиброван: при поправке шероховатости, равной 1, расчётный параметр Ra занижен, и допустимую глубину резания по нему определить нельзя.</translation>
+            <source>Roughness is not limiting while it is not calibrated: the computed Ra is a range, and no depth of cut can be derived from it.</source>
+            <translation>Шероховатость не ограничивает подачу, пока расчёт не откалиброван: расчётный параметр Ra — диапазон, и допустимую глубину резания по нему определить нельзя.</translation>
         </message>
         <message>
             <source>Machine not known, the process alone: %1</source>
@@ -9632,6 +9672,10 @@ With another name both versions stay as they are.</source>
             <translation>Шероховатость Ra, мкм</translation>
         </message>
         <message>
+            <source>Maximum roughness Ra of the estimate, µm</source>
+            <translation>Наибольшая шероховатость Ra по оценке, мкм</translation>
+        </message>
+        <message>
             <source>Setting / nearer end of the range</source>
             <translation>Настройка / ближний предел диапазона</translation>
         </message>
@@ -10085,6 +10129,10 @@ With another name both versions stay as they are.</source>
     </context>
     <context>
         <name>Struct</name>
+        <message>
+            <source>Measured Ra</source>
+            <translation>Измеренная Ra</translation>
+        </message>
         <message>
             <source>Optimisation</source>
             <translation>Оптимизация</translation>
@@ -10915,6 +10963,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>share of the profile that the cut takes</source>
             <translation>доля профиля, занятая срезом</translation>
+        </message>
+        <message>
+            <source>overlap: revolutions over a point in a stroke</source>
+            <translation>перекрытие: оборотов над точкой за ход</translation>
         </message>
         <message>
             <source>calibration of Ra: measured over computed</source>
@@ -16872,8 +16924,8 @@ target, µm</source>
             <translation>ст. %1</translation>
         </message>
         <message>
-            <source>Without a calibration of the wheel Ra comes out too small.</source>
-            <translation>Без калибровки круга Ra получается заниженным.</translation>
+            <source>Without a measured Ra this is the range of usual wheels.</source>
+            <translation>Без измеренной Ra это диапазон для обычных кругов.</translation>
         </message>
         <message>
             <source>Ra, estimate</source>
@@ -16882,6 +16934,10 @@ target, µm</source>
         <message>
             <source>machine not known</source>
             <translation>станок не известен</translation>
+        </message>
+        <message>
+            <source>not decided</source>
+            <translation>не определено</translation>
         </message>
     </context>
     <context>

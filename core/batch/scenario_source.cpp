@@ -4,6 +4,7 @@
 #include "core/process/profile.h"
 #include "core/project/batch.h"
 #include "core/project/gauge.h"
+#include "core/quality/roughness.h"
 #include "core/statistics/permutation.h"
 #include "core/statistics/sobol_sequence.h"
 
@@ -14,7 +15,7 @@
 namespace sparkout {
 
 ScenarioSource::ScenarioSource(Project project)
-    : m_nominal(std::move(project)), m_batch(m_nominal.batch.value_or(Batch{})) {
+    : m_nominal(withMeasuredRa(std::move(project))), m_batch(m_nominal.batch.value_or(Batch{})) {
     m_factors = scatteredFactors(m_nominal);
     m_ofPart = givenFactors(m_nominal).size();
     m_constants = zoneConstants(m_nominal);

@@ -21,12 +21,12 @@ namespace sparkout {
 
 namespace {
 
-/// Ra [µm] of the last cut of each zone or section with a factor of 1; 0 where it is not known.
+/// Ra [µm] that the cycle leaves in each zone or section with a factor of 1; 0 where it is not
+/// known.
 std::vector<double> computedRoughness(const Project& project) {
     Project plain = project;
     plain.runs.clear();
     plain.measured.reset();
-    plain.wheel->roughness_factor = 1;
     constexpr double any_um = 100; // so that the last cut is kept
     plain.part->tolerance.roughness_ra_um = any_um;
     const SimulationResult result = simulate(plain);
@@ -34,10 +34,10 @@ std::vector<double> computedRoughness(const Project& project) {
     if (result.status != RunStatus::completed) {
         return values;
     }
-    const RoughnessModel model(plain);
+    const RoughnessModel model(plain, 1);
     for (std::size_t i = 0; i < values.size() && i < result.sections.size(); ++i) {
         if (const auto& last = result.sections[i].lastCut) {
-            values[i] = model.roughness(last->depth_mm) * units::umPerMm;
+            values[i] = model.roughness(*last) * units::umPerMm;
         }
     }
     return values;

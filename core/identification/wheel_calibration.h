@@ -11,8 +11,8 @@
 /// What one measured part tells of the wheel as it is dressed [MODEL-8, MODEL-13].
 namespace sparkout {
 
-/// Measured Ra to that of the last cut of the project's cycle: the factor of Ra for this wheel and
-/// this dressing.
+/// Measured Ra to that which the project's cycle leaves: the factor of Ra for this wheel and this
+/// dressing.
 struct RoughnessCalibration {
     double factor = 1;                  ///< geometric mean over the measured values
     std::optional<Interval> interval95; ///< Student's of the logarithms, of two values or more

@@ -15,15 +15,26 @@ namespace sparkout {
 
 namespace {
 
-std::optional<Undecided> undecidedOf(const Requirement& row, const Project& project) {
+/// Whether an estimate is known and lies on one side of its limit everywhere.
+bool isDecided(ConstraintKind kind, const std::vector<ConstraintResult>& constraints) {
+    const auto isIt = [kind](const ConstraintResult& each) { return each.kind == kind; };
+    return std::ranges::any_of(constraints, isIt) && std::ranges::none_of(constraints, isOpen);
+}
+
+const Undecided roughnessNotKnown{ConstraintKind::roughness, UndecidedReason::notCalibrated,
+                                  "/wheel/roughness_factor"};
+
+std::optional<Undecided> undecidedOf(const Requirement& row, const Project& project,
+                                     const std::vector<ConstraintResult>& constraints) {
     if (!isAskedFor(row, project)) {
         return std::nullopt;
     }
     if (std::string path = missingInput(row, project); !path.empty()) {
         return Undecided{row.kind, UndecidedReason::inputMissing, std::move(path)};
     }
-    if (row.kind == ConstraintKind::roughness && !isRoughnessCalibrated(project)) {
-        return Undecided{row.kind, UndecidedReason::notCalibrated, "/wheel/roughness_factor"};
+    if (row.kind == ConstraintKind::roughness && !isRoughnessCalibrated(project)
+        && !isDecided(row.kind, constraints)) {
+        return roughnessNotKnown;
     }
     if (!knowsMachine(row.kind, project)) {
         return Undecided{row.kind, UndecidedReason::machineNotKnown, "/machine/form"};
@@ -46,8 +57,10 @@ void keepWorst(std::optional<ConstraintResult>& worst,
 JudgedStocks judgedStocks(const PhaseDecision& decision) {
     JudgedStocks stocks{.range = decision.range, .holds = decision.failing.empty()};
     for (const DecidedPiece& piece : decision.pieces) {
-        keepWorst(stocks.worst, piece.low.constraints);
-        keepWorst(stocks.worst, piece.high.constraints);
+        for (const auto* end : {&piece.low.constraints, &piece.high.constraints}) {
+            keepWorst(stocks.worst, *end);
+            stocks.hasOpenEstimate |= std::ranges::any_of(*end, isOpen);
+        }
         if (piece.piece.status != RunStatus::completed) {
             stocks.status = piece.piece.status;
         }
@@ -61,6 +74,14 @@ JudgedStocks judgedStocks(const PhaseDecision& decision) {
         stocks.failingShare = 1;
     }
     return stocks;
+}
+
+/// In the order of the kinds, where it is not there yet.
+void addUndecided(std::vector<Undecided>& all, const Undecided& one) {
+    const auto at = std::ranges::lower_bound(all, one.kind, {}, &Undecided::kind);
+    if (at == all.end() || at->kind != one.kind) {
+        all.insert(at, one);
+    }
 }
 
 JudgedState stateOf(const Judgement& of, bool nominalFails) {
@@ -107,7 +128,7 @@ std::vector<Undecided> undecided(const Project& project,
         const bool fails = std::ranges::any_of(constraints, [&row](const ConstraintResult& each) {
             return each.kind == row.kind && !each.holds;
         });
-        std::optional<Undecided> one = undecidedOf(row, project);
+        std::optional<Undecided> one = undecidedOf(row, project, constraints);
         if (one && !fails) {
             found.push_back(*std::move(one));
         }
@@ -164,9 +185,12 @@ Judgement judge(const SimulationResult& result, const std::vector<ConstraintResu
     if (!fails && result.status == RunStatus::completed && stocks) {
         judgement.worst = stocks->worst;
     }
+    judgement.notDecided = undecided(result.project, constraints);
+    if (stocks && stocks->hasOpenEstimate) { // for the part that was run it may be decided
+        addUndecided(judgement.notDecided, roughnessNotKnown);
+    }
     judgement.stocks = std::move(stocks);
     judgement.batch = std::move(batch);
-    judgement.notDecided = undecided(result.project, constraints);
     if (!fails && judgement.stocks && judgement.stocks->failsIfEven) {
         judgement.notDecided.push_back({*judgement.stocks->failsIfEven,
                                         UndecidedReason::machineNotKnown, "/machine/form/lobes"});

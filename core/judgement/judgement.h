@@ -21,7 +21,7 @@ namespace sparkout {
 
 /// Why a requirement that is asked for is not decided.
 enum class UndecidedReason {
-    notCalibrated,  ///< its value is an estimate that comes out too small
+    notCalibrated,  ///< its value is an estimate, and the limit lies within its range
     inputMissing,   ///< some of the inputs that its limit rests on are given, but not all
     machineNotKnown ///< the machine's own form is not in its value
 };
@@ -53,6 +53,7 @@ struct JudgedStocks {
     /// Of a machine whose number of lobes is not known, where all holds with an odd one: the
     /// requirement that fails for some stocks with an even one.
     std::optional<ConstraintKind> failsIfEven;
+    bool hasOpenEstimate = false; ///< whose limit lies within its range, for some stock
 };
 
 /// Visits of a radius that a decision on the stocks may take, estimated before it begins: some

@@ -123,8 +123,7 @@ std::optional<double> ofPlace(const Figure& figure, const FigureSource& run) {
         return run.accuracy.sections[figure.place.index()].minimumZone.deviation() * umPerMm;
     case FigureName::roughness:
         return section.lastCut ? std::optional(
-                   RoughnessModel(run.result.project).roughness(section.lastCut->depth_mm)
-                   * umPerMm)
+                   RoughnessModel(run.result.project).roughness(*section.lastCut) * umPerMm)
                                : std::nullopt;
     case FigureName::placeForce: return section.peakNormalForce_n;
     default: return std::nullopt;

@@ -46,7 +46,7 @@ double ContactCompliance::compliance(double force_n) const {
 
 double ContactCompliance::cut(Lanes& lanes, const LaneCoefficients& coefficients,
                               const PassFeed& feed, const PassRange& range) const {
-    double largest = 0, least = std::numeric_limits<double>::max();
+    double largest = 0;
     for (std::size_t lane = range.first; lane < range.first + range.count; ++lane) {
         const double h = std::max(0.0, feed.at(lanes.share[lane]) - lanes.depth_mm[lane]);
         const Balance balance{.A = coefficients.A4[lane] / 4,
@@ -55,23 +55,17 @@ double ContactCompliance::cut(Lanes& lanes, const LaneCoefficients& coefficients
                               .bkr = range.bkr};
         const double u = root(balance, h, lanes.root[lane]);
         lanes.depth_mm[lane] += u * u;
-        if (!lanes.lastRoot.empty()) {
-            lanes.rootBefore[lane] = lanes.root[lane];
-            lanes.lastRoot[lane] = lanes.lastCut(lane);
-        }
         lanes.root[lane] = u;
         lanes.rootSum[lane] += u;
         lanes.peakRoot[lane] = std::max(lanes.peakRoot[lane], u);
         largest = std::max(largest, u);
-        least = std::min(least, u);
     }
-    lanes.leastRoot = least;
     return largest;
 }
 
 double ContactCompliance::cutWithThreshold(Lanes& lanes, const LaneCoefficients& coefficients,
                                            const PassFeed& feed, const PassRange& range) const {
-    double largest = 0, least = std::numeric_limits<double>::max();
+    double largest = 0;
     for (std::size_t lane = range.first; lane < range.first + range.count; ++lane) {
         const double h = std::max(0.0, feed.at(lanes.share[lane]) - lanes.depth_mm[lane]);
         const ThresholdState found = state({.A = coefficients.A4[lane] / 4,
@@ -81,9 +75,7 @@ double ContactCompliance::cutWithThreshold(Lanes& lanes, const LaneCoefficients&
                                            h);
         putState(lanes, lane, found);
         largest = std::max(largest, found.root);
-        least = std::min(least, found.root);
     }
-    lanes.leastRoot = least;
     return largest;
 }
 

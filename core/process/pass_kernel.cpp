@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/pass_kernel.h"
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
 namespace sparkout {
 
@@ -23,40 +20,17 @@ void LaneCoefficients::set(std::size_t first, double gamma, double bks, double b
 namespace {
 
 enum class Root { multiplied, divided };
-enum class LastCuts { none, kept };
 enum class Drift { none, some }; ///< of the infeed: few cycles have one, which is not free
-
-/// u where the lane was cut, else what was before, by a mask: a choice would become a masked store,
-/// which takes thrice as long.
-[[gnu::always_inline]] inline double lastOf(double u, double before) {
-    const std::uint64_t cut = u > 0 ? ~std::uint64_t{0} : 0;
-    return std::bit_cast<double>((std::bit_cast<std::uint64_t>(u) & cut)
-                                 | (std::bit_cast<std::uint64_t>(before) & ~cut));
-}
-
-/// The last cuts before a pass that did not cut every lane. While passes cut all of them, each
-/// pass's own cuts are the last ones, and nothing is to be kept but those of the pass before.
-[[gnu::always_inline]] inline void keepThoseBefore(Lanes& lanes, const PassRange& range) {
-    const double* __restrict before = lanes.rootBefore.data() + range.first;
-    double* __restrict last = lanes.lastRoot.data() + range.first;
-    const std::size_t count = range.count;
-#pragma omp simd
-    for (std::size_t i = 0; i < count; ++i) {
-        last[i] = lastOf(before[i], last[i]);
-    }
-}
 
 // The loop is written once; each wrapper compiles it for its vector unit. Every operation is an
 // IEEE one, contraction is off, so the units differ in speed alone.
-template <Root form, LastCuts cuts, Drift drifts>
+template <Root form, Drift drifts>
 [[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
                                                 const PassFeed& feed, const PassRange& range) {
     double* __restrict depth = lanes.depth_mm.data() + range.first;
     double* __restrict root = lanes.root.data() + range.first;
     double* __restrict rootSum = lanes.rootSum.data() + range.first;
     double* __restrict peakRoot = lanes.peakRoot.data() + range.first;
-    double* __restrict before =
-        lanes.rootBefore.data() + (cuts == LastCuts::kept ? range.first : 0);
     const double* __restrict share = lanes.share.data() + range.first;
     const double* __restrict C = coefficients.C.data() + range.first;
     const double* __restrict C2 = coefficients.C2.data() + range.first;
@@ -65,8 +39,8 @@ template <Root form, LastCuts cuts, Drift drifts>
     const double begin = feed.base + feed.offset, rate = feed.rate, most = feed.base + feed.cap;
     const double drift = feed.drift, end = feed.most;
     const std::size_t count = range.count;
-    double largest = 0, least = std::numeric_limits<double>::max();
-#pragma omp simd reduction(max : largest) reduction(min : least)
+    double largest = 0;
+#pragma omp simd reduction(max : largest)
     for (std::size_t i = 0; i < count; ++i) {
         const double ramp = begin + rate * share[i];
         double fed = ramp < most ? ramp : most;
@@ -79,44 +53,27 @@ template <Root form, LastCuts cuts, Drift drifts>
         const double q = std::sqrt(C2[i] + A4[i] * h);
         const double u =
             form == Root::multiplied ? (q - C[i]) * inverse2A[i] : (h + h) / (C[i] + q);
-        if constexpr (cuts == LastCuts::kept) {
-            before[i] = root[i];
-            least = u < least ? u : least;
-        }
         depth[i] += u * u;
         root[i] = u;
         rootSum[i] += u; // a sum a lane: the same in every unit
         peakRoot[i] = u > peakRoot[i] ? u : peakRoot[i];
         largest = u > largest ? u : largest;
     }
-    if constexpr (cuts == LastCuts::kept) {
-        lanes.leastRoot = least;
-        if (!(least > 0)) {
-            keepThoseBefore(lanes, range);
-        }
-    }
     return largest;
 }
 
-template <Root form, LastCuts cuts>
+template <Root form>
 [[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
                                                 const PassFeed& feed, const PassRange& range) {
-    return feed.drift != 0 ? cutLanesBy<form, cuts, Drift::some>(lanes, coefficients, feed, range)
-                           : cutLanesBy<form, cuts, Drift::none>(lanes, coefficients, feed, range);
-}
-
-template <LastCuts cuts>
-[[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
-                                                const PassFeed& feed, const PassRange& range) {
-    return range.bkr > multipliedFormLimit * range.bks
-               ? cutLanesBy<Root::divided, cuts>(lanes, coefficients, feed, range)
-               : cutLanesBy<Root::multiplied, cuts>(lanes, coefficients, feed, range);
+    return feed.drift != 0 ? cutLanesBy<form, Drift::some>(lanes, coefficients, feed, range)
+                           : cutLanesBy<form, Drift::none>(lanes, coefficients, feed, range);
 }
 
 [[gnu::always_inline]] inline double cutLanes(Lanes& lanes, const LaneCoefficients& coefficients,
                                               const PassFeed& feed, const PassRange& range) {
-    return lanes.lastRoot.empty() ? cutLanesBy<LastCuts::none>(lanes, coefficients, feed, range)
-                                  : cutLanesBy<LastCuts::kept>(lanes, coefficients, feed, range);
+    return range.bkr > multipliedFormLimit * range.bks
+               ? cutLanesBy<Root::divided>(lanes, coefficients, feed, range)
+               : cutLanesBy<Root::multiplied>(lanes, coefficients, feed, range);
 }
 
 double cutBaseline(Lanes& lanes, const LaneCoefficients& coefficients, const PassFeed& feed,

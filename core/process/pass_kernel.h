@@ -28,19 +28,10 @@ inline constexpr double multipliedFormLimit = 500;
 struct Lanes {
     explicit Lanes(std::size_t count)
         : depth_mm(count), root(count), rootSum(count), peakRoot(count), share(count) {}
-    /// From now on each pass also keeps every lane's last cut.
-    void keepLastCuts() {
-        rootBefore.assign(root.size(), 0.0);
-        lastRoot.assign(root.size(), 0.0);
-    }
     /// From now on each pass also keeps every lane's rubbing share, for a force with a threshold.
     void keepRubbing() {
         rubbing.assign(root.size(), 0.0);
         peakRubbing.assign(root.size(), 0.0);
-    }
-    /// u of a lane's last pass with a > 0, or 0, where last cuts are kept [√mm].
-    [[nodiscard]] double lastCut(std::size_t lane) const {
-        return root[lane] > 0 ? root[lane] : lastRoot[lane];
     }
     std::vector<double> depth_mm; ///< how far the radius stands below first touch
     std::vector<double> root;     ///< u = √a of the last pass [√mm]
@@ -49,9 +40,6 @@ struct Lanes {
     std::vector<double> rubbing;     ///< v of the last pass; empty: the force has no threshold
     std::vector<double> peakRubbing; ///< largest v likewise
     std::vector<double> share;       ///< (k+1)/K, share of the revolution at which it is visited
-    std::vector<double> rootBefore;  ///< u of the pass before the last; empty: not kept [√mm]
-    std::vector<double> lastRoot;    ///< lastCut() where the last pass did not cut, else of no use
-    double leastRoot = 0; ///< smallest u in the last pass, where last cuts are kept [√mm]
 };
 
 /// The balance's coefficients for each lane at one width of cut.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace sparkout {
 
@@ -12,14 +11,12 @@ namespace {
 /// Each lane of the range into the state that `stateOf` finds for it; the largest √a.
 template <class StateOf>
 double cutEach(Lanes& lanes, const PassRange& range, const StateOf& stateOf) {
-    double largest = 0, least = std::numeric_limits<double>::max();
+    double largest = 0;
     for (std::size_t lane = range.first; lane < range.first + range.count; ++lane) {
         const ThresholdState state = stateOf(lane);
         putState(lanes, lane, state);
         largest = std::max(largest, state.root);
-        least = std::min(least, state.root);
     }
-    lanes.leastRoot = least;
     return largest;
 }
 
@@ -35,10 +32,6 @@ ThresholdState thresholdState(double C, double A4, double h) {
 void putState(Lanes& lanes, std::size_t lane, const ThresholdState& state) {
     const auto [u, v] = state;
     lanes.depth_mm[lane] += u * u;
-    if (!lanes.lastRoot.empty()) {
-        lanes.rootBefore[lane] = lanes.root[lane];
-        lanes.lastRoot[lane] = lanes.lastCut(lane);
-    }
     lanes.root[lane] = u;
     lanes.rubbing[lane] = v;
     lanes.rootSum[lane] += v;

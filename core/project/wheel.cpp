@@ -81,6 +81,38 @@ const StructInfo& tableOf<ForceRecipe>() {
     return info;
 }
 
+template <>
+const StructInfo& tableOf<MeasuredRa>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(
+            MeasuredRa, ra_um, .label = SPARKOUT_NOOP("Input", "Measured Ra"), .symbol = "Ra",
+            .unit = "µm", .hard = {0, 100, true}, .soft = {0.02, 5}, .required = conditions::always,
+            .page = Page::wheel, .usual = true,
+            .hint = SPARKOUT_NOOP("Input", "Ra of a part ground with this wheel, dressed as it is. "
+                                           "It sets the roughness calibration."),
+            .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            MeasuredRa, infeed_um, .label = SPARKOUT_NOOP("Input", "Infeed it was measured at"),
+            .symbol = "a", .unit = "µm", .hard = {0, 1000, true}, .soft = {0.05, 50},
+            .nullMeaning = SPARKOUT_NOOP("Input", "of the cycle's last feed"), .page = Page::wheel,
+            .usual = true,
+            .hint = SPARKOUT_NOOP("Input", "By a revolution of the part in a plunge, else by a "
+                                           "double stroke, at the speeds and diameters stated."),
+            .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            MeasuredRa, spark_out, .label = SPARKOUT_NOOP("Input", "Spark-out it was measured at"),
+            .hard = {0, 1e5}, .soft = {0, 200},
+            .nullMeaning = SPARKOUT_NOOP("Input", "as many as in the cycle"), .page = Page::wheel,
+            .usual = true,
+            .hint = SPARKOUT_NOOP("Input", "Revolutions in a plunge, else double strokes, after "
+                                           "that infeed."),
+            .formula = "Ra_e = Ra·(½ + ½·exp(−t/τ))", .source = "MODEL-8"),
+    };
+    static const StructInfo info =
+        makeTable<MeasuredRa>(SPARKOUT_NOOP("Struct", "Measured Ra"), rows);
+    return info;
+}
+
 namespace {
 
 Field radiusWear() {
@@ -153,7 +185,9 @@ const StructInfo& tableOf<Wheel>() {
         SPARKOUT_FIELD(
             Wheel, roughness_factor, .label = SPARKOUT_NOOP("Input", "Roughness calibration"),
             .hard = {0, 100, true}, .soft = {0.2, 10}, .page = Page::wheel, .usual = true,
-            .hint = SPARKOUT_NOOP("Input", "Measured Ra over computed Ra."), .source = "MODEL-8"),
+            .hint = SPARKOUT_NOOP("Input", "Measured Ra over computed Ra; at 1 it is not known, "
+                                           "and Ra is a range. A measured Ra sets it."),
+            .source = "MODEL-8"),
         SPARKOUT_FIELD(Wheel, grain_surface_energy_j_m2,
                        .label = SPARKOUT_NOOP("Input", "Grain surface energy"), .symbol = "γ_g",
                        .unit = "J/m²", .hard = {0, 1e4, true},
@@ -209,6 +243,13 @@ const StructInfo& tableOf<Wheel>() {
                                        "over the grains in contact, in place of the law that "
                                        "takes all chips together for the metal removed."),
             .source = "PEREVERZEV1999"),
+        SPARKOUT_FIELD(Wheel, measured_ra, .label = SPARKOUT_NOOP("Input", "Measured Ra"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "Ra is an estimate"),
+                       .page = Page::wheel, .usual = true,
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "Ra of a ground part, with the infeed and spark-out "
+                                             "that it was measured at."),
+                       .source = "MODEL-8"),
     };
     static const StructInfo info = makeTable<Wheel>(SPARKOUT_NOOP("Struct", "Wheel"), rows);
     return info;

@@ -19,6 +19,14 @@ struct ForceRecipe {
     std::optional<double> wear_flat_mm; ///< l_g, of a grain; not given: as the dullness has it
 };
 
+/// Ra of a part that this wheel has ground, dressed as it is, and what it was measured behind.
+struct MeasuredRa {
+    double ra_um = 0.8;              ///< Ra [µm]
+    std::optional<double> infeed_um; ///< by a revolution or double stroke; not given: the cycle's
+    std::optional<double> spark_out; ///< revolutions or double strokes; not given: the cycle's
+    friend bool operator==(const MeasuredRa&, const MeasuredRa&) = default;
+};
+
 /// The grinding wheel: size, sharpness, structure.
 struct Wheel {
     std::string marking;
@@ -41,6 +49,7 @@ struct Wheel {
     std::optional<double> max_speed_m_s; ///< highest working speed; not given: not limited [m/s]
     std::string dressing;                ///< tool and settings, in words
     std::optional<ForceRecipe> force_recipe; ///< not given: the force by η alone
+    std::optional<MeasuredRa> measured_ra;   ///< the factor of Ra follows from it
 };
 
 /// What a wheel's recipe comes to in the law of MODEL-2: the published sum over the grains in
@@ -66,6 +75,8 @@ struct RecipeShares {
 
 template <>
 const StructInfo& tableOf<ForceRecipe>();
+template <>
+const StructInfo& tableOf<MeasuredRa>();
 template <>
 const StructInfo& tableOf<Wheel>();
 

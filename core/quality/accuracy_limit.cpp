@@ -82,16 +82,13 @@ double gammaOf(const Project& project, const LimitGroup& group) {
     return points[place].gamma_mm_n;
 }
 
-double roughnessLimit(const Project& project, double b) {
-    if (!isRoughnessCalibrated(project)) {
-        return infinite;
-    }
-    for (const DepthLimit& limit : depthLimits(project, b, 0)) {
-        if (limit.kind == ConstraintKind::roughness) {
-            return limit.depth_mm;
-        }
-    }
-    return infinite;
+/// Of the last cut of a cycle with any spark-out, which is no greater than what the last step with
+/// infeed took: as in a spark-out of a radius each cut is no greater than the one before.
+double roughnessLimit(const Project& project) {
+    const auto& Ra = project.part->tolerance.roughness_ra_um;
+    return Ra && isRoughnessCalibrated(project)
+               ? RoughnessModel(project).mostDepth(*Ra / units::umPerMm)
+               : infinite;
 }
 
 /// a* of a lane: by its spread to the stiffest one, or that of the most compliant one and s; as an
@@ -236,7 +233,7 @@ double provedSpread_mm(const Project& project, SpreadOf of) {
 double provedLastCut_mm(const Project& project, double b, double gamma, SpreadOf of) {
     return isProvable(project) ? std::min(
                spreadLimit(project, forceLaw(project), b, gamma, AccuracyProof::proved, of),
-               roughnessLimit(project, b))
+               roughnessLimit(project))
                                : infinite;
 }
 
@@ -256,7 +253,7 @@ std::optional<AccuracyLimit> accuracyLimit(const SimulationResult& result,
         return limit;
     }
     limit.lastCut_mm =
-        std::min(spreadLimit(project, law, b, gamma, proof), roughnessLimit(project, b));
+        std::min(spreadLimit(project, law, b, gamma, proof), roughnessLimit(project));
     if (!(gamma > 0) || !(limit.lastCut_mm > 0) || limit.lastCut_mm == infinite) {
         return std::nullopt;
     }

@@ -38,7 +38,9 @@ struct ConstraintResult {
     std::optional<Place> at{}; ///< where in the cycle the value was reached, when in a pass
     int stage = 0;             ///< stage whose setting it is, from 1; 0: set for all, or no setting
     std::optional<double>
-        otherEnd{};      ///< of a range of the machine, where `limit` is the nearer one
+        otherEnd{}; ///< of a range of the machine, where `limit` is the nearer one
+    std::optional<double>
+        mostValue{};     ///< of an estimate, which lies between the value and this one
     bool isWhole = true; ///< else strips stay uncut, and value and margin are of the rest alone
     bool knowsMachine = true; ///< else the machine's own form is not known, and not in the value
 };

@@ -116,19 +116,25 @@ void evaluateRoughness(ConstraintKind kind, const Judged& of, ConstraintResults&
     const auto& limit = toleranceOf(of).roughness_ra_um;
     const std::optional<LastCut>& last = judgedSection(of).lastCut;
     if (limit && last) {
-        addTolerance(kind, of, *limit, RoughnessModel(of.result.project).roughness(last->depth_mm),
-                     found);
+        const RoughnessFactor factor = roughnessFactor(of.result.project);
+        const double Ra = RoughnessModel(of.result.project, factor.least).roughness(*last);
+        addTolerance(kind, of, *limit, Ra, found);
         found.back().at = last->at;
+        if (!factor.isMeasured()) {
+            found.back().mostValue = Ra * factor.most / factor.least * umPerMm;
+        }
     }
 }
 
 std::optional<FormulaSheet> sheetOfRoughness(const Judged& of) {
-    return roughnessSheet(of.result.project, judgedSection(of).lastCut->depth_mm);
+    return roughnessSheet(of.result.project, *judgedSection(of).lastCut);
 }
 
-std::optional<double> roughnessDepth(const Project& project, double /*b*/, double /*stock*/) {
+std::optional<double> roughnessDepth(const Project& project, double b, double /*stock*/) {
     const auto& Ra = project.part->tolerance.roughness_ra_um;
-    return Ra ? std::optional(RoughnessModel(project).limitDepth(*Ra / umPerMm)) : std::nullopt;
+    return Ra ? std::optional(
+               RoughnessModel(project).limitDepth(*Ra / umPerMm, overlapOf(project, b)))
+              : std::nullopt;
 }
 
 std::vector<SectionShape> shapesOf(const SimulationResult& result) {

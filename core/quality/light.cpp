@@ -11,6 +11,10 @@ bool isClose(const ConstraintResult& constraint) {
            && requirementOf(constraint.kind).scope != ConstraintScope::setting;
 }
 
+bool isOpen(const ConstraintResult& constraint) {
+    return constraint.holds && constraint.mostValue && *constraint.mostValue > constraint.limit;
+}
+
 bool isWorse(const ConstraintResult& first, const ConstraintResult& second) {
     const auto rank = [](const ConstraintResult& c) {
         return std::tuple(c.holds, c.holds || c.kind != ConstraintKind::overlap, !c.isWhole,

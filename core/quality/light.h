@@ -18,6 +18,9 @@ inline constexpr double closeMargin = 0.1;
 /// range.
 [[nodiscard]] bool isClose(const ConstraintResult& constraint);
 
+/// Whether it is an estimate that holds by its least value and not by its greatest: not decided.
+[[nodiscard]] bool isOpen(const ConstraintResult& constraint);
+
 /// Whether the first is to be spoken of before the second: what fails before what holds, of that
 /// the overlap, on which the others wait where strips stay uncut; then what is close; then by the
 /// relative margin.

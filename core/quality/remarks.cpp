@@ -4,12 +4,15 @@
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
+#include "core/quality/roughness.h"
 #include "core/simulation/cycle_steps.h"
 #include "core/simulation/traverse.h"
 #include "core/units.h"
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -73,6 +76,23 @@ void addDwells(const Project& project, Issues& found) {
     }
 }
 
+/// A factor of Ra beside a measured one that gives another.
+void addRoughness(const Project& project, Issues& found) {
+    const double given = project.wheel->roughness_factor;
+    const std::optional<double> measured = factorOfMeasuredRa(project);
+    if (!measured || given == 1) {
+        return;
+    }
+    const auto shortFactor = [](double value) { return std::round(value * 100) / 100; };
+    const Range range{*measured / roughnessSpread, *measured * roughnessSpread};
+    if (!range.contains(given)) {
+        found.push_back({IssueCode::unusualTogether, Severity::warning, "/wheel/roughness_factor",
+                         Amount{given},
+                         Bounds{.range = {shortFactor(range.low), shortFactor(range.high)},
+                                .field = "/wheel/measured_ra/ra_um"}});
+    }
+}
+
 } // namespace
 
 Issues remarksOn(const SimulationResult& result) {
@@ -83,6 +103,7 @@ Issues remarksOn(const SimulationResult& result) {
     addSparkOut(result, found);
     addIdleStages(result, found);
     addDwells(result.project, found);
+    addRoughness(result.project, found);
     return found;
 }
 

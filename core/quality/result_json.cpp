@@ -43,16 +43,22 @@ ordered_json zoneJson(const SimulationResult& result, std::size_t index,
     for (const double radius : section.radii_mm) {
         radii.push_back((radius - nominal) * units::umPerMm);
     }
-    ordered_json roughness; // null where none is required
+    ordered_json roughness, mostRoughness; // null where none is required, or where it is measured
     if (section.lastCut) {
-        roughness =
-            RoughnessModel(result.project).roughness(section.lastCut->depth_mm) * units::umPerMm;
+        const RoughnessFactor factor = roughnessFactor(result.project);
+        const RoughnessModel model(result.project, factor.least);
+        const double Ra_um = model.roughness(*section.lastCut) * units::umPerMm;
+        roughness = Ra_um;
+        if (!factor.isMeasured()) {
+            mostRoughness = Ra_um * factor.most / factor.least;
+        }
     }
     const FinishedSurface surface(result.project);
     const auto stated = [&surface](ordered_json value) {
         return statedJson(surface, std::move(value));
     };
     roughness = stated(std::move(roughness));
+    mostRoughness = stated(std::move(mostRoughness));
     radii = stated(std::move(radii));
     ordered_json zone = {
         {"diameter_deviation_um",
@@ -62,6 +68,7 @@ ordered_json zoneJson(const SimulationResult& result, std::size_t index,
         {"roundness_um", stated(accuracy.minimumZone.deviation() * units::umPerMm)},
         {"roundness_least_squares_um", stated(accuracy.leastSquares.deviation() * units::umPerMm)},
         {"roughness_ra_um", std::move(roughness)},
+        {"roughness_ra_most_um", std::move(mostRoughness)},
         {"peak_normal_force_n", section.peakNormalForce_n},
         {"position_mm", section.position_mm},
         {"compliance_mm_per_n", section.compliance_mm_per_n},

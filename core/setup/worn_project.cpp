@@ -3,11 +3,13 @@
 
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
+#include "core/quality/roughness.h"
 #include "core/setup/removed_volumes.h"
 #include "core/setup/surface_run.h"
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace sparkout {
 
@@ -24,6 +26,7 @@ Issues errorsOf(const Project& project) {
 WornProject wornProject(const Setup& setup, std::size_t surface, const RemovedMetal& removed) {
     WornProject made{surface, setup.surfaces[surface].project, {}};
     if (removed.volume_mm3 > 0 && setup.wear.isGiven()) {
+        made.project = withMeasuredRa(std::move(made.project));
         wearWheel(made.project, setup.wear, removed);
         made.issues = errorsOf(made.project);
     }

@@ -19,30 +19,63 @@ LimitWatch::LimitWatch(const Project& project, const Blank& blank)
     }
 }
 
-void LimitWatch::prepare(Lanes& lanes) {
+void LimitWatch::prepare(const Lanes& lanes) {
     if (m_keepsLast) {
-        lanes.keepLastCuts();
-        m_laneLast.assign(lanes.root.size(), {});
-        m_sectionLast.assign(lanes.root.size() / m_radii, std::nullopt);
+        const std::size_t count = lanes.depth_mm.size(), sections = count / m_radii;
+        m_last = {};
+        m_last.before_mm = lanes.depth_mm;
+        m_last.taken_mm.assign(count, 0.0);
+        m_last.pressed_mm.assign(count, 0.0);
+        m_last.at.assign(sections, {});
+        m_last.begun.assign(sections, {});
+        m_last.hasBegun.assign(sections, 0);
     }
 }
 
-/// After a pass that did not cut every radius: their last cuts part.
-void LimitWatch::placeLanes(const Lanes& lanes, std::size_t first, std::size_t count,
-                            const Place* places) {
+void LimitWatch::placeStep(std::size_t first, std::size_t count, const Place* places) {
     for (std::size_t section = first; section < first + count; ++section) {
-        const std::optional<Place> whole = std::exchange(m_sectionLast[section], std::nullopt);
-        const Place now = places[section - first];
-        const double* const root = lanes.root.data() + section * m_radii;
-        Place* const last = m_laneLast.data() + section * m_radii;
-        for (std::size_t k = 0; k < m_radii; ++k) {
-            if (root[k] > 0) {
-                last[k] = now;
-            } else if (whole) {
-                last[k] = *whole;
-            }
+        if (!std::exchange(m_last.hasBegun[section], 1)) {
+            m_last.begun[section] = places[section - first];
         }
     }
+}
+
+// A lane that a step with infeed does not cut keeps what the last one before took off it: that is
+// the surface it has.
+void LimitWatch::keepStep(const Lanes& lanes, const Step& step) {
+    constexpr double rounding = 1e-9; // of an infeed
+    LastStep& last = m_last;
+    const bool feeds = step.infeed_mm > 0;
+    const bool isShort =
+        feeds && step.stage == last.stage && step.infeed_mm < last.infeed_mm * (1 - rounding);
+    const bool isWhole = feeds && !isShort;
+    const double* const depth_mm = lanes.depth_mm.data();
+    double* const before_mm = last.before_mm.data();
+    double* const taken_mm = last.taken_mm.data();
+    double* const pressed_mm = last.pressed_mm.data();
+    const std::size_t count = lanes.depth_mm.size();
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        const double taken = depth_mm[lane] - before_mm[lane];
+        const double pressed = step.fed_mm - before_mm[lane];
+        const double kept = taken_mm[lane];
+        const bool isNewer = isWhole   ? taken > 0
+                             : isShort ? taken > kept
+                                       : taken > 0 && !(kept > 0);
+        taken_mm[lane] = isNewer ? taken : kept;
+        pressed_mm[lane] = isNewer ? pressed : pressed_mm[lane];
+        before_mm[lane] = depth_mm[lane];
+    }
+    if (isWhole) {
+        last.stage = step.stage;
+        last.infeed_mm = step.infeed_mm;
+    }
+    if (isWhole || !(last.duration_s > 0)) {
+        last.duration_s = step.duration_s;
+        last.overlap = step.overlap;
+        last.at.swap(last.begun);
+    }
+    last.sparkOut_s = feeds ? 0 : last.sparkOut_s + step.duration_s;
+    std::ranges::fill(last.hasBegun, 0);
 }
 
 void LimitWatch::judge(const Lanes& lanes, const PassRange& range, double root,
@@ -133,7 +166,7 @@ void LimitWatch::keep(const Lanes& lanes, const PassRange& range, const Place* p
                .at = places[zone]};
 }
 
-void LimitWatch::put(SimulationResult& result, const Lanes& lanes) const {
+void LimitWatch::put(SimulationResult& result) const {
     if (m_burn && m_usage > 0) {
         result.burn = m_worst;
     }
@@ -141,15 +174,18 @@ void LimitWatch::put(SimulationResult& result, const Lanes& lanes) const {
         result.zoneSections.empty() ? result.sections : result.zoneSections;
     const std::size_t first = result.zoneSections.empty() ? 0 : result.sections.size();
     for (std::size_t i = 0; m_keepsLast && i < sections.size(); ++i) {
-        const std::size_t section = first + i;
-        std::size_t lane = section * m_radii;
-        for (std::size_t other = lane + 1; other < (section + 1) * m_radii; ++other) {
-            lane = lanes.lastCut(other) > lanes.lastCut(lane) ? other : lane;
-        }
-        if (const double most = lanes.lastCut(lane); most > 0) {
-            sections[i].lastCut = LastCut{.depth_mm = most * most,
-                                          .radius = static_cast<int>(lane % m_radii),
-                                          .at = m_sectionLast[section].value_or(m_laneLast[lane])};
+        const auto begin =
+            m_last.taken_mm.begin() + static_cast<std::ptrdiff_t>((first + i) * m_radii);
+        const auto most = std::max_element(begin, begin + static_cast<std::ptrdiff_t>(m_radii));
+        if (*most > 0) {
+            const auto lane = static_cast<std::size_t>(most - m_last.taken_mm.begin());
+            sections[i].lastCut = LastCut{.depth_mm = *most,
+                                          .overlap = m_last.overlap,
+                                          .pressed_mm = m_last.pressed_mm[lane],
+                                          .step_s = m_last.duration_s,
+                                          .sparkOut_s = m_last.sparkOut_s,
+                                          .radius = static_cast<int>(most - begin),
+                                          .at = m_last.at[first + i]};
         }
     }
 }

@@ -80,8 +80,10 @@ public:
         if (m_hasFreeGauge) {
             m_run.cut(m_sections, 1, *m_width, feed, nullptr, {});
         }
+        const double fedBefore_mm = m_run.fed_mm, before_s = m_run.time_s();
         m_run.fed_mm += infeed;
         m_run.advance(duration, step.stage);
+        m_run.stepDone(fedBefore_mm, before_s, step.stage);
         return true;
     }
 

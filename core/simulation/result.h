@@ -60,12 +60,18 @@ struct StageSums {
     Peak power_w;               ///< largest P_z·V_k
 };
 
-/// The cut that left a zone's or section's surface at its roughest: of the last cuts (a > 0) of its
-/// radii the deepest.
+/// What the roughness of a zone or section comes from: what the last step with infeed, a revolution
+/// or double stroke, took off the radius that lost most by it, and the spark-out after it. A step
+/// that position control cuts short counts where it took more than the one before. What no step
+/// with infeed has cut has its first step without one here.
 struct LastCut {
-    double depth_mm = 0; ///< a
-    int radius = 0;      ///< k
-    Place at;
+    double depth_mm = 0;   ///< a, taken by all passes of the step
+    double overlap = 1;    ///< u, revolutions that the wheel takes over a point in a stroke
+    double pressed_mm = 0; ///< h, what the step had to take: a and the deflection that it left
+    double step_s = 0;     ///< T, time of the step
+    double sparkOut_s = 0; ///< t, of all steps after the last with infeed
+    int radius = 0;        ///< k
+    Place at;              ///< the first of these passes
 };
 
 /// The visit nearest to burning: the largest a over the depth that is just allowed.

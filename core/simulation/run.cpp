@@ -437,7 +437,7 @@ SimulationResult Run::finish(const std::vector<int>& stepsByStage, std::size_t g
             || std::ranges::any_of(m_result.zoneSections, isGone))) {
         m_result.status = RunStatus::groundAway;
     }
-    m_watch.put(m_result, m_lanes);
+    m_watch.put(m_result);
     foldZoneSections();
     m_result.remainingStock_mm = remaining(gaugePoint);
     const double side = m_isShaft ? 1 : -1;

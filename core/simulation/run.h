@@ -71,6 +71,15 @@ public:
         m_result.timeByStage_s[stage] += seconds;
     }
     void setStatus(RunStatus status) { m_result.status = status; }
+    /// After a step of the cycle that began with this t_П [mm] and at this time; of a double stroke
+    /// with its overlap B·n/S_ax.
+    void stepDone(double fedBefore_mm, double timeBefore_s, std::size_t stage, double overlap = 1) {
+        m_watch.stepDone(m_lanes, {.infeed_mm = fed_mm - fedBefore_mm,
+                                   .fed_mm = fed_mm,
+                                   .duration_s = m_result.time_s - timeBefore_s,
+                                   .overlap = overlap,
+                                   .stage = stage});
+    }
 
     /// From now on passes count for nothing but radii and time: there are no forces, peaks, sums
     /// and limits of them.

@@ -84,9 +84,15 @@ public:
         const StrokeFeed stroke = strokeFeed(feed);
         const double left_mm = std::max(stroke.most_mm - m_run.fed_mm, stroke.infeed_mm);
         const double all_mm = std::min(programmed_mm(stroke), left_mm);
+        const double fedBefore_mm = m_run.fed_mm, before_s = m_run.time_s();
         const bool done =
             doubleStroke(m_run.fed_mm, stroke, [&](const Pass& pass) { return cut(pass, all_mm); });
-        return done && !m_run.mustEnd();
+        if (!done) {
+            return false;
+        }
+        m_run.stepDone(fedBefore_mm, before_s, m_stage,
+                       m_project.wheel->width_mm / m_stroke->width_mm);
+        return !m_run.mustEnd();
     }
 
     SimulationResult finish(const std::vector<int>& stepsByStage) override {

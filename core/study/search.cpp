@@ -10,6 +10,7 @@
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
 #include "core/quality/remarks.h"
+#include "core/quality/roughness.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
 #include "core/study/refine_answer.h"
@@ -36,7 +37,7 @@ struct SearchedGrid {
 std::shared_ptr<SearchOutcome> checked(const Project& project, const SearchWish& wish,
                                        const std::stop_token& stop) {
     auto outcome = std::make_shared<SearchOutcome>();
-    outcome->project = project;
+    outcome->project = withMeasuredRa(project);
     outcome->method = wish.method;
     outcome->wishesFront = wish.front;
     outcome->issues = validate(project);

@@ -8,6 +8,7 @@
 #include "core/project/sweep.h"
 #include "core/project/sweep_rules.h"
 #include "core/project/validate.h"
+#include "core/quality/roughness.h"
 #include "core/simulation/simulate.h"
 #include "core/sweep/sweep_point.h"
 #include "core/text.h"
@@ -48,7 +49,7 @@ using Quantities = std::vector<SweepQuantity>;
 class SweepPool {
 public:
     SweepPool(SweepResult& result, const SweepOptions& options)
-        : m_result(result), m_options(options), m_base(result.project) {
+        : m_result(result), m_options(options), m_base(withMeasuredRa(result.project)) {
         m_base.batch.reset(); // no cycle reads them
         m_base.optimisation.reset();
         m_base.sweep.reset();

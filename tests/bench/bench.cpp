@@ -135,8 +135,8 @@ void passWithEveryConstraint(benchmark::State& state, bool sparking) {
         lanes.share[lane] = static_cast<double>(lane + 1) / 36;
         coefficients.set(lane, 2e-5, 1228, 2851);
     }
-    watch.prepare(lanes);
     lanes.depth_mm = blank.depth_mm;
+    watch.prepare(lanes);
     PeakForces peaks(1, 36);
     const PassFunction cut = widestPassFunction();
     const Place place{.stage = 1, .cycleCount = 1, .revolution = 1};
@@ -146,6 +146,7 @@ void passWithEveryConstraint(benchmark::State& state, bool sparking) {
         peaks.passBegins(lanes, range, 0, 1);
         const double root = cut(lanes, coefficients, feed, range);
         watch.passDone(lanes, range, root, feed, &place, 0, 1);
+        watch.stepDone(lanes, {feed.cap, feed.base + feed.cap, 0.33, 1, 0});
         benchmark::DoNotOptimize(root);
         benchmark::ClobberMemory();
         feed.base += feed.rate;
@@ -156,7 +157,7 @@ void passWithEveryConstraint(benchmark::State& state, bool sparking) {
             revolution = 0;
             feed = {0, 0, 0.005, 0.005};
             lanes.depth_mm = blank.depth_mm;
-            watch.restart();
+            watch.restart(lanes);
         }
     }
 }

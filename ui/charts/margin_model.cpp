@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/margin_model.h"
 
+#include "core/quality/light.h"
 #include "ui/charts/light_icon.h"
 #include "ui/charts/result_tables.h"
 #include "ui/charts/verdict_table.h"
@@ -115,9 +116,8 @@ QString MarginModel::stackedText(const ConstraintResult& c, int column) {
 
 QVariant MarginModel::cell(int row, int column, int role) const {
     const ConstraintResult& c = at(row);
-    // A guess that holds is not shown as one that is known to.
-    const bool guessed = m_outcome && LimitNames::isGuess(c.kind, m_outcome->result.project);
-    const Light light = guessed ? std::max(lightOf(c), Light::close) : lightOf(c);
+    // What is not decided is not shown as what is known to hold.
+    const Light light = isOpen(c) ? std::max(lightOf(c), Light::close) : lightOf(c);
     switch (role) {
     case Qt::DisplayRole: return m_stacked ? stackedText(c, column) : text(c, column);
     case Qt::DecorationRole:

@@ -16,6 +16,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 namespace sparkout {
@@ -123,6 +124,10 @@ CsvTable zoneTable(const Outcome& outcome) {
     if (rough) {
         table.header << ResultTables::tr("Roughness Ra, µm");
     }
+    const RoughnessFactor factor = roughnessFactor(result.project);
+    if (rough && !factor.isMeasured()) {
+        table.header << ResultTables::tr("Maximum roughness Ra of the estimate, µm");
+    }
     if (!result.ifEven.empty()) {
         table.header << ResultTables::tr("Minimum diameter with even lobes, from nominal, µm")
                      << ResultTables::tr("Maximum diameter with even lobes, from nominal, µm");
@@ -149,9 +154,11 @@ CsvTable zoneTable(const Outcome& outcome) {
                                    stated(form.leastSquares.deviation()),
                                    section.peakNormalForce_n};
         if (rough) {
-            cells.push_back(section.lastCut ? stated(
-                                RoughnessModel(result.project).roughness(section.lastCut->depth_mm))
-                                            : CsvCell());
+            for (const double f : std::set{factor.least, factor.most}) {
+                cells.push_back(section.lastCut ? stated(
+                                    RoughnessModel(result.project, f).roughness(*section.lastCut))
+                                                : CsvCell());
+            }
         }
         if (i < result.ifEven.size()) {
             cells.push_back(stated(result.ifEven[i].least_mm));

@@ -38,6 +38,9 @@ QString lightName(const ConstraintResult& constraint) {
     if (!constraint.isWhole) {
         return VerdictTable::tr("not known: strips uncut");
     }
+    if (isOpen(constraint)) {
+        return VerdictTable::tr("not decided");
+    }
     const Light light = lightOf(constraint); // what fails even so does fail
     return constraint.knowsMachine || light == Light::fails ? lightName(light)
                                                             : VerdictTable::tr("machine not known");
@@ -103,7 +106,7 @@ ValueHead headOf(const ConstraintResult& c, const Project& project) {
     const char* const by = requirementOf(c.kind).measuredBy;
     const QString guess =
         LimitNames::isGuess(c.kind, project)
-            ? VerdictTable::tr("Without a calibration of the wheel Ra comes out too small.")
+            ? VerdictTable::tr("Without a measured Ra this is the range of usual wheels.")
             : QString();
     return {.text = QStringLiteral("%1, %2").arg(Names::where(c), Names::constraint(c.kind)),
             .tip = joined({Names::isRange(c.kind) ? rangeText(c) : QString(),
@@ -129,10 +132,10 @@ ValueCell nameCell(const ConstraintResult& c, const Project& project,
         c, guessed ? VerdictTable::tr("Ra, estimate") : Names::constraintBrief(c.kind),
         VerdictTable::tr("stage %1").arg(c.stage));
     const Light light = lightOf(c);
-    // A guess that holds is not shown as one that is known to; the panel says above what is
+    // What is not decided is not shown as what is known to hold; the panel says above what is
     // missing.
-    const Light shown = guessed || !c.knowsMachine ? std::max(light, Light::close) : light;
-    const bool isPlain = light == Light::holds;
+    const Light shown = isOpen(c) || !c.knowsMachine ? std::max(light, Light::close) : light;
+    const bool isPlain = light == Light::holds && !isOpen(c);
     return {.text = isPlain ? name : name + u'\n' + lightName(c),
             .tip = c.knowsMachine ? QString() : lightName(c),
             .said = lightName(c),

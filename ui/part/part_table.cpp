@@ -2,6 +2,7 @@
 #include "ui/part/part_table.h"
 
 #include "core/project/part.h"
+#include "core/quality/light.h"
 #include "core/quality/requirement.h"
 #include "core/units.h"
 #include "ui/charts/light_icon.h"
@@ -84,16 +85,15 @@ QString requirementName(const std::vector<SurfaceStatus>& statuses, ConstraintKi
     return *unit ? PartTable::tr("%1, %2").arg(name, unitText(unit)) : name;
 }
 
-/// "12.3 / 25" beside its light; an estimate that holds is not shown as a value that is known to.
+/// "12.3 / 25" beside its light; what is not decided is not shown as what is known to hold.
 ValueCell requirementCell(const SurfaceStatus& status, ConstraintKind kind) {
     const auto found = std::ranges::find(status.requirements, kind, &ConstraintResult::kind);
     if (found == status.requirements.end()) {
         return {.text = QStringLiteral("–"), .value = QString()};
     }
-    const bool isEstimate = kind == ConstraintKind::roughness && status.isRoughnessEstimate;
     const Light light = lightOf(*found);
     return {.text = QStringLiteral("%1 / %2").arg(Names::value(*found), Names::limit(*found)),
-            .icon = QIcon(lightPixmap(isEstimate ? std::max(light, Light::close) : light,
+            .icon = QIcon(lightPixmap(isOpen(*found) ? std::max(light, Light::close) : light,
                                       metrics::iconSmall, qGuiApp->devicePixelRatio(), false))};
 }
 

@@ -8,6 +8,8 @@
 #include "core/project/machine.h"
 #include "core/project/member.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
+#include "core/quality/roughness.h"
 #include "core/setup/shared_members.h"
 #include "core/starting/starting_project.h"
 #include "core/study/new_project.h"
@@ -109,6 +111,9 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
         return;
     }
     const Project before = m_present.inFront().project;
+    if (changed.wheel->measured_ra != m_project.wheel->measured_ra) {
+        changed.wheel->roughness_factor = factorOfMeasuredRa(changed).value_or(1);
+    }
     std::vector<std::string> open = openIn(changed);
     if (isStarting(changed, open)) {
         if (hasPlainShaft(changed) && surfaceCount() == 1) {
@@ -482,7 +487,9 @@ void Document::replace(SetupState state, const QString& path, const QByteArray& 
 
 SetupState Document::stateOf(Setup setup) {
     SetupState made;
+    const Project first = withMeasuredRa(setup.surfaces.front().project); // they share the wheel
     for (GroundSurface& surface : setup.surfaces) {
+        surface.project.wheel->roughness_factor = first.wheel->roughness_factor;
         made.surfaces.push_back(std::make_shared<const SurfaceState>(
             surfaceState(newSurfaceId(), std::move(surface.name), std::move(surface.project))));
     }

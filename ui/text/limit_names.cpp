@@ -86,9 +86,8 @@ bool LimitNames::isGuess(ConstraintKind kind, const Project& project) {
 }
 
 QString LimitNames::guessed() {
-    return tr("Roughness is not limiting while it is not calibrated: with the roughness "
-              "calibration of 1 the computed Ra is too small, and no depth of cut can be "
-              "derived from it.");
+    return tr("Roughness is not limiting while it is not calibrated: the computed Ra is a range, "
+              "and no depth of cut can be derived from it.");
 }
 
 QString LimitNames::missingLinks(const Project& project) {

@@ -226,9 +226,16 @@ QString Names::value(const ConstraintResult& c) {
     if (!c.isWhole) {
         return QStringLiteral("–");
     }
+    if (c.mostValue) {
+        return estimate(c.value, *c.mostValue);
+    }
     const Requirement& row = requirementOf(c.kind);
     return row.isDeviation || row.digits.shown <= 0 ? amount(c.kind, c.value, row.isDeviation)
                                                     : amountFixed(c.value, row.digits.shown);
+}
+
+QString Names::estimate(double least, double most) {
+    return significant(least, 1) + QStringLiteral("…") + significant(most, 1);
 }
 
 QString Names::uncutStrips(const Project& project) {

@@ -46,6 +46,8 @@ public:
     /// A setting against the nearer end of its range: "2 × lower limit"; brief "2× min". Of a
     /// range from 0, whose end is no measure, whether it is inside.
     static QString inRange(const ConstraintResult& c, bool brief);
+    /// "0.3…0.9": what an estimate lies between.
+    static QString estimate(double least, double most);
     /// Of a result; a dash where it is not of the whole surface.
     static QString value(const ConstraintResult& c);
     static QString margin(const ConstraintResult& c); ///< "+1.25", of a range as inRange()

@@ -50,7 +50,7 @@ private slots:
     void theFactorMakesTheComputedRaTheMeasuredOne() {
         Project project = plunge();
         project.wheel->roughness_factor = 1;
-        const double computed = roughnessOf(project);
+        const double computed = roughnessOf(project) / roughnessFactor(project).least;
         QVERIFY(computed > 0);
         QVERIFY(!isRoughnessCalibrated(project));
         // Two parts that are 3 and 12 times as rough: 6 times in the geometric mean.
@@ -100,7 +100,7 @@ private slots:
         MeasuredSummary summary;
         summary.quantity = MeasuredQuantity::roughness_ra;
         summary.count = 25;
-        summary.mean_um = 4 * roughnessOf(project);
+        summary.mean_um = 4 * roughnessOf(project) / roughnessFactor(project).least;
         project.measured.emplace().summaries = {summary};
         const auto found = roughnessFromParts(project);
         QVERIFY(found && std::abs(found->factor - 4) < 0.2);

@@ -158,6 +158,28 @@ private slots:
         QCOMPARE(left[0].kind, ConstraintKind::roundness);
     }
 
+    /// A range on one side of the limit decides, one around it does not, for any stock.
+    void estimateIsDecidedByItsWholeRange() {
+        Project project = finished().project;
+        project.part->tolerance.roughness_ra_um = 1.25;
+        ConstraintResult below = held(ConstraintKind::roughness, 0.5);
+        below.limit = 1.25;
+        below.value = 0.4;
+        below.mostValue = 1.2;
+        QVERIFY(undecided(project, {below}).empty());
+        ConstraintResult around = below;
+        around.mostValue = 1.3;
+        const std::vector<Undecided> open = undecided(project, {below, around});
+        QCOMPARE(open.size(), std::size_t{1});
+        QCOMPARE(open[0].kind, ConstraintKind::roughness);
+        SimulationResult result = finished();
+        result.project = project;
+        JudgedStocks stocks = *stocksOf(0, 0.5);
+        QCOMPARE(judge(result, {below}, stocks).state, JudgedState::stocksHold);
+        stocks.hasOpenEstimate = true;
+        QCOMPARE(judge(result, {below}, stocks).state, JudgedState::undecided);
+    }
+
     void limitOfWhichAnInputIsMissingIsNotDecided() {
         Project project = finished().project;
         project.wheel->grain_modulus_gpa = 300;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/process/contact_compliance.h"
 #include "core/process/pass_kernel.h"
 
 #include "tests/core/support/project_fixtures.h"
@@ -101,61 +100,6 @@ private slots:
                 }
             }
         }
-    }
-
-    // The last cut of a lane is the last pass that cut it, and keeping it changes nothing else. The
-    // last "unit" is the contact's own pass.
-    void lastCutIsKeptThroughPassesWithoutContact_data() {
-        everyUnit();
-        QTest::newRow("contact") << VectorUnit(-1);
-    }
-    void lastCutIsKeptThroughPassesWithoutContact() {
-        QFETCH(VectorUnit, unit);
-        const bool contact = unit == VectorUnit(-1);
-        if (!contact && !isSupported(unit)) {
-            QSKIP("this processor has no such unit");
-        }
-        const ContactCompliance yielding({{0, 50}});
-        const auto cut = [&](RandomPass& pass, const PassFeed& feed) {
-            return contact ? yielding.cut(pass.lanes, pass.coefficients, feed, pass.range)
-                           : passFunction(unit)(pass.lanes, pass.coefficients, feed, pass.range);
-        };
-        std::mt19937_64 engine(7);
-        int uncut = 0;
-        for (int round = 0; round < 200; ++round) {
-            RandomPass plain(engine, 2, 1 + static_cast<std::size_t>(round) % 40);
-            RandomPass keeping = plain;
-            keeping.lanes.keepLastCuts();
-            std::fill(keeping.lanes.root.begin(), keeping.lanes.root.end(), 0.0);
-            std::vector<double> root(plain.lanes.root.size());
-            const PassRange whole = plain.range;
-            for (int pass = 1; pass < 12; ++pass) {
-                const std::size_t skipped = pass % 4 == 3 ? whole.count / 2 : 0; // others meanwhile
-                plain.range.first = whole.first + skipped;
-                plain.range.count = whole.count - skipped;
-                keeping.range = plain.range;
-                PassFeed feed = plain.feed; // forth and back
-                feed.base += (pass % 3 == 0 ? -0.02 : 0.005) * static_cast<double>(pass);
-                const double a = cut(plain, feed), b = cut(keeping, feed);
-                QVERIFY(std::memcmp(&a, &b, sizeof a) == 0);
-                const PassRange& range = plain.range;
-                double least = std::numeric_limits<double>::max();
-                for (std::size_t i = range.first; i < range.first + range.count; ++i) {
-                    const double u = plain.lanes.root[i];
-                    uncut += u == 0 && root[i] > 0;
-                    root[i] = u > 0 ? u : root[i];
-                    least = std::min(least, u);
-                }
-                QCOMPARE(keeping.lanes.leastRoot, least);
-                for (std::size_t i = 0; i < root.size(); ++i) {
-                    QVERIFY(keeping.lanes.lastCut(i) == root[i]);
-                }
-            }
-            QVERIFY(sameBits(keeping.lanes.depth_mm, plain.lanes.depth_mm));
-            QVERIFY(sameBits(keeping.lanes.rootSum, plain.lanes.rootSum));
-            QVERIFY(plain.lanes.lastRoot.empty());
-        }
-        QVERIFY(uncut > 100);
     }
 
     // pass_kernel.h: the multiplied form is off by at most ε·C/A in √a. On top of it come the

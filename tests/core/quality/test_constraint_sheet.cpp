@@ -123,6 +123,7 @@ private slots:
         SimulationResult result = simulateUnchecked(p);
         for (SectionResult& section : result.sections) {
             section.lastCut->depth_mm = depthOf(ConstraintKind::roughness);
+            section.lastCut->sparkOut_s = 0;
         }
         for (const ConstraintResult& c : evaluateConstraints(result)) {
             if (c.kind == ConstraintKind::roughness) {

@@ -96,9 +96,9 @@ private slots:
         }));
     }
 
-    // MODEL-8: uncalibrated it tends to be low, 0.07…0.16 µm at 0.5…5 µm per revolution.
-    void uncalibratedRoughnessIsInTheRangeTheModelStates() {
-        const RoughnessModel model{Project{}};
+    // MODEL-8: as published it tends to be low, 0.07…0.16 µm at 0.5…5 µm per revolution.
+    void roughnessAsPublishedIsInTheRangeTheModelStates() {
+        const RoughnessModel model(Project{}, 1);
         QVERIFY(within(model.roughness(0.0005) * 1000, 0.07, 0.005));
         QVERIFY(within(model.roughness(0.005) * 1000, 0.16, 0.005));
     }
@@ -146,6 +146,76 @@ private slots:
             p.wheel->roughness_factor *= 3;
             RC_ASSERT(close(RoughnessModel(p).roughness(c * a), 3 * c * Ra, 1e-13));
         }));
+    }
+
+    // Written a second time: Ra·(½ + ½·exp(−t/τ)), τ = 2·T·h/a.
+    void roughnessFallsTowardsARestAndNeverToNothing() {
+        QVERIFY(holds("spark-out", [] {
+            const RoughnessModel model(anyCutting());
+            const double a = decades(-5, -2), h = a * between(1, 50), T = decades(-1, 2);
+            const auto left = [&](double t) {
+                return model.roughness(
+                    {.depth_mm = a, .pressed_mm = h, .step_s = T, .sparkOut_s = t, .at = {}});
+            };
+            const double straight = model.roughness(a), t = T * decades(-2, 2);
+            RC_ASSERT(left(0) == straight);
+            RC_ASSERT(close(left(1e-12 * T), straight, 1e-10)); // no jump at the end of the infeed
+            RC_ASSERT(close(left(t), straight / 2 * (1 + std::exp(-t * a / (2 * T * h))), 1e-12));
+            RC_ASSERT(left(1.1 * t) < left(t) || close(left(t), straight / 2, 1e-12));
+            RC_ASSERT(left(t) >= straight / 2 && close(left(1e6 * T), straight / 2, 1e-12));
+            // The bound of a limit holds for any spark-out.
+            RC_ASSERT(model.mostDepth(left(t)) >= a * (1 - 1e-12));
+        }));
+    }
+
+    // τ is no less than twice the time constant of the deflection, which a force in proportion to
+    // the depth has: x = γ·b·K, −1/ln(x/(1 + x)) steps.
+    void roughnessFallsNoFasterThanHalfTheDeflection() {
+        for (const double x : {0.01, 0.3, 1.0, 7.0, 100.0}) {
+            const double a = 1e-3, h = (1 + x) * a; // a and the lag x·a that it leaves
+            const double constant = -1 / std::log(x / (1 + x));
+            QVERIFY(2 * h / a >= 2 * constant);
+        }
+    }
+
+    void factorThatIsNotMeasuredIsARange() {
+        Project p = fixtures::plunge();
+        QVERIFY(!isRoughnessCalibrated(p));
+        const RoughnessFactor estimate = roughnessFactor(p);
+        QVERIFY(!estimate.isMeasured() && close(estimate.most / estimate.least, 3, 1e-12));
+        const double Ra = RoughnessModel(p, 1).roughness(0.002);
+        QVERIFY(close(RoughnessModel(p).roughness(0.002), estimate.least * Ra, 1e-14));
+        p.wheel->roughness_factor = 2.5;
+        QVERIFY(isRoughnessCalibrated(p) && roughnessFactor(p).isMeasured());
+        QVERIFY(close(RoughnessModel(p).roughness(0.002), 2.5 * Ra, 1e-14));
+    }
+
+    // What is measured behind an infeed and a spark-out comes out of them again.
+    void measuredRaSetsTheFactor() {
+        Project p = fixtures::plunge();
+        p.part->tolerance.roughness_ra_um = 0.8;
+        p.cycle->stages = {fixtures::plungeStage(0.9, 0.1), fixtures::plungeStage(0.18, 0.1),
+                           fixtures::sparkStage(fixtures::count(8))};
+        p.wheel->measured_ra = MeasuredRa{0.6, {}, {}};
+        QVERIFY(isRoughnessCalibrated(p));
+        const double factor = factorOfMeasuredRa(p).value();
+        QCOMPARE(roughnessFactor(p).least, factor);
+        const SimulationResult result = simulateUnchecked(p);
+        QVERIFY(close(RoughnessModel(p).roughness(*result.sections[0].lastCut) * 1000, 0.6, 1e-3));
+        p.wheel->measured_ra = MeasuredRa{0.6, 1.0, 8}; // the same, said
+        QVERIFY(close(factorOfMeasuredRa(p).value(), factor, 1e-12));
+        p.wheel->measured_ra->spark_out = 0;
+        QVERIFY(close(RoughnessModel(p, factorOfMeasuredRa(p).value()).roughness(0.001) * 1000, 0.6,
+                      1e-12));
+        // As its own the factor stays when the wheel dulls.
+        const Project settled = withMeasuredRa(p);
+        Project dull = settled;
+        dull.wheel->dullness *= 3;
+        QCOMPARE(roughnessFactor(dull).least, factorOfMeasuredRa(p).value());
+        p.wheel->roughness_factor = 2.5; // given beside it: it counts
+        QCOMPARE(roughnessFactor(withMeasuredRa(p)).least, 2.5);
+        p.wheel->width_mm = 1; // an error
+        QVERIFY(!factorOfMeasuredRa(p));
     }
 
     void coarserGrainAndFasterWorkAreRougher() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What only a run shows to be amiss in the inputs.
 #include "core/quality/remarks.h"
+#include "core/quality/roughness.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
@@ -49,6 +50,27 @@ private slots:
                  "/cycle/stages/" + std::to_string(stages.size() - 1) + "/stock_mm");
         QVERIFY(std::abs(millimetres(remarks[0].value) - result.remainingStock_mm) < 1e-5);
         QVERIFY(std::abs(millimetres(remarks[0].limit) - stages.back().stock_mm) < 1e-5);
+    }
+
+    // Beside a measured Ra another factor is named with what that one gives.
+    void factorFarFromTheMeasuredRaIsNamed() {
+        Project project = example("wheel-sharp.sparkout");
+        project.wheel->measured_ra = MeasuredRa{0.5, {}, {}};
+        const SimulationResult followed = simulateUnchecked(project);
+        QVERIFY(remarksOn(followed).empty());
+        const double factor = roughnessFactor(project).least;
+        project.wheel->roughness_factor = 1.5 * factor; // as another speed may have it
+        QVERIFY(remarksOn(simulateUnchecked(project)).empty());
+        project.wheel->roughness_factor = 2 * factor;
+        const Issues remarks = remarksOn(simulateUnchecked(project));
+        QCOMPARE(remarks.size(), 1u);
+        QCOMPARE(remarks[0].code, IssueCode::unusualTogether);
+        QCOMPARE(remarks[0].severity, Severity::warning);
+        QCOMPARE(remarks[0].path, std::string("/wheel/roughness_factor"));
+        QCOMPARE(std::get<Amount>(remarks[0].value).number, 2 * factor);
+        const auto& allowed = std::get<Bounds>(remarks[0].limit);
+        QVERIFY(allowed.range.contains(factor) && !allowed.range.contains(2 * factor));
+        QCOMPARE(allowed.field, std::string_view("/wheel/measured_ra/ra_um"));
     }
 
     void withoutStockNothingIsLeft() {

@@ -6,6 +6,7 @@
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/roughness.h"
 #include "core/quality/self_sharpening.h"
+#include "core/simulation/stage_control.h"
 
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/demanding_project.h"
@@ -115,6 +116,61 @@ bool samePlace(const Place& a, const Place& b) {
            && a.cycleCount == b.cycleCount && a.revolution == b.revolution;
 }
 
+/// The law of LastCut worked out from everything that was recorded of a zone or section.
+LastCut lastCutOf(const Traced& run, int section) {
+    const Project& project = run.result.project;
+    std::vector<double> begins_s; // of the steps, by all passes
+    for (const Pass& pass : run.trajectory.passes) {
+        if (begins_s.size() < static_cast<std::size_t>(pass.place.cycleCount)) {
+            begins_s.push_back(pass.start_s);
+        }
+    }
+    begins_s.push_back(run.result.time_s);
+    const std::vector<double> blank_mm = makeBlank(*project.part).depth_mm;
+    const auto K = static_cast<std::size_t>(run.trajectory.radii);
+    std::vector<double> depth_mm = blank_mm, taken_mm(K), pressed_mm(K);
+    double fed_mm = firstFeed(project, makeBlank(*project.part).totalInfeed_mm), whole_mm = 0;
+    int wholeStage = 0;
+    LastCut last;
+    const std::vector<Pass> passes = run.passesOf(section);
+    for (std::size_t i = 0; i < passes.size();) {
+        const Pass& first = passes[i];
+        const auto step = static_cast<std::size_t>(first.place.cycleCount);
+        const bool feeds = first.radialFeed_mm > 0;
+        const bool isShort =
+            feeds && first.place.stage == wholeStage && first.radialFeed_mm < whole_mm * (1 - 1e-9);
+        std::vector<double> now_mm(K);
+        for (; i < passes.size() && passes[i].place.cycleCount == first.place.cycleCount; ++i) {
+            for (std::size_t k = 0; k < K; ++k) {
+                now_mm[k] += run.visit(passes[i], static_cast<int>(k)).actual_mm;
+            }
+        }
+        fed_mm += first.radialFeed_mm;
+        for (std::size_t k = 0; k < K; ++k) {
+            if (feeds && now_mm[k] > (isShort ? taken_mm[k] : 0)) {
+                taken_mm[k] = now_mm[k];
+                pressed_mm[k] = fed_mm - depth_mm[k];
+            }
+            depth_mm[k] += now_mm[k];
+        }
+        if (feeds && !isShort) {
+            wholeStage = first.place.stage;
+            whole_mm = first.radialFeed_mm;
+            last.step_s = begins_s[step] - begins_s[step - 1];
+            last.at = first.place;
+        }
+        last.sparkOut_s = feeds ? 0 : last.sparkOut_s + begins_s[step] - begins_s[step - 1];
+    }
+    for (std::size_t k = 0; k < K; ++k) {
+        if (taken_mm[k] > last.depth_mm) {
+            last.depth_mm = taken_mm[k];
+            last.pressed_mm = pressed_mm[k];
+            last.radius = static_cast<int>(k);
+        }
+    }
+    return last;
+}
+
 class TestRunLimits : public QObject {
     Q_OBJECT
 
@@ -166,36 +222,73 @@ private slots:
         }
     }
 
-    // Of each radius the last visit that cut, of these the deepest.
-    void roughnessIsOfTheDeepestOfTheLastCuts_data() { everyProject(); }
-    void roughnessIsOfTheDeepestOfTheLastCuts() {
+    // Of each radius what the last revolution or double stroke with infeed took that cut it, of
+    // these the most.
+    void roughnessIsOfWhatTheLastStepWithInfeedTook_data() {
+        everyProject();
+        Project cutShort = plungeOfThree();
+        cutShort.gauge->control = Control::position;
+        cutShort.cycle->stages = {plungeStage(1.2, 0.15), plungeStage(0.31, 0.0503)};
+        QTest::newRow("cut short by position control") << asking(cutShort);
+    }
+    void roughnessIsOfWhatTheLastStepWithInfeedTook() {
         QFETCH(Project, project);
         const Traced run(project);
         const auto all = evaluateConstraints(run.result);
         for (std::size_t j = 0; j < run.result.sections.size(); ++j) {
-            double deepest = 0;
-            Place at;
-            for (int k = 0; k < run.trajectory.radii; ++k) {
-                double depth = 0;
-                Place last;
-                for (const Pass& pass : run.passesOf(static_cast<int>(j))) {
-                    if (run.visit(pass, k).actual_mm > 0) {
-                        depth = run.visit(pass, k).actual_mm;
-                        last = pass.place;
-                    }
-                }
-                at = depth > deepest ? last : at;
-                deepest = std::max(deepest, depth);
-            }
+            const LastCut wanted = lastCutOf(run, static_cast<int>(j));
             const LastCut& kept = run.result.sections[j].lastCut.value();
-            QCOMPARE(kept.depth_mm, deepest);
-            QVERIFY(samePlace(kept.at, at));
+            QVERIFY(close(kept.depth_mm, wanted.depth_mm, 1e-10));
+            QVERIFY(close(kept.pressed_mm, wanted.pressed_mm, 1e-9));
+            QVERIFY(close(kept.step_s, wanted.step_s, 1e-9));
+            QVERIFY(within(kept.sparkOut_s, wanted.sparkOut_s, 1e-9 * run.result.time_s));
+            QVERIFY(samePlace(kept.at, wanted.at));
+            QVERIFY(kept.pressed_mm >= kept.depth_mm);
             const auto found = std::ranges::find_if(all, [&](const ConstraintResult& c) {
                 return c.kind == ConstraintKind::roughness && c.section == static_cast<int>(j);
             });
-            QVERIFY(found != all.end() && samePlace(found->at.value(), at));
-            QCOMPARE(found->value, RoughnessModel(project).roughness(deepest) * 1000);
+            QVERIFY(found != all.end() && samePlace(found->at.value(), kept.at));
+            QCOMPARE(found->value, RoughnessModel(project).roughness(kept) * 1000);
         }
+    }
+
+    // Where nothing yields, what is fed is cut at once, in every zone alike.
+    void zonesWithTheSameLastInfeedAreEquallyRough() {
+        Project project = asking(fixtures::traverse());
+        project.machine->compliance_mm_per_n = ZoneCompliance{1e-12, 1e-12, 1e-12};
+        project.cycle->stages.push_back(sparkStage(fixtures::count(2), 0, 600));
+        const SimulationResult result = simulateUnchecked(project);
+        const RoughnessModel model(project);
+        const double Ra = model.roughness(*result.sections[1].lastCut);
+        QVERIFY(result.sections[1].lastCut->sparkOut_s > 0 && Ra > 0);
+        for (const SectionResult& zone : result.sections) {
+            QVERIFY(close(zone.lastCut->depth_mm, 0.001, 1e-6));
+            QVERIFY(close(model.roughness(*zone.lastCut), Ra, 1e-6));
+        }
+    }
+
+    // A spark-out of none, one, two … revolutions: from what the infeed left towards half of it.
+    void roughnessFallsInTheSparkOutTowardsARest() {
+        Project project = asking(plungeOfThree());
+        project.gauge->control = Control::position;
+        project.cycle->stages = {plungeStage(1.2, 0.15), plungeStage(0.3, 0.05)};
+        const RoughnessModel model(project);
+        const auto left = [&](const Project& p) {
+            return model.roughness(*simulateUnchecked(p).sections[2].lastCut);
+        };
+        const double straight = left(project);
+        double before = straight;
+        for (const int revolutions : {1, 2, 5, 20, 100, 400}) {
+            Project sparking = project;
+            sparking.cycle->stages.push_back(sparkStage(fixtures::count(revolutions)));
+            const double Ra = left(sparking);
+            QVERIFY(Ra < before && Ra >= straight / 2);
+            if (revolutions == 1) {
+                QVERIFY(Ra > 0.8 * straight); // τ is two revolutions at least
+            }
+            before = Ra;
+        }
+        QVERIFY(close(before, straight / 2, 0.01));
     }
 
     void powerIsTheLargestOfAllPasses_data() { everyProject(); }

@@ -10,6 +10,7 @@
 #include "core/project/cycle.h"
 #include "core/project/validate.h"
 #include "core/quality/power.h"
+#include "core/quality/roughness.h"
 #include "core/simulation/simulate.h"
 #include "core/starting/starting_numbers.h"
 #include "core/starting/starting_project.h"
@@ -186,6 +187,20 @@ Drawn drawn(Random& random, const SurfaceKind& kind) {
                         + numberText(entries->wheel.value.width_mm) + ", " + material.name};
         }
     }
+}
+
+/// Says how roughnesses are spread; the share between two.
+double report(const char* name, std::vector<double> values_um, double least_um, double most_um) {
+    std::ranges::sort(values_um);
+    const std::size_t count = values_um.size();
+    const auto within = std::ranges::count_if(
+        values_um, [&](double value_um) { return value_um >= least_um && value_um <= most_um; });
+    const double share = static_cast<double>(within) / static_cast<double>(count);
+    qInfo("%s: of %zu Ra %.2f %.2f %.2f %.2f %.2f µm (0, 10, 50, 90, 100 %%), between %.1f and "
+          "%.1f in %.0f %%",
+          name, count, values_um.front(), values_um[count / 10], values_um[count / 2],
+          values_um[count * 9 / 10], values_um.back(), least_um, most_um, 100 * share);
+    return share;
 }
 
 /// The scatter that a starting cycle is to stand: stock ± 20 µm, dullness 0.015…0.03, compliance
@@ -441,6 +456,36 @@ private slots:
               runs, static_cast<unsigned long long>(seed), at(0.1), at(0.5), at(0.9), at(0), bad);
         QVERIFY(at(0.5) > 1 && at(0.5) < 1.5);
         QVERIFY(at(0.1) > 0.8 && at(0.9) < 1.8);
+    }
+
+    /// The estimate of Ra, not yet measured, is that of practice: the middle of its range.
+    void wheelsOfSixtyGritLeaveTheRaOfPractice() {
+        constexpr std::uint64_t seed = 20261202;
+        constexpr double sixtyGrit_mm = 0.26, least_um = 0.4, most_um = 0.8;
+        const int each = samples::sized(50, 15, 200);
+        std::vector<double> all_um;
+        for (const SurfaceKind& kind : kinds) {
+            Random random(seed + static_cast<std::uint64_t>(&kind - kinds.data()));
+            std::vector<double> left_um;
+            while (static_cast<int>(left_um.size()) < each) {
+                Drawn one = drawn(random, kind);
+                one.entries.wheel.value.grain_mm = sixtyGrit_mm;
+                const StartingAnswer answer = startingProject(one.drawing, one.entries);
+                QVERIFY2(answer.start, (one.text + samples::listed(answer.issues)).c_str());
+                const SimulationResult result = simulate(answer.start->project);
+                const RoughnessFactor factor = roughnessFactor(result.project);
+                QVERIFY(!factor.isMeasured());
+                const RoughnessModel middle(result.project, std::sqrt(factor.least * factor.most));
+                double worst_um = 0;
+                for (const SectionResult& section : result.sections) {
+                    worst_um = std::max(worst_um, middle.roughness(section.lastCut.value()) * 1000);
+                }
+                left_um.push_back(worst_um);
+            }
+            report(kind.name, left_um, least_um, most_um);
+            all_um.insert(all_um.end(), left_um.begin(), left_um.end());
+        }
+        QVERIFY(report("RA", all_um, least_um, most_um) >= 0.8);
     }
 
     /// n_k/n is near a part that leaves no waves, wherever 5 % either way are a whole turn of it,

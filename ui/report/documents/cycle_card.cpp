@@ -84,9 +84,7 @@ Table CycleCard::accuracy(const Outcome& outcome) {
                 std::ranges::find_if(outcome.constraints, [&](const ConstraintResult& c) {
                     return c.kind == ConstraintKind::roughness && c.section == static_cast<int>(i);
                 });
-            row << (ra == outcome.constraints.end()
-                        ? cell({})
-                        : RequirementCells(outcome.result.project, *ra).value());
+            row << (ra == outcome.constraints.end() ? cell({}) : RequirementCells(*ra).value());
         }
         table.rows.push_back(row);
     }
@@ -119,7 +117,7 @@ Table CycleCard::requirements(const Outcome& outcome) {
                   tr("Margin"),          tr("Unit"),        tr("Verdict")};
     table.texts = {true, true, false, false, false, true, true};
     for (const ConstraintResult& c : outcome.constraints) {
-        const RequirementCells cells(outcome.result.project, c);
+        const RequirementCells cells(c);
         table.rows.push_back({Names::where(c), Names::constraint(c.kind), cells.value(),
                               Names::limit(c), cells.margin(), requirementUnit(c.kind),
                               cells.verdict()});

@@ -179,7 +179,7 @@ Table PassportPrediction::requirements(const Outcome& outcome) {
     table.texts = {true, true, false, false, false, true, true, true};
     for (const ConstraintResult& c : outcome.constraints) {
         if (!isSetting(c)) {
-            const RequirementCells cells(outcome.result.project, c);
+            const RequirementCells cells(c);
             table.rows.push_back(
                 {Names::where(c), Names::constraint(c.kind), cells.value(), Names::limit(c),
                  cells.margin(), requirementUnit(c.kind),

@@ -84,6 +84,7 @@ constexpr Meaning meanings[] = {
     {"y", QT_TRANSLATE_NOOP("Symbol", "opening of the wheel's profile by the cut"), roughnessName},
     {"s", QT_TRANSLATE_NOOP("Symbol", "share of the profile that the cut takes")},
     {"f", QT_TRANSLATE_NOOP("Symbol", "calibration of Ra: measured over computed")},
+    {"u", QT_TRANSLATE_NOOP("Symbol", "overlap: revolutions over a point in a stroke")},
     {"S_ф", QT_TRANSLATE_NOOP("Symbol", "limiting actual feed")},
     {"S_b", QT_TRANSLATE_NOOP("Symbol", "section of a bond bridge")},
     {"D_b", QT_TRANSLATE_NOOP("Symbol", "diameter of a bond bridge")},

@@ -54,7 +54,7 @@ std::vector<FormulaSheet> limitSheets(const Project& project, double b, double s
     }
     if (const auto& Ra = project.part->tolerance.roughness_ra_um;
         Ra && isRoughnessCalibrated(project)) {
-        sheets.push_back(roughnessLimitSheet(project, *Ra / units::umPerMm));
+        sheets.push_back(roughnessLimitSheet(project, *Ra / units::umPerMm, b));
     }
     if (auto sheet = selfSharpeningSheet(project)) {
         sheets.push_back(std::move(*sheet));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/parts/requirement_cells.h"
 
+#include "core/quality/light.h"
 #include "core/quality/roughness.h"
 #include "ui/charts/verdict_table.h"
 #include "ui/report/parts/cell_text.h"
@@ -8,24 +9,18 @@
 
 namespace sparkout::report {
 
-RequirementCells::RequirementCells(const Project& project, const ConstraintResult& constraint)
-    : m_constraint(constraint)
-    , m_isEstimate(constraint.kind == ConstraintKind::roughness
-                   && !isRoughnessCalibrated(project)) {}
+RequirementCells::RequirementCells(const ConstraintResult& constraint) : m_constraint(constraint) {}
 
 QString RequirementCells::value() const {
-    return m_isEstimate && m_constraint.isWhole
-               ? QStringLiteral("≈\u00a0") + Names::significant(m_constraint.value, 1)
-               : Names::value(m_constraint);
+    return Names::value(m_constraint);
 }
 
 QString RequirementCells::margin() const {
-    return m_isEstimate ? cell({}) : Names::margin(m_constraint);
+    return m_constraint.mostValue ? cell({}) : Names::margin(m_constraint);
 }
 
 QString RequirementCells::verdict() const {
-    // It comes out too small: what fails even so does fail.
-    return m_isEstimate && m_constraint.holds ? tr("not calibrated") : lightName(m_constraint);
+    return isOpen(m_constraint) ? tr("not calibrated") : lightName(m_constraint);
 }
 
 QString RequirementCells::roughnessHead(const Project& project) {

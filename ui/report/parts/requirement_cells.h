@@ -9,11 +9,12 @@
 namespace sparkout::report {
 
 /// Value, margin and verdict of a requirement as a document states them. A roughness that no
-/// measured one has been put in relation to is an estimate: one digit, no margin, and it says so.
+/// measured one has been put in relation to is an estimate: a range, no margin, and it says so
+/// where its limit lies within.
 class RequirementCells {
     Q_DECLARE_TR_FUNCTIONS(RequirementCells)
 public:
-    RequirementCells(const Project& project, const ConstraintResult& constraint);
+    explicit RequirementCells(const ConstraintResult& constraint);
 
     [[nodiscard]] QString value() const;
     [[nodiscard]] QString margin() const;
@@ -24,7 +25,6 @@ public:
 
 private:
     const ConstraintResult& m_constraint;
-    bool m_isEstimate;
 };
 
 } // namespace sparkout::report

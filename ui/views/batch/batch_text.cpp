@@ -3,6 +3,7 @@
 
 #include "core/project/batch.h"
 #include "core/quality/constraints.h"
+#include "core/quality/roughness.h"
 #include "ui/plot/run_bar.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
@@ -73,7 +74,7 @@ QString BatchText::factorAxis(const GivenFactor& of) {
 
 QString BatchText::value(double value, const Characteristic& characteristic) {
     if (characteristic.isEstimate) {
-        return QStringLiteral("≈\u00a0") + Names::significant(value, 1);
+        return Names::estimate(value, value * roughnessSpread * roughnessSpread);
     }
     const Requirement* const row = characteristic.requirement;
     return row && !row->isDeviation ? scatter(value, characteristic) : mark(value, characteristic);
