@@ -100,10 +100,10 @@ const StructInfo& tableOf<MeasuredRa>() {
                                            "double stroke, at the speeds and diameters stated."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
-            MeasuredRa, spark_out, .label = SPARKOUT_NOOP("Input", "Spark-out it was measured at"),
-            .hard = {0, 1e5}, .soft = {0, 200},
-            .nullMeaning = SPARKOUT_NOOP("Input", "as many as in the cycle"), .page = Page::wheel,
-            .usual = true,
+            MeasuredRa, spark_out_steps,
+            .label = SPARKOUT_NOOP("Input", "Spark-out it was measured at"), .hard = {0, 1e5},
+            .soft = {0, 200}, .nullMeaning = SPARKOUT_NOOP("Input", "as many as in the cycle"),
+            .page = Page::wheel, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Revolutions in a plunge, else double strokes, after "
                                            "that infeed."),
             .formula = "Ra_e = Ra·(½ + ½·exp(−t/τ))", .source = "MODEL-8"),

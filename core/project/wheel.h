@@ -23,7 +23,8 @@ struct ForceRecipe {
 struct MeasuredRa {
     double ra_um = 0.8;              ///< Ra [µm]
     std::optional<double> infeed_um; ///< by a revolution or double stroke; not given: the cycle's
-    std::optional<double> spark_out; ///< revolutions or double strokes; not given: the cycle's
+    std::optional<double>
+        spark_out_steps; ///< revolutions or double strokes; not given: the cycle's
     friend bool operator==(const MeasuredRa&, const MeasuredRa&) = default;
 };
 

@@ -100,7 +100,7 @@ std::optional<double> factorOfMeasuredRa(const Project& project) {
                       .overlap = overlapOf(project, b),
                       .pressed_mm = steadyPress(balance, travels ? 2 : 1, a),
                       .step_s = 1, // both times in steps
-                      .sparkOut_s = measured->spark_out.value_or(end.sparkOut),
+                      .sparkOut_s = measured->spark_out_steps.value_or(end.sparkOut),
                       .at = place};
     return measured->ra_um / units::umPerMm / RoughnessModel(project, 1).roughness(cut);
 }

@@ -204,7 +204,7 @@ private slots:
         QVERIFY(close(RoughnessModel(p).roughness(*result.sections[0].lastCut) * 1000, 0.6, 1e-3));
         p.wheel->measured_ra = MeasuredRa{0.6, 1.0, 8}; // the same, said
         QVERIFY(close(factorOfMeasuredRa(p).value(), factor, 1e-12));
-        p.wheel->measured_ra->spark_out = 0;
+        p.wheel->measured_ra->spark_out_steps = 0;
         QVERIFY(close(RoughnessModel(p, factorOfMeasuredRa(p).value()).roughness(0.001) * 1000, 0.6,
                       1e-12));
         // As its own the factor stays when the wheel dulls.
