@@ -48,7 +48,8 @@ inline void addOptions(Project& p, Dice& dice) {
         p.part->tolerance.roundness_um = dice.uniform(0.5, 4);
     }
     if (dice.chance(0.2)) {
-        p.part->tolerance.roughness_ra_um = dice.uniform(0.1, 0.6);
+        p.part->tolerance.roughness_ra_um = 2 * dice.uniform(0.1, 0.6);
+        p.wheel->roughness_factor = 2; // as measured
     }
     if (dice.chance(0.2)) {
         p.machine->work_drive_kw = dice.uniform(0.02, 0.1);

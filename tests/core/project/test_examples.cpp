@@ -225,7 +225,7 @@ private slots:
             void (*change)(Project&);
         } bound[] = {
             {"plunge-roughness-limit", ConstraintKind::roughness,
-             [](Project& p) { p.cycle->stages[2].sparkOutFor(3); }},
+             [](Project& p) { p.cycle->stages[2].sparkOutFor(6); }},
             {"plunge-self-sharpening-limit", ConstraintKind::selfSharpening,
              [](Project& p) { p.cycle->stages[0].radial_feed_mm_min = 0.7; }},
             {"plunge-accuracy-limit", ConstraintKind::diameterMax,
