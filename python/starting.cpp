@@ -90,8 +90,8 @@ void bindStarting(py::module_& module) {
         py::arg("stock_mm"), py::arg("bore") = false, py::arg("operation") = py::none(),
         py::arg("shoulder") = py::none(), py::arg("ra_um") = py::none(), py::arg("machine") = "",
         py::arg("wheel") = "", py::arg("material") = "",
-        "A project with a starting cycle and a usual search for a surface of a drawing, as "
-        "`sparkout-cli new` writes "
+        "A project with a starting cycle, a usual batch and a usual search for a surface of a "
+        "drawing, as `sparkout-cli new` writes "
         "it: `size` with its field (\"35k6\", for a bore \"60H7\"), ground length and stock per "
         "side in mm. `operation`: plunge or traverse; `shoulder`: headstock, tailstock or both, "
         "where the wheel cannot run over the end; machine, wheel and material are names of the "
