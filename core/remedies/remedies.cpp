@@ -126,10 +126,11 @@ public:
         if (fault && m_found.goal == RemedyGoal::none) {
             return std::move(m_found);
         }
-        const std::vector<RemedySetting> settings = remedySettings(m_project);
+        std::vector<RemedySetting> settings = remedySettings(m_project);
         m_found.settings = settings.size();
         m_issues = validate(m_project);
-        for (const RemedySetting& setting : settings) {
+        for (RemedySetting& setting : settings) {
+            setting.make(m_project);
             const bool isNeeded = !setting.isPair() || !m_singleHelps;
             if (std::optional<Remedy> remedy = isNeeded ? remedyOf(setting) : std::nullopt) {
                 m_singleHelps |= setting.isSingle();

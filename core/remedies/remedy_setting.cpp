@@ -46,6 +46,9 @@ Project withCycleOf(Project project, const Project& other) {
     Machine& machine = *project.machine;
     const Machine& from = *other.machine;
     machine.work_speed_rpm = from.work_speed_rpm;
+    if (!project.operation->travels) {
+        return project;
+    }
     machine.plunge_feed_mm_min = from.plunge_feed_mm_min;
     machine.overrun_entry_mm = from.overrun_entry_mm;
     machine.overrun_exit_mm = from.overrun_exit_mm;
@@ -266,6 +269,9 @@ Project RemedySetting::applied(Project project, double value) const {
         stages.front().*radial.value = feed;
         return withStock(std::move(project), stage, value, other);
     case RemedyKind::startingCycle: {
+        if (made) {
+            return withCycleOf(std::move(project), *made);
+        }
         // requirements stay what they are
         const Project changed = withCycleOf(project, withStartingCycle(project));
         return hasErrors(validate(changed)) ? project : changed;
@@ -274,8 +280,10 @@ Project RemedySetting::applied(Project project, double value) const {
     return project;
 }
 
-Project RemedySetting::appliedToPart(Project part, double value, const Project& changed) const {
-    return isWholeCycle() ? withCycleOf(std::move(part), changed) : applied(std::move(part), value);
+void RemedySetting::make(const Project& project) {
+    if (isWholeCycle()) {
+        made = std::make_shared<const Project>(applied(project, 1));
+    }
 }
 
 std::string RemedySetting::path(const Project& project) const {

@@ -5,6 +5,7 @@
 #include "core/remedies/setting_scale.h"
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,12 +40,14 @@ struct RemedySetting {
     double low = 0, high = 0;
     SettingScale scale;
     double feed = 0, feedBefore = 0; ///< of a pair: that of the first stage, which goes with all
+    /// Of a starting cycle: with it, once it was made.
+    std::shared_ptr<const Project> made{};
 
     /// The project with this value, all else as it was.
     [[nodiscard]] Project applied(Project project, double value) const;
-    /// The same of a part of its batch; `changed` is the project with the value. A starting cycle
-    /// is made for the project, not for each part.
-    [[nodiscard]] Project appliedToPart(Project part, double value, const Project& changed) const;
+    /// Makes a starting cycle for the project, which is then the same whatever it is applied to: a
+    /// part of the batch, or the project with a wheel that is not worn.
+    void make(const Project& project);
     /// The input that is changed, "/cycle/stages/1/radial_feed_mm"; of a stage more the stage that
     /// is added, of a starting cycle its first stage.
     [[nodiscard]] std::string path(const Project& project) const;

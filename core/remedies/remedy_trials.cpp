@@ -140,8 +140,7 @@ std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, doubl
     }
     if (trial.holds && !m_parts.isEmpty()) {
         const std::optional<RunParts> parts = m_parts.run(
-            [&](Project part) { return setting.appliedToPart(std::move(part), value, changed); },
-            m_end.token());
+            [&](Project part) { return setting.applied(std::move(part), value); }, m_end.token());
         if (!parts) {
             return {};
         }

@@ -193,7 +193,9 @@ private slots:
         }
         Project fed = samples::projectIn("tests/data/trials/limit-continuous.sparkout");
         fed.machine->limits.continuous_feed_mm_min = std::vector<double>{0.005, 1, 0.005};
-        QVERIFY(usualSearch(fed).optimisation->stage_continuous_feed_mm_min.has_value());
+        fed.batch.reset();
+        const Project about = usualSearch(fed);
+        QVERIFY(about.optimisation->stage_continuous_feed_mm_min.has_value());
     }
 
     // A trial found 1.03 min for the stated stock, by hand; the search has that cycle in its grid.
