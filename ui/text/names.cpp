@@ -3,6 +3,7 @@
 
 #include "core/digits.h"
 #include "core/project/member.h"
+#include "core/quality/light.h"
 #include "core/quality/ranges.h"
 #include "core/short_time.h"
 #include "ui/text/number_text.h"
@@ -195,11 +196,12 @@ QString Names::limit(const ConstraintResult& c) {
 }
 
 QString Names::margin(const ConstraintResult& c) {
-    if (!c.isWhole) {
+    if (!c.isWhole || isOpen(c)) {
         return QStringLiteral("–");
     }
-    const bool none = std::abs(c.margin) < roundOff * std::abs(c.limit);
-    return isRange(c.kind) ? inRange(c, true) : amount(c.kind, none ? 0 : c.margin, true);
+    const double left = c.holds && c.mostValue ? c.limit - *c.mostValue : c.margin;
+    const bool none = std::abs(left) < roundOff * std::abs(c.limit);
+    return isRange(c.kind) ? inRange(c, true) : amount(c.kind, none ? 0 : left, true);
 }
 
 QString Names::inRange(const ConstraintResult& c, bool brief) {
