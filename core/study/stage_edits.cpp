@@ -100,10 +100,10 @@ std::optional<double> feedFromForm(const Project& project, const Field& column,
     double value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool isNumber = error == std::errc() && end == digits.data() + digits.size();
-    return unit_mm > 0 && isNumber
-               ? std::optional(toStep(rangeOfFeed(project, column),
-                                      value * unit_mm * project.machine->work_speed_rpm))
-               : std::nullopt;
+    if (unit_mm == 0 || !isNumber) {
+        return {};
+    }
+    return toStep(rangeOfFeed(project, column), value * unit_mm * project.machine->work_speed_rpm);
 }
 
 double tidyStock(double stock_mm) {
