@@ -2358,8 +2358,8 @@ axial feed, mm/min</source>
             <translation>Уровней: %1, подач: %2, ступеней не более: %3</translation>
         </message>
         <message>
-            <source>Published rule: %1 min; stages %2.</source>
-            <translation>Опубликованное правило: %1 мин; ступени %2.</translation>
+            <source>Published rule: %1; stages %2.</source>
+            <translation>Опубликованное правило: %1; ступени %2.</translation>
         </message>
         <message>
             <source>The published rule finds no cycle: no move into the last level is admissible.</source>
@@ -2374,16 +2374,16 @@ axial feed, mm/min</source>
             <translation>Доказано: ни один из циклов сетки (%1) не выполняет всех требований.</translation>
         </message>
         <message>
-            <source>Proven quickest of the %1 cycles of the grid: %2 min; stages %3.</source>
-            <translation>Доказанный кратчайший из циклов сетки (%1): %2 мин; ступени %3.</translation>
+            <source>Proven quickest of the %1 cycles of the grid: %2; stages %3.</source>
+            <translation>Доказанный кратчайший из циклов сетки (%1): %2; ступени %3.</translation>
         </message>
         <message>
-            <source>none of the %1 cycles is below %2 min</source>
-            <translation>ни один из циклов (%1) не короче %2 мин</translation>
+            <source>none of the %1 cycles is below %2</source>
+            <translation>ни один из циклов (%1) не короче %2</translation>
         </message>
         <message>
-            <source>The proof was stopped: best so far %1 min, %2.</source>
-            <translation>Доказательство прервано: лучший пока %1 мин, %2.</translation>
+            <source>The proof was stopped: best so far %1, %2.</source>
+            <translation>Доказательство прервано: лучший пока %1, %2.</translation>
         </message>
         <message>
             <source>The proof was stopped: no cycle found so far, %1.</source>

@@ -141,8 +141,7 @@ std::string SearchWording::state(const SearchState& state) const {
         said.push_back(filled(SPARKOUT_NOOP("Search", "best %1"), {time(*state.best_s)}));
     }
     if (state.bound_s > 0) {
-        said.push_back(
-            filled(SPARKOUT_NOOP("Search", "none below %1"), {time(state.bound_s)}));
+        said.push_back(filled(SPARKOUT_NOOP("Search", "none below %1"), {time(state.bound_s)}));
     }
     if (state.share > 0) {
         said.push_back(
@@ -339,19 +338,18 @@ std::string SearchWording::marginAnswer(const SearchOutcome& outcome) const {
             ? SPARKOUT_NOOP("Search",
                             "A margin of %1 % over all that it must hold for, in %2: of %3 the "
                             "largest within %4 min, proved.")
-            : SPARKOUT_NOOP(
-                "Search", "A margin of %1 %, in %2: of %3 the largest within %4 min, proved."),
+            : SPARKOUT_NOOP("Search",
+                            "A margin of %1 %, in %2: of %3 the largest within %4 min, proved."),
         {margin, taken, gridSize(outcome.search.gridSize), within(outcome)});
 }
 
 std::string SearchWording::timeAnswer(const SearchOutcome& outcome) const {
     const std::string taken = time(outcome.best()->time_s);
     if (outcome.proved()) {
-        return filled(outcome.robust
-                          ? SPARKOUT_NOOP("Search",
-                                          "%1: of %2 the quickest that holds for the part and "
-                                          "the scenarios added; proved for these.")
-                          : SPARKOUT_NOOP("Search", "%1: the quickest of %2, proved."),
+        return filled(outcome.robust ? SPARKOUT_NOOP(
+                          "Search", "%1: of %2 the quickest that holds for the part and "
+                                    "the scenarios added; proved for these.")
+                                     : SPARKOUT_NOOP("Search", "%1: the quickest of %2, proved."),
                       {taken, gridSize(outcome.search.gridSize)});
     }
     if (isHeuristic(outcome.method)) {
@@ -394,12 +392,12 @@ void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
                                                              "minimum cost so far."),
                                {price, taken, size}));
     } else {
-        lines.push_back(filled(
-            outcome.proved()
-                ? SPARKOUT_NOOP("Search", "%1: of %2 none holds for more parts between "
-                                          "dressings, proved.")
-                : SPARKOUT_NOOP("Search", "%1: the most parts between dressings so far."),
-            {taken, size}));
+        lines.push_back(
+            filled(outcome.proved()
+                       ? SPARKOUT_NOOP("Search", "%1: of %2 none holds for more parts between "
+                                                 "dressings, proved.")
+                       : SPARKOUT_NOOP("Search", "%1: the most parts between dressings so far."),
+                   {taken, size}));
     }
     if (!outcome.proved() && outcome.interval->bound) {
         lines.push_back(
@@ -409,9 +407,8 @@ void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
                 : filled(SPARKOUT_NOOP("Search", "None of the grid holds for more parts than %1."),
                          {fixed(*outcome.interval->bound, 0)}));
     }
-    lines.push_back(
-        filled(SPARKOUT_NOOP("Search", "Parts per dressing: %1; %2 each on average."),
-               {parts(*best.held), time(best.held->meanTime_s)}));
+    lines.push_back(filled(SPARKOUT_NOOP("Search", "Parts per dressing: %1; %2 each on average."),
+                           {parts(*best.held), time(best.held->meanTime_s)}));
     if (best.held->end) {
         lines.push_back(filled(SPARKOUT_NOOP("Search", "The next part breaks: %1."),
                                {requirement(*best.held->end)}));
@@ -443,8 +440,7 @@ std::vector<std::string> SearchWording::answer(const SearchOutcome& outcome,
             change < -noticed
                 ? filled(SPARKOUT_NOOP("Search", "That is %1 % less than your cycle takes."),
                          {percent(-change)})
-                : filled(SPARKOUT_NOOP("Search", "Your cycle takes %1."),
-                         {time(*before_s)}));
+                : filled(SPARKOUT_NOOP("Search", "Your cycle takes %1."), {time(*before_s)}));
     }
     addLimit(outcome, lines);
     if (std::string what = binding(outcome); !what.empty()) {
@@ -630,12 +626,11 @@ void SearchWording::addRobustness(const SearchOutcome& outcome,
             {whole(robust.freshParts), whole(tried), fixed(std::ceil(most * 1e4) / 1e2, 2)}));
     }
     if (robust.nominalTime_s > 0) {
-        lines.push_back(
-            filled(SPARKOUT_NOOP("Search",
-                                 "The nominal part alone, of the same levels, would take %1: "
-                                 "robustness costs %2 % of time."),
-                   {time(robust.nominalTime_s),
-                    percent(outcome.best()->time_s / robust.nominalTime_s - 1)}));
+        lines.push_back(filled(
+            SPARKOUT_NOOP("Search", "The nominal part alone, of the same levels, would take %1: "
+                                    "robustness costs %2 % of time."),
+            {time(robust.nominalTime_s),
+             percent(outcome.best()->time_s / robust.nominalTime_s - 1)}));
     }
 }
 
@@ -667,9 +662,8 @@ std::string SearchWording::front(const SearchOutcome& outcome) const {
             ? filled(SPARKOUT_NOOP("Search", "All cycles of the grid of which none is both quicker "
                                              "and farther from its limits: %1."),
                      {whole(std::int64_t(points.size()))})
-            : filled(SPARKOUT_NOOP("Search",
-                                   "Up to %1; cycles that take longer may have larger "
-                                   "margins."),
+            : filled(SPARKOUT_NOOP("Search", "Up to %1; cycles that take longer may have larger "
+                                             "margins."),
                      {time(points.back()->time_s)});
     return outcome.robust
                ? all + ' '

@@ -237,8 +237,8 @@ std::optional<KeywayDesignation> parseKeyway(std::string_view text) {
         found.field += std::to_string(*grade);
         skipBlanks(text);
     }
-    if (take(text, "×") || take(text, "x") || take(text, "X") || take(text, "х")
-        || take(text, "Х") || take(text, "*")) {
+    if (take(text, "×") || take(text, "x") || take(text, "X") || take(text, "х") || take(text, "Х")
+        || take(text, "*")) {
         skipBlanks(text);
         const std::size_t comma = text.find(", "); // else one of the number itself
         std::string_view length = text.substr(0, std::min(comma, text.find(';')));
@@ -267,10 +267,10 @@ std::optional<KeywayDesignation> parseKeyway(std::string_view text) {
 
 std::optional<double> keywayAngle(double width_mm, double diameter_mm) {
     constexpr double halfTurn_deg = 180;
-    return width_mm > 0 && width_mm < diameter_mm
-               ? std::optional(2 * std::asin(width_mm / diameter_mm) * halfTurn_deg
-                               / std::numbers::pi)
-               : std::nullopt;
+    if (!(width_mm > 0 && width_mm < diameter_mm)) {
+        return {};
+    }
+    return 2 * std::asin(width_mm / diameter_mm) * halfTurn_deg / std::numbers::pi;
 }
 
 std::optional<double> standardTolerance(double nominal_mm, int grade) {

@@ -125,8 +125,7 @@ private:
         case Kind::number: checkNumber(field, field.as<double>(owner), path, relevant); break;
         case Kind::optionalNumber:
             if (const auto& value = field.as<std::optional<double>>(owner)) {
-                checkNumber(field, *value, path,
-                            relevant && !isDrawnBack(field, owner, *value));
+                checkNumber(field, *value, path, relevant && !isDrawnBack(field, owner, *value));
             }
             break;
         case Kind::integer:

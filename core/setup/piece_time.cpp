@@ -15,8 +15,8 @@ PieceTime pieceTime(const SetupTimes& times, std::size_t surfaces, double cycles
     piece.piece_min = times.piece_min.value_or((piece.main_min + piece.auxiliary_min)
                                                * (1 + times.service_percent / 100));
     piece.preparation_min = times.preparation_min;
-    piece.isPieceEntered = times.piece_min || times.auxiliary_min || auxiliary_s > 0
-                           || times.service_percent > 0;
+    piece.isPieceEntered =
+        times.piece_min || times.auxiliary_min || auxiliary_s > 0 || times.service_percent > 0;
     piece.calculation_min = piece.piece_min + times.preparation_min / times.batch_size;
     return piece;
 }

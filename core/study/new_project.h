@@ -24,7 +24,8 @@ namespace sparkout {
 /// that giving one is always a change.
 [[nodiscard]] Project undrawnProject(Operation operation);
 
-/// In place of the limit deviations some that no drawing has, so that giving one is always a change.
+/// In place of the limit deviations some that no drawing has, so that giving one is always a
+/// change.
 [[nodiscard]] Project withoutDeviations(Project project);
 
 } // namespace sparkout

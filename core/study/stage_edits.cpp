@@ -4,6 +4,7 @@
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/wheel.h"
+#include "core/trimmed.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -42,24 +43,15 @@ const std::vector<double>* rangeOfFeed(const Project& project, const Field& colu
 
 /// The nearest value that a range [lowest, highest, step] has.
 double toStep(const std::vector<double>* range, double value) {
-    constexpr double tidy = 1e-9;
+    constexpr double tidy = 1e9; // of last bits
     if (range && range->size() == 3 && (*range)[2] > 0) {
         const double steps = std::round((value - range->front()) / (*range)[2]);
         value = range->front() + steps * (*range)[2];
     }
-    return std::round(value / tidy) * tidy;
+    return std::round(value * tidy) / tidy;
 }
 
-/// Without blanks about it.
-std::string_view trimmed(std::string_view text) {
-    while (text.starts_with(' ') || text.starts_with("\u00a0")) {
-        text.remove_prefix(text.starts_with(' ') ? 1 : 2);
-    }
-    while (text.ends_with(' ') || text.ends_with("\u00a0")) {
-        text.remove_suffix(text.ends_with(' ') ? 1 : 2);
-    }
-    return text;
-}
+constexpr std::string_view blanks(" \u00a0");
 
 } // namespace
 
@@ -81,7 +73,7 @@ std::optional<double> feedFromForm(const Project& project, const Field& column,
     if (!feedForms(project, column, 0)) {
         return {};
     }
-    text = trimmed(text);
+    text = trimmed(text, blanks);
     double unit_mm = 0; // of a revolution
     for (const std::string_view suffix : {"mm/rev", "mm/r", "мм/об", "/rev", "/об"}) {
         if (unit_mm == 0 && text.ends_with(suffix)) {
@@ -95,15 +87,16 @@ std::optional<double> feedFromForm(const Project& project, const Field& column,
             text.remove_suffix(suffix.size());
         }
     }
-    std::string digits(trimmed(text));
+    std::string digits(trimmed(text, blanks));
     std::ranges::replace(digits, ',', '.');
     double value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    const bool isNumber = error == std::errc() && end == digits.data() + digits.size();
-    return unit_mm > 0 && isNumber
-               ? std::optional(toStep(rangeOfFeed(project, column),
-                                      value * unit_mm * project.machine->work_speed_rpm))
-               : std::nullopt;
+    const bool isNumber =
+        error == std::errc() && end == digits.data() + digits.size() && std::isfinite(value);
+    if (unit_mm == 0 || !isNumber) {
+        return {};
+    }
+    return toStep(rangeOfFeed(project, column), value * unit_mm * project.machine->work_speed_rpm);
 }
 
 double tidyStock(double stock_mm) {

@@ -53,6 +53,10 @@ QString StateGridText::minutes(double time_s) {
     return Names::significant(time_s / units::secondsPerMinute, timeDigits);
 }
 
+QString StateGridText::time(double time_s) {
+    return Names::time(time_s, timeDigits);
+}
+
 QString StateGridText::feed(const StageSetting& setting, Operation operation) {
     const QString radial = printedNumber(setting.radial);
     return operation->axial()
@@ -88,10 +92,10 @@ QString StateGridText::size(const StateGrid& grid) {
 }
 
 QString StateGridText::ruleAnswer(const StateGrid& grid) {
-    return grid.time_s ? tr("Published rule: %1 min; stages %2.")
-                             .arg(minutes(*grid.time_s), cycle(grid.cycle))
-                       : tr("The published rule finds no cycle: no move into the last level is "
-                            "admissible.");
+    return grid.time_s
+               ? tr("Published rule: %1; stages %2.").arg(time(*grid.time_s), cycle(grid.cycle))
+               : tr("The published rule finds no cycle: no move into the last level is "
+                    "admissible.");
 }
 
 QString StateGridText::provenAnswer(const ExactAnswer& exact) {
@@ -102,14 +106,13 @@ QString StateGridText::provenAnswer(const ExactAnswer& exact) {
         return tr("Proved: none of the %1 cycles of the grid holds every requirement.").arg(cycles);
     }
     if (exact.isProved() && exact.time_s) {
-        return tr("Proven quickest of the %1 cycles of the grid: %2 min; stages %3.")
-            .arg(cycles, minutes(*exact.time_s), cycle(exact.cycle));
+        return tr("Proven quickest of the %1 cycles of the grid: %2; stages %3.")
+            .arg(cycles, time(*exact.time_s), cycle(exact.cycle));
     }
-    const QString none =
-        tr("none of the %1 cycles is below %2 min").arg(cycles, minutes(exact.bound_s));
-    return exact.time_s ? tr("The proof was stopped: best so far %1 min, %2.")
-                              .arg(minutes(*exact.time_s), none)
-                        : tr("The proof was stopped: no cycle found so far, %1.").arg(none);
+    const QString none = tr("none of the %1 cycles is below %2").arg(cycles, time(exact.bound_s));
+    return exact.time_s
+               ? tr("The proof was stopped: best so far %1, %2.").arg(time(*exact.time_s), none)
+               : tr("The proof was stopped: no cycle found so far, %1.").arg(none);
 }
 
 QString StateGridText::wrong(const StateFault& fault) {

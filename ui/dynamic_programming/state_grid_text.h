@@ -19,6 +19,7 @@ public:
     static QString progress(qint64 done, qint64 parts, double left_s);
     static QString fault(StateGridFault fault); ///< why there is no grid; empty: there is
     static QString minutes(double time_s);      ///< "0.412", without unit
+    static QString time(double time_s);         ///< of a whole cycle, with its unit
     static QString feed(const StageSetting& setting, Operation operation); ///< "0.004 · 1800"
     static QString state(int level, std::size_t feed);                     ///< "[5, 3]"
     static QString cycle(const Cycle& cycle);

@@ -82,7 +82,7 @@ private:
     void evaluate();
     [[nodiscard]] Remark judge(std::optional<double>& value) const;
     [[nodiscard]] Remark judgeNumber(double value) const;
-    [[nodiscard]] std::optional<double> read() const; ///< what the text means
+    [[nodiscard]] std::optional<double> read() const;     ///< what the text means
     [[nodiscard]] std::optional<double> readForm() const; ///< by setReads()
     /// Of arithmetic or another form, "= 0.125 mm"; else empty.
     [[nodiscard]] QString result() const;

@@ -165,10 +165,7 @@ void PartStrip::showStatuses() {
     const auto time = m_runs.time();
     m_whole->setText(
         time
-            ? tr("%1 of %2 · %3")
-                  .arg(holding)
-                  .arg(count)
-                  .arg(Names::timeOfMinutes(time->piece_min))
+            ? tr("%1 of %2 · %3").arg(holding).arg(count).arg(Names::timeOfMinutes(time->piece_min))
             : tr("%1 of %2").arg(holding).arg(count));
     m_whole->setAccessibleName(tr("The whole part: %1").arg(m_whole->text()));
     nameTabs();
@@ -186,11 +183,9 @@ void PartStrip::nameTabs() {
         widths.push_back(metrics.horizontalAdvance(names.back()));
     }
     const int room = width() - m_drawing->minimumSizeHint().width() - m_whole->sizeHint().width()
-                     - m_menu->sizeHint().width() - 5 * metrics::gap
-                     - m_tabs->count() * besideText;
+                     - m_menu->sizeHint().width() - 5 * metrics::gap - m_tabs->count() * besideText;
     const int widest = widestOf(widths, room);
-    const int least = metrics.horizontalAdvance(QStringLiteral("00 ")
-                                                + QString(leastOnTab, u'n'));
+    const int least = metrics.horizontalAdvance(QStringLiteral("00 ") + QString(leastOnTab, u'n'));
     for (int tab = 0; tab < m_tabs->count(); ++tab) {
         const int own = widths[static_cast<std::size_t>(tab)];
         const QString text =

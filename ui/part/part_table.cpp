@@ -106,17 +106,14 @@ void PartStudies::add(int id, const SurfaceStudyPtr& study) {
 ValueTable partTable(const SetupState& state, const std::vector<SurfaceStatus>& statuses,
                      const PartStudies& studies) {
     ValueTable table{
-        .columns = {{.text = PartTable::tr("Surface"), .key = "surface", .isText = true},
-                    {.text = PartTable::tr("⌀, mm"), .key = "diameter"},
-                    {.text = PartTable::tr("Cycle"),
-                     .name = PartTable::tr("Cycle, min"),
-                     .key = "time"},
-                    {.text = PartTable::tr("Verdict"), .key = "verdict", .isText = true},
-                    {.text = PartTable::tr("Minimum margin"), .key = "margin", .isText = true},
-                    {.text = PartTable::tr("Found"),
-                     .name = PartTable::tr("Found, min"),
-                     .key = "search"},
-                    {.text = PartTable::tr("Batch"), .key = "batch"}},
+        .columns =
+            {{.text = PartTable::tr("Surface"), .key = "surface", .isText = true},
+             {.text = PartTable::tr("⌀, mm"), .key = "diameter"},
+             {.text = PartTable::tr("Cycle"), .name = PartTable::tr("Cycle, min"), .key = "time"},
+             {.text = PartTable::tr("Verdict"), .key = "verdict", .isText = true},
+             {.text = PartTable::tr("Minimum margin"), .key = "margin", .isText = true},
+             {.text = PartTable::tr("Found"), .name = PartTable::tr("Found, min"), .key = "search"},
+             {.text = PartTable::tr("Batch"), .key = "batch"}},
         .isList = true};
     for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
         const SurfaceState& of = *state.surfaces[i];

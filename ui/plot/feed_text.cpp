@@ -67,8 +67,7 @@ QString FeedText::where(const FeedPoint& p, double time_s, const FeedSeries& ser
     if (p.radius >= 0) {
         parts << tr("radius %1").arg(p.radius);
     }
-    return parts.join(QStringLiteral(", ")) + QStringLiteral(" — ")
-           + Names::time(time_s, 4);
+    return parts.join(QStringLiteral(", ")) + QStringLiteral(" — ") + Names::time(time_s, 4);
 }
 
 QString FeedText::values(const FeedPoint& p, const FeedSeries& series) {

@@ -7,8 +7,9 @@
 
 namespace sparkout {
 
-/// A legend beside the plot that wraps its entries over as many lines as it needs, or to so many. A click hides or
-/// shows a curve, Ctrl+click shows only this one; by keyboard: arrows choose, Space, Ctrl+Space.
+/// A legend beside the plot that wraps its entries over as many lines as it needs, or to so many. A
+/// click hides or shows a curve, Ctrl+click shows only this one; by keyboard: arrows choose, Space,
+/// Ctrl+Space.
 class LegendStrip : public QWidget {
     Q_OBJECT
 public:
@@ -52,7 +53,7 @@ private:
     int m_mostLines = 0;
     mutable LegendEntries m_fitted; ///< to a width
     mutable int m_fittedWidth = -1; ///< −1: to none yet
-    int m_current = -1; ///< chosen by keyboard
+    int m_current = -1;             ///< chosen by keyboard
 };
 
 } // namespace sparkout

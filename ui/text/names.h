@@ -76,7 +76,6 @@ public:
     /// Of a cycle, with its unit: "24.3 s" below two minutes, else "2.54 min".
     static QString time(double time_s, int digits = 3);
     static QString timeOfMinutes(double time_min, int digits = 3); ///< the same
-    static QString timeOfMinutes(double time_min, int digits = 3); ///< the same
 };
 
 } // namespace sparkout

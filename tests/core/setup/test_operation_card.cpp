@@ -70,10 +70,9 @@ private slots:
             for (std::size_t i = 0; i < setup->surfaces.size(); ++i) {
                 QCOMPARE(count(card, CardEntry::grind, i), 1);
                 QCOMPARE(count(card, CardEntry::tooling, i), 1);
-                const auto measured = std::ranges::count_if(
-                    card.lines, [i](const CardLine& line) {
-                        return std::ranges::find(line.measured, i) != line.measured.end();
-                    });
+                const auto measured = std::ranges::count_if(card.lines, [i](const CardLine& line) {
+                    return std::ranges::find(line.measured, i) != line.measured.end();
+                });
                 QCOMPARE(measured, 1);
                 if (i >= run.surfaces.size()) {
                     QCOMPARE(count(card, CardEntry::regime, i), 0);

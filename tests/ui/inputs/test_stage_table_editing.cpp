@@ -113,8 +113,7 @@ private slots:
         for (const char* text : {"0.3B", "0,3 b"}) {
             Bench bench(0, 1);
             const Project& project = bench.document.project();
-            const double wanted =
-                0.3 * project.wheel->width_mm * project.machine->work_speed_rpm;
+            const double wanted = 0.3 * project.wheel->width_mm * project.machine->work_speed_rpm;
             auto* editor = bench.openEditor();
             QVERIFY(editor);
             editor->selectAll();

@@ -353,8 +353,8 @@ private slots:
                         numbers << texts[k + 1].text;
                     }
                 }
-                QCOMPARE(numbers, (QStringList{QString::number(sheets.size()),
-                                               QString::number(i + 1)}));
+                QCOMPARE(numbers,
+                         (QStringList{QString::number(sheets.size()), QString::number(i + 1)}));
             }
         }
     }

@@ -343,8 +343,8 @@ void FormPage::showRank(const InputRank& rank) {
     for (const auto& [helper, path] : m_helpers) {
         const FormRow* const row = rowAt(path);
         const auto list = std::ranges::find(m_lists, path, &ListTable::path);
-        FormAccess::hide(*helper, row                    ? !row->isShown()
-                                  : list != m_lists.end() && (*list)->isHidden());
+        FormAccess::hide(*helper,
+                         row ? !row->isShown() : list != m_lists.end() && (*list)->isHidden());
     }
     if (m_projectBox) {
         m_projectBox->setVisible(std::ranges::any_of(m_rows, [](const FormRow* row) {

@@ -371,19 +371,22 @@ KeywayHelper::Typed KeywayHelper::typed() const {
     }
     const auto keyway = parseKeyway(text.toStdString());
     if (!keyway) {
-        return {{}, tr("Not a keyway by width and length; write it like 12P9 × 45, or with the "
-                       "angle of its first edge like 12P9 × 45, 90°.")};
+        return {{},
+                tr("Not a keyway by width and length; write it like 12P9 × 45, or with the "
+                   "angle of its first edge like 12P9 × 45, 90°.")};
     }
     if (m_document.isOpen("/part/diameter_mm")) {
         return {{}, tr("The diameter is needed first.")};
     }
     const auto angle_deg = keywayAngle(keyway->width_mm, part.diameter_mm);
     if (!angle_deg) {
-        return {{}, tr("A keyway of %1 mm is not narrower than the diameter of %2 mm.")
-                        .arg(printedNumber(keyway->width_mm), printedNumber(part.diameter_mm))};
+        return {{},
+                tr("A keyway of %1 mm is not narrower than the diameter of %2 mm.")
+                    .arg(printedNumber(keyway->width_mm), printedNumber(part.diameter_mm))};
     }
     constexpr double perDegree = 100; // two decimals, finer than any radius
-    const SurfaceGap gap{keyway->at_deg.value_or(0), std::round(*angle_deg * perDegree) / perDegree};
+    const SurfaceGap gap{keyway->at_deg.value_or(0),
+                         std::round(*angle_deg * perDegree) / perDegree};
     QString words = tr("%1 mm on ∅%2 mm: a gap of %3°, from %4° on.")
                         .arg(printedNumber(keyway->width_mm), printedNumber(part.diameter_mm),
                              printedNumber(gap.width_deg), printedNumber(gap.from_deg));

@@ -112,8 +112,8 @@ void StageDelegate::paintWithForm(QPainter& painter, QStyleOptionViewItem item,
         item.rect.adjusted(metrics::row, metrics::hair, -metrics::row, -metrics::hair);
     const QRect below(inside.left(), inside.bottom() + 1 - barHeight(item.fontMetrics),
                       inside.width(), barHeight(item.fontMetrics));
-    QColor ink = item.palette.color(
-        item.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text);
+    QColor ink = item.palette.color(item.state & QStyle::State_Selected ? QPalette::HighlightedText
+                                                                        : QPalette::Text);
     painter.save();
     painter.setPen(ink);
     painter.setFont(fitting(item.font, text, inside.width()));

@@ -119,8 +119,7 @@ QString StageModel::takeText(Project& project, int row, const Field& column,
         return takeSparkOut(project, std::size_t(row), column, text);
     }
     const auto feed = feedFromForm(project, column, text.toStdString());
-    return ListModel::takeText(project, row, column,
-                               feed ? showNumber(*feed, QLocale::c()) : text);
+    return ListModel::takeText(project, row, column, feed ? showNumber(*feed, QLocale::c()) : text);
 }
 
 QString StageModel::takeSparkOut(Project& project, std::size_t row, const Field& column,
@@ -208,8 +207,8 @@ double StageModel::timeShare(int row) const {
 
 QStringList StageModel::formsOf(const QModelIndex& index) const {
     constexpr int digits = 3;
-    if (!index.isValid() || !isField(index) || !relevant(index)
-        || access(index) == Access::hidden || remark(index).mark != Mark::none) {
+    if (!index.isValid() || !isField(index) || !relevant(index) || access(index) == Access::hidden
+        || remark(index).mark != Mark::none) {
         return {};
     }
     const auto value = number(index);
@@ -235,7 +234,7 @@ QVariant StageModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
         const QStringList forms = formsOf(index);
         const QString text = ListModel::data(index, role).toString();
-        return forms.isEmpty()         ? ListModel::data(index, role)
+        return forms.isEmpty() ? ListModel::data(index, role)
                : role == Qt::ToolTipRole
                    ? text
                          + QStringLiteral("<p>= %1</p><p>%2</p>")

@@ -250,8 +250,9 @@ QString CardRows::control(const CardLine& line, const Setup& setup) {
         each << (isCommon ? size : with(size, limitsOf(surface)));
     }
     const QString all = tr("Check surfaces %1").arg(each.join(QStringLiteral("; ")));
-    return isCommon && !common.isEmpty() ? tr("%1; each: %2", "surfaces, tolerances").arg(all, common)
-                                         : all;
+    return isCommon && !common.isEmpty()
+               ? tr("%1; each: %2", "surfaces, tolerances").arg(all, common)
+               : all;
 }
 
 QString CardRows::text(const CardLine& line, const Setup& setup, const SetupRun& run) {

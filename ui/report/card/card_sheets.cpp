@@ -136,9 +136,8 @@ std::vector<FormSheet> CardSheets::card(const std::vector<CardRow>& rows,
     std::size_t next = 0;
     for (std::size_t s = 0; s < counts.size(); ++s) {
         const bool first = s == 0;
-        FormSheet sheet =
-            begun(form::card, first, static_cast<int>(s) + 1,
-                  static_cast<int>(counts.size() + following));
+        FormSheet sheet = begun(form::card, first, static_cast<int>(s) + 1,
+                                static_cast<int>(counts.size() + following));
         if (first) {
             captionedRow(sheet, form::operationRow, m_head.operation, form::left, operationTop);
             captionedRow(sheet, form::equipmentRow, m_head.equipment, form::left,

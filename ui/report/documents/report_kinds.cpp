@@ -130,9 +130,10 @@ void nameSurface(Subject& subject, const Setup& setup, std::size_t surface) {
     const std::string number = std::to_string(surface + 1);
     // A shell reads a number as it stands; only where a name of another surface is that number
     // the name has to do.
-    subject.surfaceOption = setup.find(number) == surface
-                                ? QString::fromStdString(number)
-                                : u'"' + QString::fromStdString(setup.surfaces[surface].name) + u'"';
+    subject.surfaceOption =
+        setup.find(number) == surface
+            ? QString::fromStdString(number)
+            : u'"' + QString::fromStdString(setup.surfaces[surface].name) + u'"';
 }
 
 SetupSubject setupOf(const Outcome& outcome) {

@@ -203,8 +203,8 @@ void Drawing::drawSupports() {
                                         QPointF(left - centre, axis + 10)});
         m_painter.drawPolygon(QPolygonF{QPointF(right, axis), QPointF(right + centre, axis - 10),
                                         QPointF(right + centre, axis + 10)});
-        m_tailstockFrom = text({right + centre, supportName}, Sketch::tailstock())
-                          - widthOf(Sketch::tailstock());
+        m_tailstockFrom =
+            text({right + centre, supportName}, Sketch::tailstock()) - widthOf(Sketch::tailstock());
     }
     if (bore && m_part.blind_bore) {
         m_painter.setBrush(body);

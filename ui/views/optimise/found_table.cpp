@@ -94,8 +94,7 @@ std::vector<ValueCell> cellsOf(const SearchOutcome& outcome, const FoundCycle& f
                                std::optional<double> before_s) {
     const auto stages = static_cast<double>(found.cycle.stages.size());
     std::vector<ValueCell> cells{
-        {.text = OptimiseText::time(found.time_s),
-         .value = found.time_s / units::secondsPerMinute},
+        {.text = OptimiseText::time(found.time_s), .value = found.time_s / units::secondsPerMinute},
         {.text = OptimiseText::found(found, outcome.project)},
         {.text = QLocale().toString(qulonglong(found.cycle.stages.size())), .value = stages},
         shareCell(before_s && *before_s > 0 ? std::optional(found.time_s / *before_s - 1)

@@ -12,8 +12,8 @@ namespace sparkout {
 class OptimiseText {
     Q_DECLARE_TR_FUNCTIONS(OptimiseText)
 public:
-    static QString time(double time_s); ///< "43.71 s", "5.714 min"
-    static QString percent(double share);  ///< "−70.2", without unit
+    static QString time(double time_s);   ///< "43.71 s", "5.714 min"
+    static QString percent(double share); ///< "−70.2", without unit
     /// "290 304 cycles".
     static QString gridSize(std::int64_t size);
     /// Radial feed, axial feed and stock of every stage: "0.004 · 1800 · 0.11 → …".

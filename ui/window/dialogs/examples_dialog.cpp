@@ -108,10 +108,10 @@ QString ExamplesDialog::resultOf(const Entry& entry) {
     const auto shown = [](double time_min) {
         return Names::timeOfMinutes(time_min, exampleDigits);
     };
-    const QString time =
-        run.time.isPieceEntered
-            ? tr("Main time %1, piece time %2.").arg(shown(run.time.main_min), shown(run.time.piece_min))
-            : tr("Main time %1.").arg(shown(run.time.main_min));
+    const QString time = run.time.isPieceEntered
+                             ? tr("Main time %1, piece time %2.")
+                                   .arg(shown(run.time.main_min), shown(run.time.piece_min))
+                             : tr("Main time %1.").arg(shown(run.time.main_min));
     Judgement worst; // of the surface to speak of first
     for (const SurfaceRun& surface : run.surfaces) {
         Judgement one = judge(surface.result, surface.constraints, judgeStocks(surface.result));

@@ -262,8 +262,7 @@ private slots:
             const SearchSummary& point = engine.cycles[i];
             QCOMPARE(cycleAt(), OptimiseText::cycle(point.cycle));
             QCOMPARE(plot.chosen()->data()->at(0)->key, point.best->time_s / 60);
-            QVERIFY(
-                plot.accessibleDescription().contains(OptimiseText::time(point.best->time_s)));
+            QVERIFY(plot.accessibleDescription().contains(OptimiseText::time(point.best->time_s)));
             QVERIFY(plot.hasFocus());
             QTest::keyClick(&plot, Qt::Key_Right);
         }

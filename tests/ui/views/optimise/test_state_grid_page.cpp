@@ -142,7 +142,7 @@ private slots:
         const ExactAnswer& exact = *bench.plot().outcome()->exact;
         QVERIFY(exact.isProved() && exact.time_s);
         QVERIFY(bench.notice().contains(StateGridText::ruleAnswer(bench.grid())));
-        QVERIFY(bench.notice().contains(StateGridText::minutes(*exact.time_s)));
+        QVERIFY(bench.notice().contains(StateGridText::time(*exact.time_s)));
         QVERIFY(!exact.faults.empty()); // the rule is slower or finds none
         QVERIFY(bench.notice().contains(
             StateGridText::state(exact.faults.front().level, exact.faults.front().feed)));
