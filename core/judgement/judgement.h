@@ -49,10 +49,10 @@ struct JudgedStocks {
     RunStatus status = RunStatus::completed;
     /// The requirement to speak of first, at the stock where it is worst; of the settings only one
     /// that fails. Nothing where none is checked.
-    std::optional<ConstraintResult> worst;
+    std::optional<ConstraintResult> worst{};
     /// Of a machine whose number of lobes is not known, where all holds with an odd one: the
     /// requirement that fails for some stocks with an even one.
-    std::optional<ConstraintKind> failsIfEven;
+    std::optional<ConstraintKind> failsIfEven{};
     bool hasOpenEstimate = false; ///< whose limit lies within its range, for some stock
 };
 
