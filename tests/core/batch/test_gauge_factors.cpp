@@ -194,7 +194,9 @@ private slots:
         p.gauge->control = Control::position; // no gauge ends its stages
         usual = withUsualBatch(p);
         QVERIFY(!usual.batch->factors.gauge_error && !usual.batch->factors.part_warmer_k);
-        QCOMPARE(notCounted(p).size(), std::size_t{8}); // no batch at all
+        QCOMPARE(notCounted(p).size(), std::size_t{5}); // no batch at all, and nothing is read
+        p.gauge->control = Control::gauge;
+        QCOMPARE(notCounted(p).size(), std::size_t{8});
     }
 };
 
