@@ -12,15 +12,6 @@ namespace {
 bool hasMachineForm(const Project& p, const void*) {
     return p.machine->form.has_value();
 }
-bool printsRunout(const Project& p, const void*) {
-    return p.machine->form.has_value() || p.machine->geometric_runout_um > 0;
-}
-bool knowsRepeatability(const Project& p, const void*) {
-    return p.machine->gauge_repeatability_um.has_value();
-}
-bool knowsDrift(const Project& p, const void*) {
-    return p.machine->gauge_drift_um_h.has_value();
-}
 
 } // namespace
 
@@ -110,7 +101,7 @@ const StructInfo& tableOf<Factors>() {
                                            "cut follow. Plunge: the ground length.")),
         SPARKOUT_FIELD(Factors, machine_form, .label = SPARKOUT_NOOP("Input", "Machine's form"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-                       .relevant = printsRunout, .page = Page::batch,
+                       .page = Page::batch,
                        .hint = SPARKOUT_NOOP("Input", "Factor on the roundness deviation and "
                                                       "runout that the machine prints, of all "
                                                       "zones or sections; without a form on its "
@@ -127,7 +118,7 @@ const StructInfo& tableOf<Factors>() {
         SPARKOUT_FIELD(
             Factors, gauge_error, .label = SPARKOUT_NOOP("Input", "Random error of the gauge"),
             .symbol = "z", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-            .relevant = knowsRepeatability, .page = Page::batch, .usual = true,
+            .page = Page::batch, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "In standard deviations: it multiplies the machine's "
                                            "gauge repeatability. Normal with the mean 0 and the "
                                            "deviation 1 is the gauge as the machine has it."),
@@ -135,7 +126,7 @@ const StructInfo& tableOf<Factors>() {
         SPARKOUT_FIELD(
             Factors, gauge_age_h, .label = SPARKOUT_NOOP("Input", "Time since the gauge was set"),
             .symbol = "t", .unit = "h", .nullMeaning = SPARKOUT_NOOP("Input", "it does not drift"),
-            .relevant = knowsDrift, .page = Page::batch, .usual = true,
+            .page = Page::batch, .usual = true,
             .hint = SPARKOUT_NOOP("Input",
                                   "It multiplies the machine's gauge drift. Growing part by part "
                                   "from 0: the last part is ground the time of a piece later for "

@@ -2,6 +2,7 @@
 #include "core/project/given_factors.h"
 
 #include "core/project/batch.h"
+#include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
@@ -112,19 +113,37 @@ std::size_t corneredCount(const std::vector<GivenFactor>& factors) {
         factors, [](const GivenFactor& each) { return !isOfReading(each.kind); }));
 }
 
+namespace {
+
+/// Whether the project has the number that a factor multiplies.
+bool hasWhatItMultiplies(FactorKind kind, const Project& project) {
+    const Machine& machine = *project.machine;
+    switch (kind) {
+    case FactorKind::machineForm: return machine.form || machine.geometric_runout_um > 0;
+    case FactorKind::gaugeError: return machine.gauge_repeatability_um.value_or(0) > 0;
+    case FactorKind::gaugeAge: return machine.gauge_drift_um_h.value_or(0) != 0;
+    default: return true;
+    }
+}
+
+} // namespace
+
 std::vector<FactorKind> notCounted(const Project& project) {
     const bool corners = project.batch && project.batch->scenarios == Scenarios::corners;
+    const auto& stages = project.cycle->stages;
+    const bool isRead = project.gauge->control == Control::gauge
+                        || (!stages.empty() && stages.back().waitsForSize());
     const std::vector<GivenFactor> given = scatteredFactors(project);
     std::vector<FactorKind> left;
     const auto fields = tableOf<Factors>().fields;
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const auto kind = static_cast<FactorKind>(i);
         const Field& field = fields[i];
-        const bool hasEffect = !field.relevant || field.relevant(project, nullptr);
         const bool isGiven = std::ranges::find(given, kind, &GivenFactor::kind) != given.end();
-        const bool isCounted = isGiven && hasEffect && !(corners && isOfReading(kind));
+        const bool isCounted =
+            isGiven && hasWhatItMultiplies(kind, project) && !(corners && isOfReading(kind));
         const bool isUsual = field.usual || kind == FactorKind::machineForm;
-        if (isUsual && !isCounted) {
+        if (isUsual && !isCounted && (isRead || !isOfReading(kind))) {
             left.push_back(kind);
         }
     }

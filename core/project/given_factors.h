@@ -67,7 +67,7 @@ struct GivenFactor {
 
 /// The usual causes of scatter that the batch of a project leaves out, in the order of their table:
 /// not given, or without the machine's number they multiply, or left at their middle by corners. Of
-/// a project without a batch all of them.
+/// a project without a batch all of them; errors of the reading where the gauge ends a stage.
 [[nodiscard]] std::vector<FactorKind> notCounted(const Project& project);
 
 /// Key of a factor in the file, "stock_mm".

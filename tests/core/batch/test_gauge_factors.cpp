@@ -192,8 +192,11 @@ private slots:
         const double piece_s = 30 + simulate(p).time_s;
         QCOMPARE(*age.parts_between_dressings, static_cast<int>(std::lround(3600 / piece_s)));
         p.gauge->control = Control::position; // no gauge ends its stages
-        QVERIFY(!withUsualBatch(p).batch->factors.gauge_error);
-        QCOMPARE(notCounted(p).size(), std::size_t{8}); // no batch at all
+        usual = withUsualBatch(p);
+        QVERIFY(!usual.batch->factors.gauge_error && !usual.batch->factors.part_warmer_k);
+        QCOMPARE(notCounted(p).size(), std::size_t{5}); // no batch at all, and nothing is read
+        p.gauge->control = Control::gauge;
+        QCOMPARE(notCounted(p).size(), std::size_t{8});
     }
 };
 
