@@ -29,7 +29,7 @@ constexpr double perStep = 0.5;     ///< structure numbers for one percent of gr
 
 // Estimates. The usual factor is such that a wheel F60 leaves 0.4…0.8 µm in starting cycles; how
 // much more or less another grain leaves is Isakov's law.
-constexpr double usualFactor = 7;
+constexpr double usualFactor = 9;
 constexpr double restShare = 0.5;     ///< r, of Ra that no spark-out takes off
 constexpr double deflectionTimes = 2; ///< τ over the time constant of the deflection
 

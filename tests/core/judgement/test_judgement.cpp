@@ -174,7 +174,7 @@ private slots:
         QCOMPARE(open[0].kind, ConstraintKind::roughness);
         SimulationResult result = finished();
         result.project = project;
-        JudgedStocks stocks = *stocksOf(0, 0.5);
+        JudgedStocks stocks = stocksOf(0, 0.5);
         QCOMPARE(judge(result, {below}, stocks).state, JudgedState::stocksHold);
         stocks.hasOpenEstimate = true;
         QCOMPARE(judge(result, {below}, stocks).state, JudgedState::undecided);
