@@ -97,7 +97,7 @@ std::optional<double> factorOfMeasuredRa(const Project& project) {
     const LaneBalance balance(std::max(gauged.gamma_mm_n, 0.0), b * law.ks, b * law.kr,
                               law.threshold);
     const LastCut cut{.depth_mm = a,
-                      .overlap = overlapOf(project, b),
+                      .overlap = overlapOfStroke(project, b),
                       .pressed_mm = steadyPress(balance, travels ? 2 : 1, a),
                       .step_s = 1, // both times in steps
                       .sparkOut_s = measured->spark_out_steps.value_or(end.sparkOut),
@@ -239,7 +239,7 @@ double RoughnessModel::limitDepth(double Ra, double overlap, FormulaSheet* sheet
     return a;
 }
 
-double overlapOf(const Project& project, double b) {
+double overlapOfStroke(const Project& project, double b) {
     return project.operation->travels ? std::max(1.0, project.wheel->width_mm / b) : 1;
 }
 
@@ -269,7 +269,7 @@ FormulaSheet roughnessSheet(const Project& project, const LastCut& cut) {
 FormulaSheet roughnessLimitSheet(const Project& project, double Ra, double b) {
     FormulaSheet sheet{SPARKOUT_NOOP("Formula", "Limiting feed, roughness"), "MODEL-8", {}};
     stateContact(&sheet, project, cuttingOf(project));
-    RoughnessModel(project).limitDepth(Ra, overlapOf(project, b), &sheet);
+    RoughnessModel(project).limitDepth(Ra, overlapOfStroke(project, b), &sheet);
     return sheet;
 }
 
