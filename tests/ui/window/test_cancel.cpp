@@ -3,7 +3,7 @@
 // A run of seconds stops at once: in the engine, when a newer edit replaces it and when the window
 // is closed, every time (25 times, 100 with SPARKOUT_LONG). So do a batch, a search, the making of
 // a report and the reading of a project, at random moments (4 of smaller ones, with SPARKOUT_LONG
-// 40 of batches and searches, 200 of the others). Prints the worst; fails only at four times the
+// 40 of batches and searches, 60 of the others). Prints the worst; fails only at four times the
 // target.
 #include "core/batch/batch_run.h"
 #include "core/format/project_file.h"
@@ -183,7 +183,7 @@ private slots:
             passport_bench::subjectOf(projectOfPages(factoryShaft(), longTest ? 200 : 40));
         const report::Report report = report::passport(subject);
         const double worst_ms =
-            worstStop_ms("a long report", 200, [&](const std::stop_token& stop) {
+            worstStop_ms("a long report", 60, [&](const std::stop_token& stop) {
                 return report::bytesOf(report, report::Format::pdf,
                                        [&](double) { return !stop.stop_requested(); })
                     .isEmpty();
@@ -196,7 +196,7 @@ private slots:
             writeProject(longTest ? largestProject() : projectOfRuns(factoryShaft(), 600));
         qInfo("CANCEL a project of %zu KB", text.size() / 1024);
         const double worst_ms =
-            worstStop_ms("the reading of a project", 200, [&](const std::stop_token& stop) {
+            worstStop_ms("the reading of a project", 60, [&](const std::stop_token& stop) {
                 const LoadedProject loaded = parseProject(text, stop);
                 return !loaded.setup && loaded.issues.empty();
             });
