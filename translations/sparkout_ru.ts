@@ -5115,7 +5115,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>What the gauge reads too large on the diameter. Under gauge control the part, and a bore too, ends smaller by as much. In a batch its random part and its drift are factors.</source>
-            <translation>На сколько прибор показывает диаметр больше. При управлении по прибору деталь, и отверстие тоже, выходит меньше на столько же. В партии её случайная часть и дрейф — факторы.</translation>
+            <translation>На сколько прибор показывает диаметр больше. При активном контроле деталь, и отверстие тоже, выходит меньше на столько же. В партии её случайная часть и дрейф — факторы.</translation>
         </message>
         <message>
             <source>Part warmer at the gauge</source>
@@ -6651,7 +6651,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Under gauge control the requirements are to hold for every stock within one infeed of the last stage, as the verdict judges it; else for the part that is run.</source>
-            <translation>При управлении по прибору требования должны выполняться для всех припусков в пределах одной подачи последней ступени, как их оценивает заключение; иначе для рассчитанной детали.</translation>
+            <translation>При активном контроле требования должны выполняться для всех припусков в пределах одной подачи последней ступени, как их оценивает заключение; иначе для рассчитанной детали.</translation>
         </message>
         <message>
             <source>Below</source>
@@ -12706,10 +12706,6 @@ With another name both versions stay as they are.</source>
             <translation>биение в каждом проходе по опубликованной формуле (22)</translation>
         </message>
         <message>
-            <source>programmed feed</source>
-            <translation>программная подача</translation>
-        </message>
-        <message>
             <source>programmed feed, µm</source>
             <translation>программная подача, мкм</translation>
         </message>
@@ -12730,14 +12726,6 @@ With another name both versions stay as they are.</source>
             <translation>фактическая подача</translation>
         </message>
         <message>
-            <source>stepless limit, forbidden above</source>
-            <translation>предел бесступенчатого цикла, выше — запретная зона</translation>
-        </message>
-        <message>
-            <source>%1 (above the plot: from %2 µm)</source>
-            <translation>%1 (выше графика: от %2 мкм)</translation>
-        </message>
-        <message>
             <source>Stock left after the cut, µm</source>
             <translation>Оставшийся припуск после прохода, мкм</translation>
         </message>
@@ -12746,8 +12734,37 @@ With another name both versions stay as they are.</source>
             <translation>наибольшая подача станка</translation>
         </message>
         <message>
-            <source>band: what binds (%1)</source>
-            <translation>полоса: что ограничивает (%1)</translation>
+            <source>stepless limit</source>
+            <translation>бесступенчатый</translation>
+        </message>
+        <message>
+            <source>%1 ↑</source>
+            <comment>a curve above the plot</comment>
+            <translation>%1 ↑</translation>
+        </message>
+        <message>
+            <source>accuracy</source>
+            <translation>точность</translation>
+        </message>
+        <message>
+            <source>accuracy, estimate</source>
+            <translation>точность, оценка</translation>
+        </message>
+        <message>
+            <source>runout (22)</source>
+            <translation>биение (22)</translation>
+        </message>
+        <message>
+            <source>programmed</source>
+            <translation>программа</translation>
+        </message>
+        <message>
+            <source>machine&apos;s feed</source>
+            <translation>станок</translation>
+        </message>
+        <message>
+            <source>band: what binds</source>
+            <translation>что ограничивает</translation>
         </message>
     </context>
     <context>

@@ -118,7 +118,7 @@ const StructInfo& tableOf<Factors>() {
         SPARKOUT_FIELD(
             Factors, gauge_error, .label = SPARKOUT_NOOP("Input", "Random error of the gauge"),
             .symbol = "z", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-            .page = Page::batch, .usual = true,
+            .page = Page::batch,
             .hint = SPARKOUT_NOOP("Input", "In standard deviations: it multiplies the machine's "
                                            "gauge repeatability. Normal with the mean 0 and the "
                                            "deviation 1 is the gauge as the machine has it."),
@@ -126,7 +126,7 @@ const StructInfo& tableOf<Factors>() {
         SPARKOUT_FIELD(
             Factors, gauge_age_h, .label = SPARKOUT_NOOP("Input", "Time since the gauge was set"),
             .symbol = "t", .unit = "h", .nullMeaning = SPARKOUT_NOOP("Input", "it does not drift"),
-            .page = Page::batch, .usual = true,
+            .page = Page::batch,
             .hint = SPARKOUT_NOOP("Input",
                                   "It multiplies the machine's gauge drift. Growing part by part "
                                   "from 0: the last part is ground the time of a piece later for "
@@ -136,7 +136,7 @@ const StructInfo& tableOf<Factors>() {
         SPARKOUT_FIELD(
             Factors, part_warmer_k, .label = SPARKOUT_NOOP("Input", "Part warmer at the gauge"),
             .symbol = "ΔT", .unit = "K", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-            .page = Page::batch, .usual = true,
+            .page = Page::batch,
             .hint = SPARKOUT_NOOP("Input", "By how much more than the gauge is set for: the part "
                                            "cools to a size smaller by α·d·ΔT."),
             .formula = "D + e_g + α·d·ΔT", .source = "MODEL-7"),

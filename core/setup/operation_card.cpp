@@ -71,15 +71,25 @@ private:
         }
     }
 
-    /// A transition for the surfaces of each kind, in the order of their first ones.
+    /// A transition for the surfaces of each kind, in the order of their first ones, as many as it
+    /// takes a few lines to name.
     void control() {
+        constexpr std::size_t mostLetters = 200; // of names
+        const auto hasRoom = [this](const std::vector<std::size_t>& group, std::size_t more) {
+            std::size_t letters = m_setup.surfaces[more].name.size();
+            for (const std::size_t surface : group) {
+                letters += m_setup.surfaces[surface].name.size();
+            }
+            return letters <= mostLetters;
+        };
         std::vector<std::vector<std::size_t>> groups;
         const auto kindOf = [this](std::size_t surface) {
             return measuringKind(*m_setup.surfaces[surface].project.part);
         };
         for (std::size_t i = 0; i < m_setup.surfaces.size(); ++i) {
-            const auto group = std::ranges::find_if(
-                groups, [&](const auto& each) { return kindOf(each.front()) == kindOf(i); });
+            const auto group = std::ranges::find_if(groups, [&](const auto& each) {
+                return kindOf(each.front()) == kindOf(i) && hasRoom(each, i);
+            });
             group == groups.end() ? groups.push_back({i}) : group->push_back(i);
         }
         for (std::vector<std::size_t>& group : groups) {

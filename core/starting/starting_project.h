@@ -72,9 +72,9 @@ struct StartingAnswer {
 };
 
 /// A whole project for a drawing on a machine: part, shaft, material, wheel, machine as the entries
-/// have them, gauge control, a starting cycle [MODEL-15] and a usual batch, whose numbers of machine
-/// and gauge are the entry's. The wheel runs as fast as machine and wheel allow, where both say it.
-/// Without a search.
+/// have them, gauge control, a starting cycle [MODEL-15] and a usual batch, whose numbers of
+/// machine and gauge are the entry's. The wheel runs as fast as machine and wheel allow, where both
+/// say it. Without a search.
 [[nodiscard]] StartingAnswer startingProject(const StartingDrawing& drawing,
                                              const StartingEntries& entries);
 

@@ -188,11 +188,10 @@ void PartStrip::nameTabs() {
     const int least = metrics.horizontalAdvance(QStringLiteral("00 ") + QString(leastOnTab, u'n'));
     for (int tab = 0; tab < m_tabs->count(); ++tab) {
         const int own = widths[static_cast<std::size_t>(tab)];
-        const QString text =
-            own > widest && widest < least
-                ? QString::number(tab + 1)
-                : metrics.elidedText(names[tab], Qt::ElideRight, std::min(own, widest))
-                      .replace(u'&', QStringLiteral("&&"));
+        QString text = own <= widest    ? names[tab]
+                       : widest < least ? QString::number(tab + 1)
+                                        : metrics.elidedText(names[tab], Qt::ElideRight, widest);
+        text.replace(u'&', QStringLiteral("&&"));
         if (m_tabs->tabText(tab) != text) {
             m_tabs->setTabText(tab, text);
         }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/legend_strip.h"
 
-#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStringList>
 #include <QStyleOptionFocusRect>
-#include <QToolTip>
 
 #include <algorithm>
 
@@ -30,7 +28,6 @@ void LegendStrip::retranslate() {
 
 void LegendStrip::setEntries(LegendEntries entries) {
     m_entries = std::move(entries);
-    m_fittedWidth = -1;
     if (m_current >= static_cast<int>(m_entries.size())) {
         m_current = -1;
     }
@@ -51,40 +48,12 @@ void LegendStrip::tell() {
     setAccessibleDescription(texts.join(QStringLiteral("; ")));
 }
 
-void LegendStrip::setMostLines(int lines) {
-    m_mostLines = lines;
-    m_fittedWidth = -1;
-    setFixedHeight(heightForWidth(std::max(width(), 100)));
-}
-
-/// The longest texts are shortened as far as it takes; the tool tip of an entry has all of it.
-const LegendEntries& LegendStrip::fitted(int width) const {
-    constexpr int leastText = 40;
-    if (m_mostLines == 0) {
-        return m_entries;
-    }
-    if (m_fittedWidth != width) {
-        const QFontMetrics metrics = fontMetrics();
-        const int most = m_mostLines * (metrics.height() + 2);
-        m_fitted = m_entries;
-        for (int text = width;
-             text >= leastText && legendHeight(legendRects(m_fitted, metrics, width)) > most;
-             text = text * 9 / 10) {
-            for (std::size_t i = 0; i < m_entries.size(); ++i) {
-                m_fitted[i].text = metrics.elidedText(m_entries[i].text, Qt::ElideRight, text);
-            }
-        }
-        m_fittedWidth = width;
-    }
-    return m_fitted;
-}
-
 QRect LegendStrip::entryRect(int index) const {
-    return legendRects(fitted(width()), fontMetrics(), width()).at(static_cast<std::size_t>(index));
+    return legendRects(m_entries, fontMetrics(), width()).at(static_cast<std::size_t>(index));
 }
 
 int LegendStrip::entryAt(const QPoint& at) const {
-    const std::vector<QRect> rects = legendRects(fitted(width()), fontMetrics(), width());
+    const std::vector<QRect> rects = legendRects(m_entries, fontMetrics(), width());
     const auto hit =
         std::ranges::find_if(rects, [&](const QRect& rect) { return rect.contains(at); });
     const auto index = static_cast<std::size_t>(hit - rects.begin());
@@ -100,7 +69,7 @@ void LegendStrip::activate(int index, bool only) {
 }
 
 int LegendStrip::heightForWidth(int width) const {
-    return legendHeight(legendRects(fitted(width), fontMetrics(), width));
+    return legendHeight(legendRects(m_entries, fontMetrics(), width));
 }
 
 QSize LegendStrip::sizeHint() const {
@@ -119,24 +88,10 @@ void LegendStrip::resizeEvent(QResizeEvent* event) {
 void LegendStrip::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::FontChange) {
-        m_fittedWidth = -1;
         setFixedHeight(heightForWidth(width()));
     } else if (event->type() == QEvent::LanguageChange) {
         retranslate();
     }
-}
-
-bool LegendStrip::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        const auto* help = static_cast<QHelpEvent*>(event);
-        const int at = entryAt(help->pos());
-        const auto i = static_cast<std::size_t>(std::max(at, 0));
-        if (at >= 0 && fitted(width())[i].text != m_entries[i].text) {
-            QToolTip::showText(help->globalPos(), m_entries[i].text, this);
-            return true;
-        }
-    }
-    return QWidget::event(event);
 }
 
 void LegendStrip::mousePressEvent(QMouseEvent* event) {
@@ -187,10 +142,9 @@ void LegendStrip::focusInEvent(QFocusEvent* event) {
 
 void LegendStrip::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    const LegendEntries& entries = fitted(width());
-    const std::vector<QRect> rects = legendRects(entries, fontMetrics(), width());
+    const std::vector<QRect> rects = legendRects(m_entries, fontMetrics(), width());
     for (std::size_t i = 0; i < rects.size(); ++i) {
-        drawLegendEntry(painter, entries[i], rects[i], palette().color(QPalette::WindowText));
+        drawLegendEntry(painter, m_entries[i], rects[i], palette().color(QPalette::WindowText));
     }
     if (hasFocus() && m_current >= 0) {
         QStyleOptionFocusRect focus;

@@ -7,17 +7,14 @@
 
 namespace sparkout {
 
-/// A legend beside the plot that wraps its entries over as many lines as it needs, or to so many. A
-/// click hides or shows a curve, Ctrl+click shows only this one; by keyboard: arrows choose, Space,
-/// Ctrl+Space.
+/// A legend beside the plot that wraps its entries over as many lines as it needs. A click hides or
+/// shows a curve, Ctrl+click shows only this one; by keyboard: arrows choose, Space, Ctrl+Space.
 class LegendStrip : public QWidget {
     Q_OBJECT
 public:
     explicit LegendStrip(QWidget* parent = nullptr);
 
     void setEntries(LegendEntries entries);
-    /// Long texts are shortened rather than that it takes more lines; 0: as many as it needs.
-    void setMostLines(int lines);
     [[nodiscard]] const LegendEntries& entries() const { return m_entries; }
     [[nodiscard]] QRect entryRect(int index) const; ///< in the widget
     void retranslate();
@@ -32,7 +29,6 @@ signals:
     void onlyAsked(int key); ///< show only this one
 
 protected:
-    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
@@ -47,13 +43,8 @@ private:
     void choose(int step);
     void tell();
 
-    [[nodiscard]] const LegendEntries& fitted(int width) const;
-
     LegendEntries m_entries;
-    int m_mostLines = 0;
-    mutable LegendEntries m_fitted; ///< to a width
-    mutable int m_fittedWidth = -1; ///< −1: to none yet
-    int m_current = -1;             ///< chosen by keyboard
+    int m_current = -1; ///< chosen by keyboard
 };
 
 } // namespace sparkout

@@ -103,7 +103,7 @@ private slots:
         Project p = fineBatch(40);
         p.batch->factors.gauge_error = normal(0, 1);
         p.batch->factors.gauge_age_h = growing(0, 1, 40);
-        QVERIFY(checkBatch(p).empty());
+        QVERIFY2(checkBatch(p).empty(), samples::listed(checkBatch(p)).c_str());
         const double nominal_um =
             1000 * simulate(ScenarioSource(p).nominal()).sections.front().diameterDeviationMin_mm;
         const ScenarioSource source(p);
@@ -162,7 +162,7 @@ private slots:
         p.batch->factors.machine_form = uniform(0.5, 1.5);
         QVERIFY(!checkBatch(p).empty()); // there is none
         p.machine->geometric_runout_um = 2;
-        QVERIFY(checkBatch(p).empty());
+        QVERIFY2(checkBatch(p).empty(), samples::listed(checkBatch(p)).c_str());
         Project none = ScenarioSource(p).nominal();
         none.machine->geometric_runout_um = 0;
         const double own_mm = simulate(none).sections.front().radialRunout_mm;

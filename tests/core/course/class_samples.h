@@ -58,7 +58,8 @@ inline Answer scripted(const GivenOut& out, std::size_t student, std::size_t ste
     } else if (goal.time || goal.requirements) {
         Setup setup = setupOf(lesson, step);
         if (right) {
-            setup.surfaces.front().project.cycle = out.made.variants[student].best->project.cycle;
+            setup.surfaces.front().project.cycle =
+                solving(out.made.variants[student].best->project, goal).cycle;
         }
         answer.setup.text = writeSetup(setup);
     } else if (goal.figure) {

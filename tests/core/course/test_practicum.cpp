@@ -55,7 +55,7 @@ Answer answerTo(const Lesson& given, std::size_t step, const std::optional<BestA
     } else if (isMetBySetting(goal.kind())) {
         Setup setup = setupOf(given, step);
         if (reads && best) {
-            setup.surfaces.front().project.cycle = best->project.cycle;
+            setup.surfaces.front().project.cycle = samples::solving(best->project, goal).cycle;
         }
         return withSetup(setup);
     } else {

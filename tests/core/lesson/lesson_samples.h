@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/lesson/lesson_file.h"
+#include "core/study/search.h"
 #include "tests/core/support/project_samples.h"
 
 #include <string>
@@ -33,6 +34,17 @@ inline Lesson lesson() {
 }
 inline Lesson lessonOf(const json& file) {
     return readLesson(file.dump()).lesson.value();
+}
+
+/// A project with the best of its grid, or where a goal is for every stock the best that holds so.
+inline Project solving(const Project& best, const Goal& goal) {
+    if (!goal.requirements || !goal.requirements->every_stock) {
+        return best;
+    }
+    Project searched = best;
+    searched.optimisation->scenarios = OptimisationScenarios::stocks;
+    const SearchOutcomePtr found = search(searched, {});
+    return found->answer() ? withFound(best, *found->answer()) : best;
 }
 
 /// What a reader must do with any text of a lesson; empty when it does.

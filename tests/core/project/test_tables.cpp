@@ -21,7 +21,7 @@ const std::vector<std::pair<std::string, std::string>>& unitsOfEndings() {
         {"_n_um", "N/µm"},     {"_m_s", "m/s"},     {"_rpm", "rev/min"},   {"_mpa", "MPa"},
         {"_gpa", "GPa"},       {"_deg", "°"},       {"_hrc", "HRC"},       {"_kw", "kW"},
         {"_kg", "kg"},         {"_um", "µm"},       {"_n_mm", "N/mm"},     {"_mm", "mm"},
-        {"_s", "s"},           {"_k", "K"}};
+        {"_s", "s"},           {"_m_k", "µm/(m·K)"}, {"_k", "K"}};
     return all;
 }
 

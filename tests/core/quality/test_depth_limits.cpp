@@ -201,7 +201,8 @@ private slots:
         const double factor = factorOfMeasuredRa(p).value();
         QCOMPARE(roughnessFactor(p).least, factor);
         const SimulationResult result = simulateUnchecked(p);
-        QVERIFY(close(RoughnessModel(p).roughness(*result.sections[0].lastCut) * 1000, 0.6, 1e-3));
+        const double left_um = RoughnessModel(p).roughness(*result.sections[0].lastCut) * 1000;
+        QVERIFY2(close(left_um, 0.6, 1e-3), qPrintable(QString::number(left_um)));
         p.wheel->measured_ra = MeasuredRa{0.6, 1.0, 8}; // the same, said
         QVERIFY(close(factorOfMeasuredRa(p).value(), factor, 1e-12));
         p.wheel->measured_ra->spark_out_steps = 0;

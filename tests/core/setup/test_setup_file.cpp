@@ -135,6 +135,9 @@ private slots:
         from.machine->feed_change_delay_s = 1;
         from.machine->wheel_speed_m_s = 31;
         from.machine->geometric_runout_um = 2;
+        from.machine->gauge_repeatability_um = 0.7;
+        from.machine->gauge_drift_um_h = 1.5;
+        from.material->expansion_um_m_k = 12;
         from.machine->wheel_contact = WheelContact{{{{0, 50}, {200, 80}}}};
         Project to;
         const auto valueAt = [](const Project& project, std::string_view member) {

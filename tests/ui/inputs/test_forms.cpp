@@ -178,6 +178,7 @@ private slots:
         project.machine->wheel_contact.emplace();
         project.machine->form.emplace();
         project.wheel->force_recipe.emplace();
+        project.wheel->measured_ra.emplace();
         document.startUntitled(project);
         InputsPanel panel(document);
         panel.resize(360, 640);

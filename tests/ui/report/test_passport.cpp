@@ -102,11 +102,11 @@ private slots:
                                       of.moments.deviation};
             for (std::size_t i = 0; i < expected.size(); ++i) {
                 const QString& cell = row[4 + qsizetype(i)];
-                QVERIFY2(isRounded(cell, expected[i]), qPrintable(row.join(u' ')));
+                QVERIFY2(isRounded(cell.section(u'…', 0, 0), expected[i]), qPrintable(row.join(u' ')));
                 QCOMPARE(cell, i + 1 < expected.size()
                                    ? BatchText::value(expected[i], of.characteristic)
                                    : BatchText::scatter(expected[i], of.characteristic));
-                QCOMPARE(cell.startsWith(u'≈'), of.characteristic.isEstimate);
+                QCOMPARE(cell.contains(u'…'), of.characteristic.isEstimate); // a range
                 const bool isSize =
                     !of.characteristic.requirement || of.characteristic.requirement->isDeviation;
                 QVERIFY2(isSize || expected[i] < 1e-9 || numberOf(cell) != 0,

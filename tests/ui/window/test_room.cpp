@@ -417,7 +417,7 @@ private slots:
                 QTest::mouseMove(view->plot(), plot.center());
                 qInfo("ROOM values at %d %%: %d of %d", percent,
                       values->heightForWidth(values->width()), values->height());
-                QVERIFY(values->text().size() > 80);
+                QVERIFY(values->text().size() > 70);
                 QVERIFY(values->heightForWidth(values->width()) <= values->height());
             }
         }

@@ -298,7 +298,8 @@ private slots:
         QCOMPARE(part.shaft.ground_from_mm, step.from_mm);
         QCOMPARE(part.length_mm, step.length_mm);
         QCOMPARE(part.diameter_mm, step.diameter_mm);
-        QVERIFY(desk.bench.window->outcome()->ran());
+        QVERIFY(!desk.bench.window->outcome()->ran()); // deviations and stock are yet to be given
+        QCOMPARE(desk.document().openInputs().size(), std::size_t{3});
         desk.press("undo");
         QCOMPARE(desk.document().surfaceCount(), std::size_t{2});
     }
@@ -474,7 +475,7 @@ private slots:
         const auto* table = whole->findChild<QTableView*>(QStringLiteral("partTable"));
         QCOMPARE(table->model()->rowCount(), 3);
         const auto* times = whole->findChild<QLabel*>(QStringLiteral("pieceTime"));
-        QVERIFY(times->text().contains(QStringLiteral("T<sub>1</sub>")));
+        QVERIFY(!times->text().contains(QStringLiteral("T<sub>1</sub>"))); // nobody entered it
         DialogAnswers answers({QStringLiteral("Enter")});
         answers.seen = [](QDialog& dialog) {
             auto* handling = dialog.findChild<NumberField*>(QStringLiteral("handling_s"));

@@ -61,12 +61,13 @@ void ColumnHeader::fit(int width) {
     m_size = 1;
     std::vector<int> widths = titleWidths();
     int titles = std::accumulate(widths.begin(), widths.end(), 0);
-    if (const int room = width - 2 * narrowMargin * columns; titles > room && room > 0) {
-        m_size = std::max(smallestTitle, double(room) / titles);
+    if (const int most = width - 2 * narrowMargin * columns; titles > most && most > 0) {
+        m_size = std::max(smallestTitle, double(most) / titles);
         widths = titleWidths();
         titles = std::accumulate(widths.begin(), widths.end(), 0);
     }
-    m_margin = titles + 2 * wideMargin * columns <= width ? wideMargin : narrowMargin;
+    const int room = std::max(0, width - titles) / (2 * columns);
+    m_margin = room >= wideMargin ? wideMargin : std::min(room, narrowMargin);
     const int used = titles + 2 * m_margin * columns;
     const int spare = std::max(0, width - used);
     double height = 0;

@@ -35,8 +35,8 @@ public:
 
     /// "50 parts, Latin hypercube, seed 1."
     static QString run(const BatchOutcome& outcome);
-    /// Usual causes of scatter that the project's batch leaves out: "compliance; gauge drift", a dash
-    /// where there are none; and the same as a sentence, empty then.
+    /// Usual causes of scatter that the project's batch leaves out: "compliance; gauge drift", a
+    /// dash where there are none; and the same as a sentence, empty then.
     static QString notCounted(const Project& project);
     static QString notCountedSentence(const Project& project);
     static QString

@@ -447,16 +447,15 @@ LegendEntries ConstraintsPlot::legendEntries() const {
     }
     add(actualKey, tr("actual feed"));
     if (!m_chart.stepless().empty()) {
-        add(steplessKey, tr("stepless limit, forbidden above"));
+        add(steplessKey, tr("stepless limit"));
     }
     const auto addLimit = [&](int key, const QCPGraph& graph, const QString& name) {
         bool found = false;
         const double least = graph.getValueRange(found).lower;
         if (found) {
-            add(key,
-                least > feedAxis()->range().upper
-                    ? tr("%1 (above the plot: from %2 µm)").arg(name, Names::significant(least))
-                    : name);
+            add(key, least > feedAxis()->range().upper
+                         ? tr("%1 ↑", "a curve above the plot").arg(name)
+                         : name);
         }
     };
     for (const ConstraintKind kind : depthLimitKinds()) {
@@ -464,21 +463,15 @@ LegendEntries ConstraintsPlot::legendEntries() const {
             addLimit(static_cast<int>(kind), *graph, LimitNames::limit(kind));
         }
     }
-    addLimit(accuracyKey, *m_accuracy, tr("accuracy, proved"));
-    addLimit(estimateKey, *m_estimate, tr("accuracy at steady feed, estimate"));
-    addLimit(publishedKey, *m_published, tr("runout in every pass, as published (22)"));
-    addLimit(programmedKey, *m_programmed, tr("programmed feed"));
-    addLimit(machineKey, *m_machine, tr("machine's maximum feed"));
+    // Short, so that two lines do; what is read at the mouse has the whole names.
+    addLimit(accuracyKey, *m_accuracy, tr("accuracy"));
+    addLimit(estimateKey, *m_estimate, tr("accuracy, estimate"));
+    addLimit(publishedKey, *m_published, tr("runout (22)"));
+    addLimit(programmedKey, *m_programmed, tr("programmed"));
+    addLimit(machineKey, *m_machine, tr("machine's feed"));
     if (!m_chart.envelope().empty()) {
-        QStringList names;
-        for (const BoundCurve& piece : m_chart.envelope()) {
-            if (const QString name = LimitChart::boundName(piece); !names.contains(name)) {
-                names << name;
-            }
-        }
         entries.push_back(
-            areaEntry(envelopeKey, colourOf(m_chart.envelope().front()),
-                      tr("band: what binds (%1)").arg(names.join(QStringLiteral(", ")))));
+            areaEntry(envelopeKey, colourOf(m_chart.envelope().front()), tr("band: what binds")));
     }
     return entries;
 }

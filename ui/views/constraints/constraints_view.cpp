@@ -99,8 +99,6 @@ void ConstraintsView::build() {
     share(*m_splitter, {{upper, plotShare}, {m_lower, lowerShare}});
     auto* content = new QWidget(this); // scrolled where curves and table have no room
     auto* column = rowIn<QVBoxLayout>(content);
-    constexpr int legendLines = 2; // the curves need the room
-    legend()->setMostLines(legendLines);
     column->addWidget(legend());
     column->addWidget(m_splitter, 1);
     column->addWidget(m_off);
