@@ -133,7 +133,7 @@ std::optional<FormulaSheet> sheetOfRoughness(const Judged& of) {
 std::optional<double> roughnessDepth(const Project& project, double b, double /*stock*/) {
     const auto& Ra = project.part->tolerance.roughness_ra_um;
     return Ra ? std::optional(
-               RoughnessModel(project).limitDepth(*Ra / umPerMm, overlapOfStroke(project, b)))
+               RoughnessModel(project).limitDepth(*Ra / umPerMm, strokeOverlap(project, b)))
               : std::nullopt;
 }
 

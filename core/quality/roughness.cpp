@@ -29,7 +29,7 @@ constexpr double perStep = 0.5;     ///< structure numbers for one percent of gr
 
 // Estimates. The usual factor is such that a wheel F60 leaves 0.4…0.8 µm in starting cycles; how
 // much more or less another grain leaves is Isakov's law.
-constexpr double usualFactor = 9;
+constexpr double usualRaFactor = 9.5;
 constexpr double restShare = 0.5;     ///< r, of Ra that no spark-out takes off
 constexpr double deflectionTimes = 2; ///< τ over the time constant of the deflection
 
@@ -97,7 +97,7 @@ std::optional<double> factorOfMeasuredRa(const Project& project) {
     const LaneBalance balance(std::max(gauged.gamma_mm_n, 0.0), b * law.ks, b * law.kr,
                               law.threshold);
     const LastCut cut{.depth_mm = a,
-                      .overlap = overlapOfStroke(project, b),
+                      .overlap = strokeOverlap(project, b),
                       .pressed_mm = steadyPress(balance, travels ? 2 : 1, a),
                       .step_s = 1, // both times in steps
                       .sparkOut_s = measured->spark_out_steps.value_or(end.sparkOut),
@@ -123,7 +123,7 @@ RoughnessFactor roughnessFactor(const Project& project) {
     }
     return isRoughnessCalibrated(project)
                ? RoughnessFactor{given, given}
-               : RoughnessFactor{usualFactor / roughnessSpread, usualFactor * roughnessSpread};
+               : RoughnessFactor{usualRaFactor / roughnessSpread, usualRaFactor * roughnessSpread};
 }
 
 RoughnessModel::RoughnessModel(const Project& project)
@@ -239,7 +239,7 @@ double RoughnessModel::limitDepth(double Ra, double overlap, FormulaSheet* sheet
     return a;
 }
 
-double overlapOfStroke(const Project& project, double b) {
+double strokeOverlap(const Project& project, double b) {
     return project.operation->travels ? std::max(1.0, project.wheel->width_mm / b) : 1;
 }
 
@@ -269,7 +269,7 @@ FormulaSheet roughnessSheet(const Project& project, const LastCut& cut) {
 FormulaSheet roughnessLimitSheet(const Project& project, double Ra, double b) {
     FormulaSheet sheet{SPARKOUT_NOOP("Formula", "Limiting feed, roughness"), "MODEL-8", {}};
     stateContact(&sheet, project, cuttingOf(project));
-    RoughnessModel(project).limitDepth(Ra, overlapOfStroke(project, b), &sheet);
+    RoughnessModel(project).limitDepth(Ra, strokeOverlap(project, b), &sheet);
     return sheet;
 }
 

@@ -82,6 +82,6 @@ private:
 
 /// u of passes of the effective width b: revolutions that the wheel takes over a point in a stroke,
 /// 1 in a plunge.
-[[nodiscard]] double overlapOfStroke(const Project& project, double b);
+[[nodiscard]] double strokeOverlap(const Project& project, double b);
 
 } // namespace sparkout
