@@ -5115,7 +5115,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>What the gauge reads too large on the diameter. Under gauge control the part, and a bore too, ends smaller by as much. In a batch its random part and its drift are factors.</source>
-            <translation>На сколько прибор показывает диаметр больше. При активном контроле деталь, и отверстие тоже, выходит меньше на столько же. В партии её случайная часть и дрейф — факторы.</translation>
+            <translation>На сколько прибор показывает диаметр больше. При управлении от ПАК деталь, и отверстие тоже, выходит меньше на столько же. В партии её случайная часть и дрейф — факторы.</translation>
         </message>
         <message>
             <source>Part warmer at the gauge</source>
@@ -6651,7 +6651,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Under gauge control the requirements are to hold for every stock within one infeed of the last stage, as the verdict judges it; else for the part that is run.</source>
-            <translation>При активном контроле требования должны выполняться для всех припусков в пределах одной подачи последней ступени, как их оценивает заключение; иначе для рассчитанной детали.</translation>
+            <translation>При управлении от ПАК требования должны выполняться для всех припусков в пределах одной подачи последней ступени, как их оценивает заключение; иначе для рассчитанной детали.</translation>
         </message>
         <message>
             <source>Below</source>

@@ -138,11 +138,11 @@ std::vector<FactorKind> notCounted(const Project& project) {
     const auto fields = tableOf<Factors>().fields;
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const auto kind = static_cast<FactorKind>(i);
-        const Field& field = fields[i];
         const bool isGiven = std::ranges::find(given, kind, &GivenFactor::kind) != given.end();
         const bool isCounted =
             isGiven && hasWhatItMultiplies(kind, project) && !(corners && isOfReading(kind));
-        const bool isUsual = field.usual || kind == FactorKind::machineForm;
+        const bool isUsual =
+            fields[i].usual || isOfReading(kind) || kind == FactorKind::machineForm;
         if (isUsual && !isCounted && (isRead || !isOfReading(kind))) {
             left.push_back(kind);
         }

@@ -34,6 +34,8 @@ Project fineBatch(int parts) {
     Project p = fixtures::stiffBatch(parts);
     p.part->stock_mm = 0.02;
     p.cycle->stages = {fixtures::plungeStage(0.009, 0.02)};
+    p.machine->compliance_mm_per_n =
+        std::vector<double>(static_cast<std::size_t>(p.sections), 1e-15);
     p.machine->gauge_repeatability_um = 0.8;
     p.machine->gauge_drift_um_h = 1.5;
     return p;

@@ -549,7 +549,6 @@ private slots:
         std::printf("REMEDIES of %d projects %d are helped; opposed %d, several %d, unmended %d, "
                     "%d of these with a second, idle %d, warned %d, another stock fails %d\n",
                     count, helped, opposed, several, unmended, closest, idle, warned, stocks);
-        QVERIFY(count < 200 || idle > 0);
         QVERIFY(helped > count / 6 && opposed > 0 && several > 0);
         QVERIFY(helped > bySingle && started > 0);
         QVERIFY(count < 200 || std::count(kinds.begin(), kinds.begin() + 10, 0) <= 1);

@@ -117,8 +117,11 @@ private slots:
             } else if (!p.cycle->stages.back().waitsForSize()) {
                 Project right = p;
                 right.gauge->error_um = right.gauge->part_warmer_k = 0;
-                QCOMPARE(simulate(p).sections.front().radii_mm,
-                         simulate(right).sections.front().radii_mm);
+                QVERIFY(std::ranges::equal(simulate(p).sections.front().radii_mm,
+                                           simulate(right).sections.front().radii_mm,
+                                           [](double a, double b) { // no radius in a gap
+                                               return a == b || (std::isnan(a) && std::isnan(b));
+                                           }));
             }
         }
         QVERIFY2(gauged > 40, std::to_string(gauged).c_str());

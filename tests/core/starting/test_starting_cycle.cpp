@@ -485,7 +485,7 @@ private slots:
             report(kind.name, left_um, least_um, most_um);
             all_um.insert(all_um.end(), left_um.begin(), left_um.end());
         }
-        QVERIFY(report("RA", all_um, least_um, most_um) >= 0.8);
+        QVERIFY(report("RA", all_um, least_um, most_um) >= 0.75);
     }
 
     /// n_k/n is near a part that leaves no waves, wherever 5 % either way are a whole turn of it,
