@@ -11301,8 +11301,8 @@ With another name both versions stay as they are.</source>
             <translation>К</translation>
         </message>
         <message>
-            <source>µm/(m·K)</source>
-            <translation>мкм/(м·К)</translation>
+            <source>10⁻⁶/K</source>
+            <translation>10⁻⁶/К</translation>
         </message>
         <message>
             <source>µm/h</source>

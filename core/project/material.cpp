@@ -122,7 +122,7 @@ const StructInfo& tableOf<Material>() {
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Material, expansion_um_m_k, .label = SPARKOUT_NOOP("Input", "Thermal expansion"),
-            .symbol = "α", .unit = "µm/(m·K)", .hard = {0, 100}, .soft = {5, 25}, .sparse = true,
+            .symbol = "α", .unit = "10⁻⁶/K", .hard = {0, 100}, .soft = {5, 25}, .sparse = true,
             .page = Page::material,
             .hint =
                 SPARKOUT_NOOP("Input", "By how much a metre of the part grows with each kelvin: "

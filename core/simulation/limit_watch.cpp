@@ -53,10 +53,12 @@ void LimitWatch::keepStep(const Lanes& lanes, const Step& step) {
     double* const before_mm = last.before_mm.data();
     double* const taken_mm = last.taken_mm.data();
     double* const pressed_mm = last.pressed_mm.data();
+    const double* const share = lanes.share.data();
     const std::size_t count = lanes.depth_mm.size();
+    const double spiral_mm = step.isSpiral ? step.infeed_mm : 0;
     for (std::size_t lane = 0; lane < count; ++lane) {
         const double taken = depth_mm[lane] - before_mm[lane];
-        const double pressed = step.fed_mm - before_mm[lane];
+        const double pressed = step.fed_mm - spiral_mm * (1 - share[lane]) - before_mm[lane];
         const double kept = taken_mm[lane];
         const bool isNewer = isWhole   ? taken > 0
                              : isShort ? taken > kept

@@ -48,6 +48,7 @@ public:
         double duration_s = 0;
         double overlap = 1; ///< B·n/S_ax of a double stroke
         std::size_t stage = 0;
+        bool isSpiral = false; ///< of a revolution in which the infeed grows with the angle
     };
     /// After the passes of a revolution or double stroke.
     void stepDone(const Lanes& lanes, const Step& step) {

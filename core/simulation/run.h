@@ -72,13 +72,15 @@ public:
     }
     void setStatus(RunStatus status) { m_result.status = status; }
     /// After a step of the cycle that began with this t_П [mm] and at this time; of a double stroke
-    /// with its overlap B·n/S_ax.
-    void stepDone(double fedBefore_mm, double timeBefore_s, std::size_t stage, double overlap = 1) {
+    /// with its overlap B·n/S_ax, else of a revolution of a plunge.
+    void stepDone(double fedBefore_mm, double timeBefore_s, std::size_t stage,
+                  std::optional<double> overlap = {}) {
         m_watch.stepDone(m_lanes, {.infeed_mm = fed_mm - fedBefore_mm,
                                    .fed_mm = fed_mm,
                                    .duration_s = m_result.time_s - timeBefore_s,
-                                   .overlap = overlap,
-                                   .stage = stage});
+                                   .overlap = overlap.value_or(1),
+                                   .stage = stage,
+                                   .isSpiral = !overlap});
     }
 
     /// From now on passes count for nothing but radii and time: there are no forces, peaks, sums

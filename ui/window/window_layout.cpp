@@ -31,7 +31,7 @@ namespace {
 
 constexpr QSize usualWindow(1366, 768);
 constexpr QSize frameAllowance(8, 40);
-constexpr int verdictWidth = 303;
+constexpr int verdictWidth = 310;
 constexpr int wideVerdictWidth = 350;  ///< in a wide window: most rows on one line
 constexpr int leastVerdictWidth = 292; ///< in smaller type: frames and gaps do not shrink
 constexpr int messagesHeight = 96;

@@ -23,7 +23,7 @@ const std::vector<std::pair<std::string, std::string>>& unitsOfEndings() {
         {"_gpa", "GPa"},       {"_deg", "°"},       {"_hrc", "HRC"},
         {"_kw", "kW"},         {"_kg", "kg"},       {"_um", "µm"},
         {"_n_mm", "N/mm"},     {"_mm", "mm"},       {"_s", "s"},
-        {"_m_k", "µm/(m·K)"},  {"_k", "K"}};
+        {"_m_k", "10⁻⁶/K"},    {"_k", "K"}};
     return all;
 }
 

@@ -149,7 +149,11 @@ LastCut lastCutOf(const Traced& run, int section, int ofAlike) {
         for (std::size_t k = 0; k < K; ++k) {
             if (feeds && now_mm[k] > (isShort ? taken_mm[k] : 0)) {
                 taken_mm[k] = now_mm[k];
-                pressed_mm[k] = fed_mm - depth_mm[k];
+                // in a plunge the infeed grows with the angle
+                const double share = project.operation->travels
+                                         ? 1
+                                         : static_cast<double>(k + 1) / static_cast<double>(K);
+                pressed_mm[k] = fed_mm - first.radialFeed_mm * (1 - share) - depth_mm[k];
             }
             depth_mm[k] += now_mm[k];
         }

@@ -102,7 +102,8 @@ private slots:
                                       of.moments.deviation};
             for (std::size_t i = 0; i < expected.size(); ++i) {
                 const QString& cell = row[4 + qsizetype(i)];
-                QVERIFY2(isRounded(cell.section(u'…', 0, 0), expected[i]), qPrintable(row.join(u' ')));
+                QVERIFY2(isRounded(cell.section(u'…', 0, 0), expected[i]),
+                         qPrintable(row.join(u' ')));
                 QCOMPARE(cell, i + 1 < expected.size()
                                    ? BatchText::value(expected[i], of.characteristic)
                                    : BatchText::scatter(expected[i], of.characteristic));
