@@ -26,6 +26,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 #include <variant>
 
@@ -94,6 +95,12 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     auto* add = m_buttons->addButton(tr("&Add"), QDialogButtonBox::AcceptRole);
     m_buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
     add->setDefault(true);
+    QWidget* before = m_name; // from top to bottom, as one sees them
+    for (QWidget* next :
+         std::initializer_list<QWidget*>{m_begin, m_gaps, m_deviations, m_tolerances, m_places}) {
+        setTabOrder(before, next);
+        before = next;
+    }
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_drawing, 1);
     layout->addLayout(form);
