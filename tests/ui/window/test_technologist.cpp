@@ -26,6 +26,7 @@
 #include "ui/window/window_head.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
@@ -47,6 +48,8 @@ constexpr double mostTime_s = 600;
 constexpr double leastPlunge_s = 10;
 constexpr double mostFinishFeed_mm_min = 0.2;
 constexpr int otherDraw = 1000; // than any that a search tries its answers on
+
+constexpr int traverseEntry = 1, plungeEntry = 2; // of what a new surface begins with
 
 struct Step {
     const char *length_mm, *diameter_mm;
@@ -283,12 +286,13 @@ struct Workplace : Bench {
             hand.doubleClickAt(
                 part, QPoint(int(part.xOf(step.from_mm + step.length_mm / 2)), part.height() / 2));
         };
-        const bool travels = window->document().project().operation->travels;
         inDialog(open, [&](QDialog& dialog) {
             hand.type(QString::fromUtf8(drawn.name));
-            if (travels != drawn.travels) {
-                hand.tabTo(QStringLiteral("begin"));
-                hand.key(travels ? Qt::Key_Down : Qt::Key_Up);
+            const int wanted = drawn.travels ? traverseEntry : plungeEntry;
+            const auto* begin = dialog.findChild<QComboBox*>(QStringLiteral("begin"));
+            if (begin->currentIndex() != wanted) {
+                hand.tabTo(begin->objectName());
+                hand.key(begin->currentIndex() > wanted ? Qt::Key_Up : Qt::Key_Down);
             }
             endPicture(dialog, QStringLiteral("add"));
         });
