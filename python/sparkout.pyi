@@ -150,17 +150,23 @@ class Remedy:
     """A change of one setting that helps."""
 
     @property
+    def kind(self) -> str:
+        """setting; pair, the stock of finishing with a feed of the first stage; or starting_cycle"""
+    @property
     def path(self) -> str:
-        """JSON pointer of the input; of a stage more, the stage"""
+        """JSON pointer of the input; of a stage more, the stage; of a starting cycle, its first stage"""
     @property
     def before(self) -> Optional[float]:
-        """its value as it is; none for a stage more"""
+        """its value as it is; none for a stage more or a starting cycle"""
     @property
-    def value(self) -> float:
-        """the value to apply: the middle of the interval"""
+    def value(self) -> Optional[float]:
+        """the value to apply: the middle of the interval; none for a starting cycle"""
+    @property
+    def with_value(self) -> Optional[float]:
+        """of a pair: the radial feed of the first stage that goes with it"""
     @property
     def interval(self) -> Optional[tuple[float, float]]:
-        """every value in it that can be set was run and helps"""
+        """every value in it that can be set was run and helps; none for a starting cycle"""
     @property
     def values(self) -> int:
         """number of the values in the interval"""

@@ -9,6 +9,7 @@
 #include "core/project/validate.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/finished_surface.h"
+#include "core/quality/light.h"
 #include "core/quality/result_names.h"
 #include "core/tables/csv_line.h"
 #include "core/units.h"
@@ -87,6 +88,15 @@ std::string constraintLine(const ConstraintResult& constraint) {
     if (!constraint.isWhole) {
         return name + "not known: strips uncut, " + fixed(constraint.limit, decimals) + " " + unit
                + "  FAILS in " + whereText(constraint) + '\n';
+    }
+    if (constraint.mostValue) {
+        return name + fixed(constraint.value, decimals) + "…"
+               + fixed(*constraint.mostValue, decimals) + " estimated, "
+               + fixed(constraint.limit, decimals) + " " + unit + "  "
+               + (isOpen(constraint) ? "not decided"
+                  : constraint.holds ? "holds"
+                                     : "FAILS")
+               + " in " + whereText(constraint) + '\n';
     }
     return name + fixed(constraint.value, decimals) + ", " + fixed(constraint.limit, decimals)
            + ", " + fixed(constraint.margin, decimals) + (unit.empty() ? "" : " ") + unit + "  "

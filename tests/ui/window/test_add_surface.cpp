@@ -41,13 +41,17 @@ private slots:
         };
         QVERIFY(!box("copyGaps")->isChecked() && box("copyDeviations")->isChecked()
                 && box("copyTolerances")->isChecked());
+        const auto made = [&dialog] {
+            const Project project = dialog.project();
+            return *project.part;
+        };
         QVERIFY(dialog.openInputs().empty());
-        QVERIFY(dialog.project().part->gaps.empty());
-        QVERIFY(dialog.project().part->tolerance.roundness_um == 4.0);
+        QVERIFY(made().gaps.empty());
+        QVERIFY(made().tolerance.roundness_um == 4.0);
         box("copyGaps")->setChecked(true);
         box("copyTolerances")->setChecked(false);
-        QCOMPARE(dialog.project().part->gaps.size(), 1U);
-        QVERIFY(!dialog.project().part->tolerance.roundness_um);
+        QCOMPARE(made().gaps.size(), 1U);
+        QVERIFY(!made().tolerance.roundness_um);
         box("copyDeviations")->setChecked(false);
         const std::vector<std::string> deviations{"/part/upper_deviation_um",
                                                   "/part/lower_deviation_um"};

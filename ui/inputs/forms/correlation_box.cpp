@@ -19,10 +19,6 @@ namespace sparkout {
 
 namespace {
 
-QString factorLabel(FactorKind kind) {
-    return inputText(tableOf<Factors>().fields[static_cast<std::size_t>(kind)].label);
-}
-
 double correlationOf(const Project& project, std::size_t i, std::size_t j) {
     const NumberRows& matrix = project.batch ? project.batch->correlation : std::nullopt;
     return matrix && i < matrix->size() && j < (*matrix)[i].size() ? (*matrix)[i][j] : 0;
@@ -67,7 +63,8 @@ void CorrelationBox::showProject(bool replaced) {
                 }
             };
             line.label = [a = given[j].kind, b = given[i].kind] {
-                return tr("%1 – %2", "two factors").arg(factorLabel(a), factorLabel(b));
+                return tr("%1 – %2", "two factors")
+                    .arg(inputText(factorLabel(a)), inputText(factorLabel(b)));
             };
             line.hint = [] {
                 return tr("Between −1 and 1; 0: independent. Of normal factors Pearson's "
