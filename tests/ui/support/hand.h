@@ -16,8 +16,8 @@ class Hand {
 public:
     [[nodiscard]] int clicks() const { return m_clicks; } ///< a double click is two
     [[nodiscard]] int keys() const { return m_keys; }
-    [[nodiscard]] int turns() const { return m_turns; }            ///< of the mouse wheel
-    [[nodiscard]] const QString& fault() const { return m_fault; } ///< the first
+    [[nodiscard]] int turns() const { return m_turns; } ///< of the mouse wheel
+    [[nodiscard]] QString faults() const { return m_faults.join(u'\n'); }
 
     /// The time a practised person takes for it, by the keystroke-level model: to point 1.1 s, to
     /// press a button 0.2 s, a key 0.28 s, and to think 1.35 s before each click.
@@ -95,8 +95,8 @@ public:
     }
 
     bool check(bool holds, const QString& fault) {
-        if (!holds && m_fault.isEmpty()) {
-            m_fault = fault;
+        if (!holds && !m_faults.contains(fault)) {
+            m_faults += fault;
         }
         return holds;
     }
@@ -171,7 +171,7 @@ private:
     }
 
     int m_clicks = 0, m_keys = 0, m_turns = 0;
-    QString m_fault;
+    QStringList m_faults;
 };
 
 } // namespace sparkout

@@ -182,10 +182,18 @@ QString Offered::fault() const {
 
 /// The window as he has it, and what he does there.
 struct Workplace : Bench {
-    Workplace() : Bench(QStringLiteral("ru")) { time.start(); }
+    Workplace() : Bench(QStringLiteral("ru")) {
+        settings.setAllInputs(false); // as a new user has it
+        window.reset();
+        window = std::make_unique<MainWindow>(settings, language);
+        window->resize(1366, 768);
+        window->show();
+        window->activateWindow();
+        time.start();
+    }
 
-    /// All that a user waits for has come.
-    void calm() {
+    /// All that a user waits for has come, and keys go to the window again that he looks at.
+    void calm(QWidget* in = nullptr) {
         const auto* runs = window->findChild<PartRuns*>();
         const auto* judge = window->findChild<CycleJudge*>();
         constexpr int patience_ms = 60'000;
@@ -198,10 +206,15 @@ struct Workplace : Bench {
                        patience_ms),
                    QStringLiteral("the window does not come to rest"));
         settle();
+        activate(in ? *in : *window);
+    }
+    void activate(QWidget& shown) { // as the desktop does when a menu or a dialog closes
+        shown.activateWindow();
+        hand.check(QTest::qWaitForWindowActive(&shown), QStringLiteral("a window is not active"));
     }
     /// Nothing is refused; a stage is over.
     void endStage(const QString& picture, QWidget* of = nullptr) {
-        calm();
+        calm(of);
         for (const Refusal& refusal : window->inputs().refusals()) {
             hand.check(false, QString::fromStdString(refusal.path) + u' ' + refusal.reason);
         }
@@ -220,7 +233,12 @@ struct Workplace : Bench {
     /// What opens a dialog, what is done in it, and Enter.
     void inDialog(const std::function<void()>& open, const std::function<void(QDialog&)>& work) {
         DialogAnswers answers({QStringLiteral("Enter")});
-        answers.seen = work;
+        answers.seen = [&](QDialog& dialog) {
+            activate(dialog);
+            if (work) {
+                work(dialog);
+            }
+        };
         open();
         hand.countKey(); // Enter
         hand.check(QTest::qWaitFor([&] { return answers.fault().isEmpty(); }),
@@ -333,7 +351,6 @@ private slots:
         const QTemporaryDir folder;
         place.choose("newPlunge");
         place.endStage(QStringLiteral("1-new"));
-        QCOMPARE(hand.fault(), QString());
 
         hand.type(QString::fromLatin1(drawing[0].size));
         place.typeDrawing(drawing[0]);
@@ -342,7 +359,6 @@ private slots:
         hand.type(QStringLiteral("Вал редуктора"));
         hand.key(Qt::Key_Return);
         place.endStage(QStringLiteral("2-first-drawing"));
-        QCOMPARE(hand.fault(), QString());
         place.showPage(cyclePage);
         place.endStage(QStringLiteral("3-first-cycle"));
         for (std::size_t i = 1; i < drawing.size(); ++i) {
@@ -350,14 +366,12 @@ private slots:
             place.endStage(QStringLiteral("4-drawing-%1").arg(i + 1));
             place.showPage(cyclePage);
             place.endStage(QStringLiteral("5-cycle-%1").arg(i + 1));
-            QCOMPARE(hand.fault(), QString());
         }
         auto& tabs = place.window->findChild<PartStrip*>()->tabs();
         hand.clickAt(tabs, tabs.tabRect(0).center());
         place.inDialog([&] { place.choose("renameSurface"); },
                        [&](QDialog&) { hand.type(QString::fromUtf8(drawing[0].name)); });
         place.endStage(QStringLiteral("6-all"));
-        QCOMPARE(hand.fault(), QString());
         const Setup started = place.window->document().setup();
 
         hand.click(place.window->findChild<QToolButton*>(QStringLiteral("wholePart")));
@@ -374,7 +388,6 @@ private slots:
         place.endStage(QStringLiteral("9-taken"), whole);
         hand.key(Qt::Key_Escape);
         place.endStage(QStringLiteral("10-optimum"));
-        QCOMPARE(hand.fault(), QString());
         const Setup found = place.window->document().setup();
 
         const QString file = folder.filePath(QStringLiteral("shaft.sparkout"));
@@ -399,7 +412,7 @@ private slots:
                 QFile::copy(folder.filePath(paper), kept + u'/' + paper);
             }
         }
-        QCOMPARE(hand.fault(), QString());
+        QCOMPARE(hand.faults(), QString());
         const double wall_s = double(place.time.elapsed()) / 1000;
         qInfo("HOUR %d clicks, %d keys, %d turns of the wheel, %.1f s, searches %.1f s of it; "
               "a person with the searches %.0f s",
