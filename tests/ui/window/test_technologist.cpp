@@ -215,7 +215,11 @@ struct Workplace : Bench {
     }
     void activate(QWidget& shown) { // as the desktop does when a menu or a dialog closes
         shown.activateWindow();
-        hand.check(QTest::qWaitForWindowActive(&shown), QStringLiteral("a window is not active"));
+        const auto hasKeys = [&shown] {
+            const QWidget* const focus = QApplication::focusWidget();
+            return shown.isActiveWindow() && focus && focus->window() == &shown;
+        };
+        hand.check(QTest::qWaitFor(hasKeys), QStringLiteral("a window has no keys"));
     }
     /// Nothing is refused; a stage is over.
     void endStage(const QString& picture, QWidget* of = nullptr) {
