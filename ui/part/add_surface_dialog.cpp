@@ -4,6 +4,7 @@
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/setup/shared_members.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
@@ -26,6 +27,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 #include <variant>
 
@@ -94,6 +96,12 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     auto* add = m_buttons->addButton(tr("&Add"), QDialogButtonBox::AcceptRole);
     m_buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
     add->setDefault(true);
+    QWidget* before = m_name; // from top to bottom, as one sees them
+    for (QWidget* next :
+         std::initializer_list<QWidget*>{m_begin, m_gaps, m_deviations, m_tolerances, m_places}) {
+        setTabOrder(before, next);
+        before = next;
+    }
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_drawing, 1);
     layout->addLayout(form);
@@ -102,7 +110,11 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_name, &QLineEdit::textChanged, this, &AddSurfaceDialog::follow);
     connect(m_begin, &QComboBox::currentIndexChanged, this, &AddSurfaceDialog::follow);
-    connect(m_places, &QListWidget::currentRowChanged, this, &AddSurfaceDialog::follow);
+    connect(m_begin, &QComboBox::activated, this, [this] { m_isBeginChosen = true; });
+    connect(m_places, &QListWidget::currentRowChanged, this, [this] {
+        offerOperation();
+        follow();
+    });
     connect(m_drawing, &PartDrawing::stepClicked, this, &AddSurfaceDialog::chooseStep);
     const auto wanted = step ? step : m_outline.firstFreeStep();
     wanted ? chooseStep(*wanted) : m_places->setCurrentRow(m_places->count() - 1);
@@ -159,6 +171,16 @@ std::optional<std::size_t> AddSurfaceDialog::step() const {
 void AddSurfaceDialog::chooseStep(std::size_t step) {
     if (m_outline.hasSteps && step < m_outline.steps.size()) {
         m_places->setCurrentRow(static_cast<int>(step));
+    }
+}
+
+/// A step that the wheel covers is plunged, a longer one traversed, unless the user says otherwise.
+void AddSurfaceDialog::offerOperation() {
+    if (const auto at = step(); at && !m_isBeginChosen && !isCopy()) {
+        const bool isCovered =
+            m_outline.steps[*at].length_mm <= m_state.inFront().project.wheel->width_mm;
+        const auto begin = isCovered ? BeginWith::plunge : BeginWith::traverse;
+        m_begin->setCurrentIndex(m_begin->findData(int(begin)));
     }
 }
 

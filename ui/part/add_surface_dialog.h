@@ -41,6 +41,7 @@ public:
 private:
     void askWhatComesAlong(QFormLayout& form);
     void fillPlaces();
+    void offerOperation();
     void follow();
     [[nodiscard]] std::optional<std::size_t> step() const; ///< nothing: where the present one is
     void chooseStep(std::size_t step);
@@ -51,6 +52,7 @@ private:
     PartDrawing* m_drawing;
     QListWidget* m_places;
     QComboBox* m_begin;
+    bool m_isBeginChosen = false; ///< by the user
     QLineEdit* m_name;
     QWidget* m_along; ///< what comes along
     QCheckBox *m_gaps, *m_deviations, *m_tolerances;

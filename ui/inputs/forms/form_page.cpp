@@ -648,6 +648,20 @@ bool FormPage::isOnDemand(const std::string& path) const {
            || (box && box->box->isHidden());
 }
 
+/// Limits that are yet to be given for a known diameter come with its tolerance class.
+QWidget* FormPage::placeToType(const FormRow& row) const {
+    const std::string& path = row.editor().path();
+    const bool isLimit = path == "/part/upper_deviation_um" || path == "/part/lower_deviation_um";
+    if (isLimit && m_document.isOpen(path) && !m_document.isOpen("/part/diameter_mm")) {
+        for (const auto& [helper, at] : m_helpers) {
+            if (helper->standsFirst()) {
+                return helper->focusProxy();
+            }
+        }
+    }
+    return row.editor().widget();
+}
+
 void FormPage::showPath(const std::string& path, bool focus) {
     if (isOnDemand(path)) {
         want(path);
@@ -661,7 +675,8 @@ void FormPage::showPath(const std::string& path, bool focus) {
         }
     };
     if (const FormRow* row = rowAt(path)) {
-        show(row->editor().widget(), row->editor().widget());
+        QWidget* const typed = placeToType(*row);
+        show(typed, typed);
         return;
     }
     if (InputBox* box = inputBoxAt(path)) {

@@ -94,6 +94,7 @@ private:
     void addProjectTexts(Place into);
     void connectRow(FormRow& row);
     [[nodiscard]] FormRow* rowAt(const std::string& path) const;
+    [[nodiscard]] QWidget* placeToType(const FormRow& row) const; ///< what is asked for in it
     [[nodiscard]] const Box* boxAt(const std::string& path) const;
     [[nodiscard]] InputBox* inputBoxAt(const std::string& path) const;
     [[nodiscard]] bool shows(const StructInfo& table) const;

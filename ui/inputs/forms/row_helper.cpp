@@ -421,7 +421,7 @@ void KeywayHelper::fill() {
 
 void KeywayHelper::retranslate() {
     m_label->setText(tr("Keyway, width × length"));
-    m_keyway->setPlaceholderText(QStringLiteral("12P9 × 45"));
+    m_keyway->setPlaceholderText(QStringLiteral("12P9 × 45")); // “e.g.” has no room beside it
     m_keyway->setAccessibleName(m_label->text());
     m_keyway->setToolTip(tr("12P9 × 45 makes a gap of the surface; 12P9 × 45, 90° says where its "
                             "first edge is"));
