@@ -2,7 +2,8 @@
 // Labels: unsanitized
 // A fit is never sure and wrong: traces disturbed as recorders disturb them, each fitted with the
 // parameters that are proposed for it; answers hold the truth, the others are refused. The whole
-// count: SPARKOUT_COVERAGE_SETS=300 ./workbench test test_fit_coverage
+// count: QTEST_FUNCTION_TIMEOUT=99999999 SPARKOUT_COVERAGE_SETS=300 ./workbench test
+// test_fit_coverage
 #include "core/identification/fit_proposal.h"
 #include "core/identification/identification.h"
 #include "core/identification/scaled_project.h"
