@@ -87,19 +87,23 @@ int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candid
     return std::max(static_cast<int>(place), 1);
 }
 
-/// One of the parts drawn afresh for the cycle in which it fails; nothing: none, or it was stopped,
-/// or no answer for corners of a batch is asked for.
+/// One of the parts of the batch, whose verdict is shown beside the answer, or of those drawn
+/// afresh for the cycle, in which it fails; nothing: none, or it was stopped, or no answer for
+/// corners of a batch is asked for.
 std::optional<Project> failingFreshPart(const Project& best, int draw,
                                         const std::stop_token& stop) {
     if (!best.batch || best.optimisation->scenarios != OptimisationScenarios::corners) {
         return std::nullopt;
     }
-    const ScenarioSource source(withFreshParts(best, draw));
-    for (std::int64_t part = 0; part < source.parts(); ++part) {
-        Project drawn = source.project(part);
-        const std::optional<CycleTrial> trial = tried(drawn, stop);
-        if (!trial || !trial->holds) {
-            return trial ? std::optional(std::move(drawn)) : std::nullopt;
+    for (const Project& batch : {best, withFreshParts(best, draw)}) {
+        const ScenarioSource source(batch);
+        const auto parts = std::min<std::int64_t>(source.parts(), freshPartCount);
+        for (std::int64_t part = 0; part < parts; ++part) {
+            Project drawn = source.project(part);
+            const std::optional<CycleTrial> trial = tried(drawn, stop);
+            if (!trial || !trial->holds) {
+                return trial ? std::optional(std::move(drawn)) : std::nullopt;
+            }
         }
     }
     return std::nullopt;

@@ -52,9 +52,9 @@ struct RobustSummary {
 /// mostFailing() of the phases fail. A stop leaves a trial unchecked: it counts neither as one that
 /// failed nor as one that held. What it keeps is the best so far that came through all of its own.
 ///
-/// With the corners of a batch a cycle that holds in all of them is tried on freshPartCount parts
-/// of it drawn at random, afresh for each: between the corners a part may be bad. One that fails
-/// joins the scenarios.
+/// With the corners of a batch a cycle that holds in all of them is tried on the first
+/// freshPartCount parts of the batch itself, then on as many drawn at random, afresh for each:
+/// between the corners a part may be bad. One that fails joins the scenarios.
 ///
 /// Every stage of the answer makes a step on the part itself (SearchOptions::everyStageSteps). A
 /// stage that the stage before overruns there would be in use for other stocks only; a cycle with
