@@ -146,7 +146,7 @@ private slots:
     /// A rigid system fed in steps of 5 µm: of an error of 10 µm on the diameter exactly one step.
     void partEndsSmallerByWhatIsReadTooLarge() {
         Project p = fixtures::plunge();
-        p.machine->compliance_mm_per_n = std::vector<double>{1e-18};
+        p.machine->compliance_mm_per_n = std::vector<double>{1e-15};
         const double before = simulate(p).sections.front().diameterDeviationMin_mm;
         for (const double error_um : {10.0, -10.0, 20.0}) {
             p.gauge->error_um = error_um;
