@@ -2,7 +2,9 @@
 // Labels: numbers
 // Whether a cycle is fit: each state once, the first that applies, its words and its JSON.
 #include "core/judgement/judgement.h"
+#include "core/project/validate.h"
 #include "core/simulation/simulate.h"
+#include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 #include "tests/two_stage_projects.h"
 #include "words/judgement_json.h"
@@ -235,21 +237,26 @@ private slots:
         project.part->radii_per_section = 36;
         project.part->upper_deviation_um = 2;
         project.part->lower_deviation_um = -2;
-        project.machine->form.emplace().roundness_um = std::vector<double>{3, 3, 3};
-        project.machine->form->runout_um = std::vector<double>{0, 0, 0};
+        const auto places = static_cast<std::size_t>(project.sections);
+        project.machine->form.emplace().roundness_um = std::vector<double>(places, 3);
+        project.machine->form->runout_um = std::vector<double>(places, 3); // of the lobes alone
+        project.part->tolerance = {};
         const auto judgedWith = [&project](std::optional<int> lobes) {
             project.machine->form->lobes = lobes;
             const SimulationResult result = simulate(project);
             return judge(result, evaluateConstraints(result), judgeStocks(result));
         };
+        QVERIFY2(!hasErrors(validate(project)), samples::listed(validate(project)).c_str());
         const Judgement odd = judgedWith(3), even = judgedWith(2), unknown = judgedWith({});
+        QVERIFY(odd.stocks && unknown.stocks);
         QVERIFY(odd.stocks->holds && odd.notDecided.empty());
         QVERIFY(isFailure(even.state));
         QVERIFY(unknown.stocks->holds);
         QVERIFY(unknown.state == JudgedState::undecided);
         QCOMPARE(unknown.notDecided.size(), std::size_t{1});
         QCOMPARE(unknown.notDecided.front().path, std::string("/machine/form/lobes"));
-        project.machine->form->roundness_um = std::vector<double>{0.1, 0.1, 0.1};
+        project.machine->form->roundness_um = std::vector<double>(places, 0.01);
+        project.machine->form->runout_um = std::vector<double>(places, 0.01);
         QVERIFY(judgedWith({}).notDecided.empty()); // too little to matter
     }
 
