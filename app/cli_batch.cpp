@@ -58,8 +58,10 @@ std::string verdictText(const BatchVerdict& verdict, const BatchSummary& summary
                + numberText(100 * verdict.limit) + " %";
     case BatchReason::stopped: return "conforms conditionally: not all parts were run";
     case BatchReason::noSample:
-        return "conforms conditionally: all corners hold, but they are no sample and tell no Ppk";
-    case BatchReason::fewParts: return "conforms conditionally: a single part tells no Ppk";
+        return "conforms conditionally: all corners hold, but they are not a sample, so Ppk is not "
+               "known";
+    case BatchReason::fewParts:
+        return "conforms conditionally: Ppk cannot be computed from one part";
     case BatchReason::outside:
         return "conforms conditionally: of " + of + " " + fixed(100 * verdict.value, 3)
                + " % are expected out of tolerance, allowed " + numberText(100 * verdict.limit)

@@ -166,11 +166,11 @@
             <translation>рассчитаны не все детали партии</translation>
         </message>
         <message>
-            <source>every part that was run is good, but such parts are no sample and tell no Ppk</source>
+            <source>every part that was run is good, but corner parts are not a sample, so Ppk is not known</source>
             <translation>все рассчитанные детали годны, но такие детали — не выборка, и Ppk по ним не определить</translation>
         </message>
         <message>
-            <source>a single part tells no Ppk</source>
+            <source>Ppk cannot be computed from one part</source>
             <translation>по одной детали Ppk не определить</translation>
         </message>
         <message>
@@ -193,6 +193,10 @@
             <source>The cycle %1: %2.</source>
             <comment>verdict, reason</comment>
             <translation>Цикл %1: %2.</translation>
+        </message>
+        <message>
+            <source>Not decided: %1.</source>
+            <translation>Не определено: %1.</translation>
         </message>
     </context>
     <context>
@@ -12735,7 +12739,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>stepless limit</source>
-            <translation>бесступенчатый</translation>
+            <translation>предел цикла</translation>
         </message>
         <message>
             <source>%1 ↑</source>
@@ -12748,7 +12752,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>accuracy, estimate</source>
-            <translation>точность, оценка</translation>
+            <translation>точность, оц.</translation>
         </message>
         <message>
             <source>runout (22)</source>

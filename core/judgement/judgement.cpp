@@ -192,8 +192,9 @@ Judgement judge(const SimulationResult& result, const std::vector<ConstraintResu
     judgement.stocks = std::move(stocks);
     judgement.batch = std::move(batch);
     if (!fails && judgement.stocks && judgement.stocks->failsIfEven) {
-        judgement.notDecided.push_back({*judgement.stocks->failsIfEven,
-                                        UndecidedReason::machineNotKnown, "/machine/form/lobes"});
+        addUndecided(judgement.notDecided,
+                     {*judgement.stocks->failsIfEven, UndecidedReason::machineNotKnown,
+                      "/machine/form/lobes"});
     }
     judgement.state = stateOf(judgement, fails);
     return judgement;

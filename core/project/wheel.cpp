@@ -85,8 +85,8 @@ template <>
 const StructInfo& tableOf<MeasuredRa>() {
     static const std::array rows{
         SPARKOUT_FIELD(
-            MeasuredRa, ra_um, .label = SPARKOUT_NOOP("Input", "Measured Ra"), .symbol = "Ra",
-            .unit = "µm", .hard = {0, 100, true}, .soft = {0.02, 5}, .required = conditions::always,
+            MeasuredRa, ra_um, .label = SPARKOUT_NOOP("Input", "Measured Ra"), .unit = "µm",
+            .hard = {0, 100, true}, .soft = {0.02, 5}, .required = conditions::always,
             .page = Page::wheel, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Ra of a part ground with this wheel, dressed as it is. "
                                            "It sets the roughness calibration."),

@@ -32,7 +32,7 @@ Light lightOf(const ConstraintResult& constraint) {
     if (!constraint.holds) {
         return Light::fails;
     }
-    return isClose(constraint) ? Light::close : Light::holds;
+    return isOpen(constraint) || isClose(constraint) ? Light::close : Light::holds;
 }
 
 Light verdictOf(RunStatus status, const std::vector<ConstraintResult>& constraints) {

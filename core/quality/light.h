@@ -8,8 +8,8 @@
 
 namespace sparkout {
 
-/// How a requirement stands; close: it holds with a margin below a tenth of the field or limit. A
-/// setting of the machine holds up to the end of its range.
+/// How a requirement stands; close: it holds with a margin below a tenth of the field or limit, or
+/// is not decided. A setting of the machine holds up to the end of its range.
 enum class Light { holds, close, fails };
 
 inline constexpr double closeMargin = 0.1;

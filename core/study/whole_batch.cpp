@@ -2,6 +2,8 @@
 #include "core/study/whole_batch.h"
 
 #include "core/project/batch.h"
+#include "core/quality/constraints.h"
+#include "core/simulation/simulate.h"
 
 namespace sparkout {
 
@@ -35,6 +37,8 @@ BatchOutcomePtr runWholeBatch(const Project& project, const BatchOptions& option
         for (const PartRow& row : outcome->result.statistics.rows) {
             outcome->drawn.push_back(source.values(row.part));
         }
+        const Project& stated = outcome->result.project;
+        outcome->notDecided = undecided(stated, evaluateConstraints(simulate(stated)));
     }
     return outcome;
 }

@@ -4,6 +4,7 @@
 #include "core/batch/batch_summary.h"
 #include "core/batch/sensitivity.h"
 #include "core/issue.h"
+#include "core/judgement/judgement.h"
 #include "core/project/given_factors.h"
 
 #include <cstddef>
@@ -22,6 +23,7 @@ struct BatchOutcome {
     std::vector<std::optional<RankRegression>> regressions; ///< by characteristic
     std::vector<GivenFactor> factors;
     std::vector<std::vector<double>> drawn; ///< values of the factors, by kept part
+    std::vector<Undecided> notDecided;      ///< what no part can be judged by
 
     [[nodiscard]] bool ran() const { return issues.empty(); }
 

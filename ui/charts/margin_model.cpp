@@ -116,8 +116,7 @@ QString MarginModel::stackedText(const ConstraintResult& c, int column) {
 
 QVariant MarginModel::cell(int row, int column, int role) const {
     const ConstraintResult& c = at(row);
-    // What is not decided is not shown as what is known to hold.
-    const Light light = isOpen(c) ? std::max(lightOf(c), Light::close) : lightOf(c);
+    const Light light = lightOf(c);
     switch (role) {
     case Qt::DisplayRole: return m_stacked ? stackedText(c, column) : text(c, column);
     case Qt::DecorationRole:

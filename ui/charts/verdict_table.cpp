@@ -132,10 +132,9 @@ ValueCell nameCell(const ConstraintResult& c, const Project& project,
         c, guessed ? VerdictTable::tr("Ra, estimate") : Names::constraintBrief(c.kind),
         VerdictTable::tr("stage %1").arg(c.stage));
     const Light light = lightOf(c);
-    // What is not decided is not shown as what is known to hold; the panel says above what is
-    // missing.
-    const Light shown = isOpen(c) || !c.knowsMachine ? std::max(light, Light::close) : light;
-    const bool isPlain = light == Light::holds && !isOpen(c);
+    // Without the machine's form it is not known to hold; the panel says above what is missing.
+    const Light shown = c.knowsMachine ? light : std::max(light, Light::close);
+    const bool isPlain = light == Light::holds;
     return {.text = isPlain ? name : name + u'\n' + lightName(c),
             .tip = c.knowsMachine ? QString() : lightName(c),
             .said = lightName(c),

@@ -91,10 +91,9 @@ ValueCell requirementCell(const SurfaceStatus& status, ConstraintKind kind) {
     if (found == status.requirements.end()) {
         return {.text = QStringLiteral("–"), .value = QString()};
     }
-    const Light light = lightOf(*found);
     return {.text = QStringLiteral("%1 / %2").arg(Names::value(*found), Names::limit(*found)),
-            .icon = QIcon(lightPixmap(isOpen(*found) ? std::max(light, Light::close) : light,
-                                      metrics::iconSmall, qGuiApp->devicePixelRatio(), false))};
+            .icon = QIcon(lightPixmap(lightOf(*found), metrics::iconSmall,
+                                      qGuiApp->devicePixelRatio(), false))};
 }
 
 } // namespace

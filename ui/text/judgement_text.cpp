@@ -23,13 +23,17 @@ QString JudgementText::batch(const Judgement& judgement, bool isComing) {
 }
 
 QStringList JudgementText::lines(const Judgement& judgement) {
-    const JudgementText text;
     QStringList lines{stocks(judgement)};
     if (judgement.batch) {
         lines << batch(judgement);
     }
-    for (const Undecided& each : judgement.notDecided) {
-        lines << QString::fromStdString(text.notDecided(each));
+    return lines + JudgementText::lines(judgement.notDecided);
+}
+
+QStringList JudgementText::lines(const std::vector<Undecided>& notDecided) {
+    QStringList lines;
+    for (const Undecided& each : notDecided) {
+        lines << QString::fromStdString(JudgementText().notDecided(each));
     }
     return lines;
 }

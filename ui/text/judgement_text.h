@@ -17,6 +17,7 @@ public:
     /// A line for the stocks, one for the batch where there is one, one for each requirement that
     /// is not decided: what papers print below the headline.
     [[nodiscard]] static QStringList lines(const Judgement& judgement);
+    [[nodiscard]] static QStringList lines(const std::vector<Undecided>& notDecided);
 
 protected:
     [[nodiscard]] std::string translated(const char* text) const override;

@@ -237,7 +237,8 @@ QString Names::value(const ConstraintResult& c) {
 }
 
 QString Names::estimate(double least, double most) {
-    return significant(least, 1) + QStringLiteral("…") + significant(most, 1);
+    const int decimals = decimalsOf(least, 1);
+    return fixed(least, decimals) + QStringLiteral("…") + fixed(most, decimals);
 }
 
 QString Names::uncutStrips(const Project& project) {

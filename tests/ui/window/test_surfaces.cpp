@@ -58,6 +58,18 @@ struct Desk {
         bench.action(action)->trigger();
         calm();
     }
+    /// Searches all surfaces and takes what was found.
+    void optimiseAll() {
+        press("wholePart");
+        auto* whole = bench.window->findChild<PartWindow*>();
+        QSignalSpy ended(&whole->study(), &PartStudy::finished);
+        for (const char* button : {"searchAll", "takeFound"}) {
+            QTest::mouseClick(whole->findChild<QPushButton*>(QString::fromUtf8(button)),
+                              Qt::LeftButton);
+            QVERIFY(!ended.empty() || ended.wait(120'000));
+        }
+        calm();
+    }
     [[nodiscard]] Document& document() { return bench.window->document(); }
     [[nodiscard]] PartStrip& strip() { return *bench.window->findChild<PartStrip*>(); }
     [[nodiscard]] PartRuns& runs() { return *bench.window->findChild<PartRuns*>(); }
@@ -553,15 +565,7 @@ private slots:
         auto* phases = desk.bench.window->findChild<QCheckBox*>(QStringLiteral("optimisePhases"));
         QVERIFY(phases);
         phases->setChecked(true);
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
-        QSignalSpy ended(&whole->study(), &PartStudy::finished);
-        QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("searchAll")),
-                          Qt::LeftButton);
-        QVERIFY(ended.wait(120'000));
-        QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("takeFound")),
-                          Qt::LeftButton);
-        desk.calm();
+        desk.optimiseAll();
         for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
             const auto outcome = search(wornProject(setup, i).project, {.phases = true});
             Project& project = setup.surfaces[i].project;
@@ -586,15 +590,7 @@ private slots:
         setup.surfaces[0].name = "first";
         setup.surfaces[1].name = "second";
         Desk desk(setup);
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
-        QSignalSpy ended(&whole->study(), &PartStudy::finished);
-        QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("searchAll")),
-                          Qt::LeftButton);
-        QVERIFY(ended.wait(120'000));
-        QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("takeFound")),
-                          Qt::LeftButton);
-        desk.calm();
+        desk.optimiseAll();
         for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
             const Project usual = usualSearch(setup.surfaces[i].project);
             const auto outcome = search(usual, {});

@@ -206,7 +206,7 @@ double StageModel::timeShare(int row) const {
 }
 
 QStringList StageModel::formsOf(const QModelIndex& index) const {
-    constexpr int digits = 3;
+    constexpr int digits = 2;
     if (!index.isValid() || !isField(index) || !relevant(index) || access(index) == Access::hidden
         || remark(index).mark != Mark::none) {
         return {};

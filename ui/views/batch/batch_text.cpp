@@ -5,6 +5,7 @@
 #include "core/quality/constraints.h"
 #include "core/quality/roughness.h"
 #include "ui/plot/run_bar.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
@@ -181,8 +182,9 @@ QString BatchText::decision(const BatchOutcome& outcome) {
             .arg(percent(verdict.value), limitPercent());
     case BatchReason::stopped: return tr("not all parts of the batch were run");
     case BatchReason::noSample:
-        return tr("every part that was run is good, but such parts are no sample and tell no Ppk");
-    case BatchReason::fewParts: return tr("a single part tells no Ppk");
+        return tr("every part that was run is good, but corner parts are not a sample, so Ppk is "
+                  "not known");
+    case BatchReason::fewParts: return tr("Ppk cannot be computed from one part");
     case BatchReason::outside:
         return tr("%1 % of the parts are expected out of tolerance, more than the allowed %2 %: %3")
             .arg(Names::significant(100 * verdict.value, 2), limitPercent(), inSentence());
@@ -254,7 +256,12 @@ QString BatchText::verdict(const BatchOutcome& outcome) {
     const QString text =
         tr("The cycle %1: %2.", "verdict, reason")
             .arg(fitness(weigh(outcome.summary, outcome.result).fitness), decision(outcome));
-    return (counts(outcome.summary) + u' ' + text).trimmed();
+    QStringList sentences{counts(outcome.summary), text};
+    if (!outcome.notDecided.empty()) {
+        sentences << tr("Not decided: %1.")
+                         .arg(JudgementText::lines(outcome.notDecided).join(QStringLiteral("; ")));
+    }
+    return sentences.join(u' ').trimmed();
 }
 
 QString BatchText::progress(qint64 done, qint64 parts, double left_s) {

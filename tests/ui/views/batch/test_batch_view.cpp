@@ -3,6 +3,8 @@
 // The view "Batch": its figures are the engine's, a stop keeps what was done, the newest wins, the
 // worst part is reproduced by its inputs.
 #include "core/batch/batch_check.h"
+#include "core/quality/constraints.h"
+#include "core/simulation/simulate.h"
 #include "core/study/batch_edits.h"
 #include "core/study/evaluate.h"
 #include "tests/core/support/batch_fixtures.h"
@@ -12,6 +14,7 @@
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/session/project_io.h"
+#include "ui/text/judgement_text.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/views/batch/histogram_plot.h"
@@ -441,6 +444,20 @@ private slots:
         QTest::qWait(20);
         QVERIFY(bench.settled());
         QCOMPARE(bench.view.batch()->summary.parts, std::int64_t{50});
+    }
+
+    void whatNothingDecidesIsSaidBesideTheVerdict() {
+        Project project = fixtures::shaftBatch(50);
+        project.part->tolerance = Tolerance{.roundness_um = 5}; // of a machine that is not known
+        SettledBench bench(project);
+        const std::vector<Undecided> open =
+            undecided(project, evaluateConstraints(simulate(project)));
+        QCOMPARE(open.size(), std::size_t{1});
+        const QString said = bench.part<QLabel>("batchState").text();
+        QVERIFY2(
+            said.contains(
+                QStringLiteral("Not decided: %1.").arg(JudgementText::lines(open).join(QString()))),
+            qPrintable(said));
     }
 
     void aBatchThatCannotBeRunSaysWhy() {
