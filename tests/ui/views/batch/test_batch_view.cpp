@@ -448,7 +448,7 @@ private slots:
 
     void whatNothingDecidesIsSaidBesideTheVerdict() {
         Project project = fixtures::shaftBatch(50);
-        project.part->tolerance = Tolerance{.roundness_um = 5}; // of a machine that is not known
+        project.part->tolerance.roundness_um = 5; // of a machine that is not known
         SettledBench bench(project);
         const std::vector<Undecided> open =
             undecided(project, evaluateConstraints(simulate(project)));
