@@ -1,76 +1,81 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws docs/layers.txt into docs/architecture.md: an arrow where a folder includes another one and
-no third one leads there. --check: only asks whether the drawing is that of the rules."""
+"""Writes what docs/layers.txt states into two pages: the drawing of architecture.md, a box for each
+title and an arrow where a box includes another one and no third one leads there, and the map of
+folders of README.md. --check: only fails where a page is not what it writes."""
 import pathlib
 import sys
 
 HERE = pathlib.Path(__file__).parent
-BEGIN, END = "<!-- drawn by draw_layers.py -->", "<!-- end of the drawing -->"
+BEGIN, END = "<!-- written by docs/draw_layers.py -->", "<!-- end of what it writes -->"
 
 
-def rules():
-    folders, last = {}, None
+def boxes():
+    """Title: {folder: (what it holds, folders it includes)}. The views are one folder."""
+    found, holds, folder = {}, "", ""
     for line in (HERE / "layers.txt").read_text(encoding="utf-8").splitlines():
-        if not line or line.startswith("#"):
+        if line.startswith("## "):
+            title = line[3:]
+            found[title] = {}
+        elif not found or not line:
             continue
-        if not line.startswith(" "):
-            last, _, line = line.partition(":")
-            folders[last] = []
-        folders[last] += line.split()
-    return folders
+        elif line.startswith("# "):
+            holds = line[2:]
+        else:
+            if not line.startswith(" "):
+                folder, _, line = line.partition(":")
+                folder = "ui/views/…" if folder.startswith("ui/views/") else folder
+                if not holds and folder not in found[title]:
+                    sys.exit(f"docs/layers.txt does not say what {folder} holds")
+                found[title].setdefault(folder, (holds, set()))
+                holds = ""
+            found[title][folder][1].update(line.split())
+    return found
 
 
-def merged(folders):
-    """The views as one room: none includes another."""
-    room = lambda name: "ui/views/…" if name.startswith("ui/views/") else name
-    out = {}
-    for name, others in folders.items():
-        out.setdefault(room(name), set()).update(room(other) for other in others)
-    return {name: others - {name} for name, others in out.items()}
+def arrows(found):
+    """From each box to those it includes, but to none that another arrow leads to."""
+    box_of = {folder: title for title, folders in found.items() for folder in folders}
+    box_of |= {other: box_of["ui/views/…"] for folders in found.values()
+               for _, others in folders.values() for other in others if other.startswith("ui/views/")}
+    reached = {}
+    for title, folders in found.items():  # a row names only rows above it
+        others = {box_of[other] for _, row in folders.values() for other in row} - {title}
+        below = set().union(*(reached[other] for other in others))
+        reached[title] = others | below
+        yield from ((title, other) for other in found if other in others - below)
 
 
-def reached(folders, name, known):
-    """All that a folder includes, directly or by others; known: of each folder asked before."""
-    if name not in known:
-        known[name] = set(folders[name])
-        for other in folders[name]:
-            known[name] |= reached(folders, other, known)
-    return known[name]
-
-
-def direct(folders):
-    """Arrows to what no other arrow leads to."""
-    known = {}
-    for name, others in folders.items():
-        for other in sorted(others):
-            if not any(other in reached(folders, third, known) for third in others - {other}):
-                yield name, other
-
-
-def drawing():
-    folders = merged(rules())
-    names = {name: f"n{i}" for i, name in enumerate(folders)}
+def drawing(found):
+    names = {title: f"n{i}" for i, title in enumerate(found)}
     lines = ["```mermaid", "graph TD"]
-    for title in ("app", "python", "ui", "words", "core"):
-        lines.append(f"  subgraph {title}_ [{title}]")
-        for name, key in names.items():
-            if name.split("/")[0] == title:
-                lines.append(f'    {key}["{name}"]')
-        lines.append("  end")
-    lines += [f"  {names[a]} --> {names[b]}" for a, b in direct(folders)]
+    for title, folders in found.items():
+        rows = list(folders)
+        listed = "<br/>".join(", ".join(rows[i:i + 3]) for i in range(0, len(rows), 3))
+        lines.append(f'  {names[title]}["<b>{title}</b><br/>{listed}"]')
+    lines += [f"  {names[a]} --> {names[b]}" for a, b in arrows(found)]
     return "\n".join(lines + ["```"])
 
 
+def table(found):
+    lines = ["| folder | what it holds |", "| --- | --- |"]
+    for title, folders in found.items():
+        lines.append(f"| **{title}** | |")
+        lines += [f"| `{name}{'' if name.endswith(('.h', '…')) else '/'}` | {holds} |"
+                  for name, (holds, _) in folders.items()]
+    return "\n".join(lines)
+
+
 def main():
-    page = HERE / "architecture.md"
-    text = page.read_text(encoding="utf-8")
-    before, rest = text.split(BEGIN)
-    after = rest.split(END)[1]
-    drawn = f"{before}{BEGIN}\n{drawing()}\n{END}{after}"
-    if "--check" in sys.argv:
-        sys.exit(0 if drawn == text else "docs/architecture.md: run docs/draw_layers.py")
-    page.write_text(drawn, encoding="utf-8")
+    found = boxes()
+    for page, part in ((HERE / "architecture.md", drawing), (HERE.parent / "README.md", table)):
+        text = page.read_text(encoding="utf-8")
+        before, rest = text.split(BEGIN)
+        written = f"{before}{BEGIN}\n{part(found)}\n{END}{rest.split(END)[1]}"
+        if "--check" not in sys.argv:
+            page.write_text(written, encoding="utf-8")
+        elif written != text:
+            sys.exit(f"{page.name}: run docs/draw_layers.py")
 
 
 main()

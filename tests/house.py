@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Counts what makes the tree hard to live in, prints it, and fails where it has grown: files that know
-a kind of operation or of spark-out, sources without a header of their name, folders that the README
-does not explain."""
-import collections
+a kind of operation or of spark-out, sources without a header of their name, links of the pages
+that lead nowhere, and the size of docs/why."""
 import pathlib
 import re
 import subprocess
@@ -16,7 +15,8 @@ LIMITS = {
     "files that know a kind of operation": (8, 30),
     "files that know spark-out": (7, 10),
     "sources without a header of their name": (0, 0),
-    "folders that the map of the README lacks": (0, 0),
+    "links that lead nowhere": (0, 0),
+    "pages of docs/why, together beyond 25 KB": (0, 0),
     "files of the programs that print past the console": (0, 0),
     "files that take axes in the order of a hash": (0, 0),
     "helpers of a test that it does not call": (0, 0),
@@ -48,18 +48,23 @@ def idle_helpers(names):
                     if function != "main" and len(re.findall(rf"\b{function}\b", text)) == 1)
 
 
+def dead_links():
+    """Links and paths of the pages to what is not in the tree; NAME stands for any name."""
+    folder = r"`((?:app|cmake|core|docs|packaging|python|resources|tests|translations|ui|words)/[\w./-]+)`"
+    for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")]:
+        text = page.read_text(encoding="utf-8")
+        leads = [(page.parent, link) for link in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", text)]
+        leads += [(ROOT, path) for path in re.findall(folder, text) if "NAME" not in path]
+        yield from (f"{page.relative_to(ROOT)}: {link}" for base, link in leads
+                    if not (base / link).exists())
+
+
 def main():
     files = tracked("core", "words", "ui", "app", "python")
     headers = set(files)
     alone = [f for f in files if f.startswith(("core/", "words/", "ui/")) and f.endswith(".cpp")
              and re.sub(r"(_posix|_windows)?\.cpp$", ".h", f) not in headers]
-    folders = collections.Counter(
-        str(pathlib.PurePath(stem).parent)
-        for stem in {re.sub(r"(_posix|_windows)?\.(h|cpp)$", "", f) for f in files})
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    lacking = [folder for folder in folders
-               if f"`{folder}/`" not in readme
-               and (folder.count("/") < 2 or f"`{pathlib.PurePath(folder).parent}/`" not in readme)]
+    why = list((ROOT / "docs/why").glob("*.md"))
     prints = r"\b(fputs|fwrite|printf|fprintf|puts|fputc|putchar|cout|cerr|clog)\b *[(<;]"
     found = {
         # Texts reach the terminal by printText() alone, which takes out what steers it.
@@ -77,7 +82,9 @@ def main():
         "files that take axes in the order of a hash": knowing(files, r"\baxes\(\)"),
         "files that ask for traits of an operation": knowing(files, r"\boperation *->"),
         "sources without a header of their name": alone,
-        "folders that the map of the README lacks": lacking,
+        "links that lead nowhere": list(dead_links()),
+        "pages of docs/why, together beyond 25 KB":
+            why if sum(page.stat().st_size for page in why) > 25_000 else [],
     }
     grown = False
     for name, (limit, aim) in LIMITS.items():
@@ -85,7 +92,7 @@ def main():
         print(f"HOUSE {count:3} {name} (at most {limit}, aim {aim})")
         if count > limit:
             grown = True
-            print("\n".join(sorted(set(found[name]))))
+            print("\n".join(sorted(set(map(str, found[name])))))
     for name in found.keys() - LIMITS.keys():
         print(f"HOUSE {len(found[name]):3} {name}")
     return 1 if grown else 0

@@ -27,60 +27,60 @@ CHECKS = {
            "nothing left over", None),
     "02": ("kill -9", "at each call and at 1,000 random moments: no torn file; what is left over is "
            "removed by the next save",
-           "the writer alone is killed in its own process; of the window see 9"),
+           "only the writer is killed, in a process of its own; for the window see 9"),
     "03": ("Full disk, odd targets", "2,000 saves on a disk nearly full without a silent loss; 12 kinds "
            "of targets as documented",
-           "all outputs go through the one writer, which is what is tried; not each kind of output"),
+           "all outputs go through the one writer, which is tested; each kind of output is not"),
     "04": ("Round trip", "1,000 random projects and every leaf away from its default: the same bytes; "
            "also after 1,000 random sequences of edits and runs, failed ones among them", None),
     "05": ("Cut and flipped files", "cut at every byte, every bit flipped: no crash, none above 1 s",
-           "the sample has 3 KB; the file has no checksum, so that a flip which leaves a valid "
-           "project is read as one"),
+           "the sample has 3 KB; the file has no checksum, so a flip that leaves a valid project "
+           "is not noticed"),
     "06": ("Fuzzing", "libFuzzer with sanitizers, 3,000,000 runs for each reader",
            "not done: no fuzzer is in the tree"),
     "07": ("Hostile files", "at least 150, each below 2 s and 512 MB with a message", None),
     "08": ("Versions", "a project of every released version opens",
-           "there is one version so far; that a newer one is refused is a row of check 7"),
+           "there is one version so far; check 7 includes the refusal of a newer one"),
     "09": ("Recovery", "50 windows killed at random moments, 10 damaged recovery files: work offered, "
            "start succeeds", None),
     "10": ("Two windows, one file", "6 scenes, 20 repeats, no lost update", None),
     "11": ("Exact cases", "at least 15 closed forms with their source",
            "the tolerance stands beside each, 1e-9 to 1e-12, where 1e-10 is asked"),
     "12": ("Order of convergence", "within 0.1 of theory",
-           "not done: a cycle is summed pass by pass, there is no integrator to refine"),
+           "not done: a cycle is summed pass by pass; there is no integrator to refine"),
     "13": ("Conservation", "10,000 random cycles: volume and power balance to rounding", None),
     "14": ("Properties", "at least 40 laws on 1,000 random cycles each",
-           "the laws of cycles and of the best cycle are counted, which are fewer than 40; others stand "
-           "in the tests of single quantities"),
+           "only the laws of cycles and of the best cycle are counted, fewer than 40; the tests "
+           "of single quantities have others"),
     "15": ("Second opinion", "1,000 random projects against a second implementation to 1e-9",
-           "the second implementation is C++ in double precision too, not quadruple; the separate "
-           "program of another language is check 17"),
+           "the second implementation is also C++ in double precision, not quadruple; check 17 "
+           "uses a program in another language"),
     "16": ("Out of the domain", "10,000 random inputs outside the limits: no NaN, a reason for each",
-           "each limit is tried at and beyond it, not at random"),
+           "values at and beyond each limit, not random ones"),
     "17": ("Golden numbers, processors", "30 projects, also without AVX and FMA",
-           "the cycles of a separate program; without AVX the kernel of a pass alone "
+           "the cycles of a separate program; without AVX only the kernel of a pass "
            "(test_pass_kernel), one compiler"),
     "18": ("Determinism, floating-point traps", "the same bits for any number of threads, no trap",
            "no run with floating-point traps"),
     "19": ("Honest optimiser, mutants", "claims re-checked on 1,000 problems; 80 % of 100 mutants killed",
-           "100 problems are run again alone, not 1,000"),
+           "100 problems are run again, not 1,000"),
     "20": ("The window never stands still", "no gap above 100 ms, 99 of 100 below 30 ms: largest "
            "project, 100,000 parts, report of 200 pages, views, resizing",
-           "a gap counts when it comes back in three tries; of saving, 6 MB instead of 20"),
+           "a gap counts only when three tries show it; 6 MB are saved instead of 20"),
     "21": ("Stop and close", "within 200 ms at 200 random moments of runs, batches, searches, reports "
            "and loading; 100 closed windows; nothing changed",
            "in a release build, not under the sanitizers"),
     "22": ("Monkeys", "10 seeds × 10,000 events under the sanitizers, 90 % of the widgets reached, no "
            "crash, report or warning of Qt", None),
     "23": ("Leaks", "2,000 rounds: at most 2 MB more, no object more",
-           "the sanitizers look for leaks in the engine's tests, not at the window's end"),
+           "the sanitizers look for leaks in the tests of the engine, not when the window closes"),
     "24": ("Races", "thread sanitizer on the engine: no warning",
-           "not done: batches are compared bit for bit instead, see 18"),
+           "not done; batches are compared bit by bit instead, see 18"),
     "25": ("Undo", "100 sequences of 100 commands undone and redone, equal both ways", None),
     "26": ("Injection", "40 hostile texts in every field and output",
-           "no line of its own: single texts in reports, tables and labels "
-           "(test_passport_pages, test_csv_table, test_xlsx_book, test_plot_export), what is printed "
-           "(test_cli_terminal), what is opened (traced_opening)"),
+           "no line of its own: single texts are tested in reports, tables and labels "
+           "(test_passport_pages, test_csv_table, test_xlsx_book, test_plot_export), in printed "
+           "output (test_cli_terminal) and in opened files (traced_opening)"),
     "27": ("Locale and surroundings", "engine and files under foreign locales, no HOME, no display",
            "one foreign locale (ru_RU, as a stage of its own), no sandbox; environments of the "
            "command line in test_cli_surroundings"),
@@ -194,9 +194,8 @@ def page(found):
 Made by `./workbench test --long` on {datetime.date.today().isoformat()}, commit {commit},
 {processor()}, {platform.platform()}.
 
-Every figure was printed by the test that performs the check. *Held*: as asked. *Weaker*: what is
-checked holds, and is less than what is asked, as the list below says. *Beyond*: a figure is beyond its
-limit. Of the 28: {told}.
+Every figure was printed by the test that performs the check. *Held*: as asked. *Weaker*: the check passes but
+asks less, as listed below. *Beyond*: a figure is beyond its limit. Of the 28: {told}.
 
 | # | check | asked | today | |
 | --- | --- | --- | --- | --- |
