@@ -81,12 +81,13 @@ public:
             for (const LeftOut::Possible& one : left.possible) {
                 for (std::size_t i = 0; i < errors.size(); ++i) {
                     const double more = student() * std::max(0.0, one.errors[i] - errors[i]);
-                    m_alike[i].first = std::min(m_alike[i].first, one.q[i] - more);
-                    m_alike[i].second = std::max(m_alike[i].second, one.q[i] + more);
+                    const double most = actsOnDepths(m_request.parameters[i].kind)
+                                            ? std::log(mostSearchedFactor)
+                                            : std::numeric_limits<double>::infinity();
+                    m_alike[i].first = std::min(m_alike[i].first, std::max(one.q[i] - more, -most));
+                    m_alike[i].second =
+                        std::max(m_alike[i].second, std::min(one.q[i] + more, most));
                 }
-            }
-            for (std::size_t i = 0; i < left.unknownLag.size(); ++i) {
-                found.covariance[i] += left.unknownLag[i];
             }
             addValues(found);
             if (m_stop.stop_requested()) { // the values would lack what was not asked
@@ -616,17 +617,50 @@ double misfit(const std::vector<FitResiduals>& residuals) {
     return sum;
 }
 
+/// Whether a fit with a time more is certainly better, in what the noise makes of its residuals.
+bool isCertainlyBetter(const Identification& with, const Identification& without) {
+    double following = 1;
+    for (const FitResiduals& group : with.residuals) {
+        following = std::max(following,
+                             group.trace < 0 ? 1 : inflation(firstAutocorrelation(group.values)));
+    }
+    return 2 * (misfit(without.residuals) - misfit(with.residuals))
+           > certainDelay * certainDelay * following;
+}
+
+/// What is fitted cannot be told: with a time more it fits better, and is not determined beside it.
+void leaveUntold(std::vector<Unidentified> wider, Identification& found) {
+    const std::size_t count = found.values.size();
+    for (Unidentified& one : wider) {
+        std::erase_if(one.parameters, [count](std::size_t at) { return at >= count; });
+        one.isProduct = one.isProduct && one.parameters.size() > 1;
+    }
+    std::erase_if(wider, [](const Unidentified& one) { return one.parameters.empty(); });
+    if (!wider.empty()) {
+        found.status = IdentificationStatus::cannotTell;
+        found.unidentified = std::move(wider);
+        found.values.clear();
+        found.covariance.clear();
+        found.correlation.clear();
+    }
+}
+
 /// For want of a time the steps of the stages may have gone astray, where no fit with the same
 /// steps finds it: all is fitted anew, from the beginning, with each time left out.
-std::vector<OutOfStep> outOfStepAnew(const Project& project, const IdentificationRequest& request,
-                                     const std::stop_token& stop, const Identification& without) {
+void addOutOfStepAnew(const Project& project, const IdentificationRequest& request,
+                      const std::stop_token& stop, Identification& without) {
     std::vector<OutOfStep> found;
+    std::vector<Unidentified> untold;
     const FitData data = fitDataOf(project, request.traces, request.withParts);
     for (const FittedKind kind : timesLeftOut(data, request.parameters)) {
         IdentificationRequest wider = request;
         wider.parameters.push_back({kind, {}, {}});
         const Identification with = Identifier(project, wider, stop).identify();
-        if (with.values.empty() || !(misfit(with.residuals) < misfit(without.residuals))) {
+        if (with.residuals.empty() || !(misfit(with.residuals) < misfit(without.residuals))) {
+            continue;
+        }
+        if (with.values.empty()) {
+            untold = isCertainlyBetter(with, without) ? with.unidentified : untold;
             continue;
         }
         OutOfStep one{kind, with.values.back().value, with.values.back().error, 0, 0};
@@ -648,7 +682,10 @@ std::vector<OutOfStep> outOfStepAnew(const Project& project, const Identificatio
         }
         found.push_back(one);
     }
-    return found;
+    if (found.empty()) {
+        leaveUntold(std::move(untold), without);
+    }
+    without.outOfStep = std::move(found);
 }
 
 /// The force law that the recorded spark-out supports, whatever law the fit is of.
@@ -722,7 +759,7 @@ Identification identify(const Project& project, const IdentificationRequest& req
     }
     found = Identifier(project, request, stop).identify();
     if (!found.values.empty() && found.outOfStep.empty() && hasStructure(found.residuals)) {
-        found.outOfStep = outOfStepAnew(project, request, stop, found);
+        addOutOfStepAnew(project, request, stop, found);
         if (stop.stop_requested()) {
             found = {};
             found.status = IdentificationStatus::stopped;

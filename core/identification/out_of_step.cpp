@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 namespace sparkout {
@@ -130,50 +129,42 @@ public:
         leftOut.certain.push_back(found);
     }
 
-    /// The covariance of the others, to first order, that comes of a time which is left at 0 and
-    /// known before to `deviation`: with the data it is m ± v, and the others move by d with each
-    /// unit of it, so it is (v² + m²)·d·dᵀ. Empty where it cannot be found.
-    std::vector<double> ofUnknown(const LeastSquares& best, double deviation) {
-        std::vector<double> q = best.q, differences;
-        q.push_back(0);
-        const auto found = linearAt(q);
-        if (!found || !m_problem.differences(q, differences)) {
-            return {};
+    /// Adds the others with the time held at an amount, where they fit about as well as the best.
+    void findHeld(const LeastSquares& best, const std::vector<double>& errors, double amount,
+                  LeftOut& leftOut) {
+        std::vector<double> from = best.q, residuals, differences;
+        from.push_back(0);
+        if (!m_problem.evaluate(from, residuals)) {
+            return;
         }
-        const double prior = FitProblem::coordinateOf(m_list.back().kind, deviation);
-        const double last = found->corner(), step = -found->turned / last;
-        const double precision = last * last / inflationOf(m_data, differences);
-        const double variance = 1 / (precision + 1 / (prior * prior));
-        const double mean = precision > 0 ? step * precision * variance : 0;
-        const Eigen::VectorXd moved = found->others();
-        const Eigen::MatrixXd covariance = (variance + mean * mean) * moved * moved.transpose();
-        return covariance.allFinite()
-                   ? std::vector<double>(covariance.data(), covariance.data() + covariance.size())
-                   : std::vector<double>();
+        const double least =
+            std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
+        from.back() = FitProblem::coordinateOf(m_list.back().kind, amount);
+        std::vector<bool> fixed(m_list.size(), false);
+        fixed.back() = true;
+        LeastSquares held = minimise(m_problem, from, fixed);
+        if (!held.converged || !m_problem.differences(held.q, differences)) {
+            return;
+        }
+        const auto freedom = static_cast<double>(m_problem.values() - best.q.size());
+        const double most =
+            least * (1 + flatRise * inflationOf(m_data, differences) / std::max(freedom, 1.0));
+        if (held.criterion <= most) {
+            held.q.pop_back();
+            leftOut.possible.push_back({std::move(held.q), errors});
+        }
     }
 
 private:
-    /// J = Q·R at a point: the last column of R stands on what the other ones do not reach, and the
-    /// step of the last coordinate by its error is the last of Qᵀr.
-    struct Linear {
-        Eigen::MatrixXd R;
-        double turned = 0; ///< the last of Qᵀr
-        [[nodiscard]] double corner() const { return R(R.rows() - 1, R.cols() - 1); }
-        /// How the others move with each unit of the last one.
-        [[nodiscard]] Eigen::VectorXd others() const {
-            const Eigen::Index count = R.cols() - 1;
-            return -R.topLeftCorner(count, count)
-                        .triangularView<Eigen::Upper>()
-                        .solve(R.topRightCorner(count, 1));
-        }
-    };
-
-    std::optional<Linear> linearAt(const std::vector<double>& q) {
+    /// Whether the residuals of the fit speak for the time by enough of its standard errors, to
+    /// first order: of J = Q·R the last of Qᵀr, as the last column of R stands on what the other
+    /// ones do not reach.
+    bool isWorthAFit(const std::vector<double>& q) {
         std::vector<std::size_t> all(q.size());
         std::iota(all.begin(), all.end(), std::size_t{0});
         std::vector<double> columns, residuals;
         if (!derivatives(m_problem, q, all, columns) || !m_problem.evaluate(q, residuals)) {
-            return std::nullopt;
+            return false;
         }
         const auto rows = static_cast<Eigen::Index>(residuals.size());
         const auto count = static_cast<Eigen::Index>(q.size());
@@ -181,14 +172,7 @@ private:
             Eigen::Map<const Eigen::MatrixXd>(columns.data(), rows, count));
         Eigen::VectorXd turned = Eigen::Map<const Eigen::VectorXd>(residuals.data(), rows);
         turned.applyOnTheLeft(qr.householderQ().adjoint());
-        return Linear{qr.matrixQR().topRows(count), turned[count - 1]};
-    }
-
-    /// Whether the residuals of the fit speak for the time by enough of its standard errors, to
-    /// first order.
-    bool isWorthAFit(const std::vector<double>& q) {
-        const auto found = linearAt(q);
-        return found && std::abs(found->turned) > possibleDelay;
+        return std::abs(turned[count - 1]) > possibleDelay;
     }
 
     static std::vector<FittedParameter> withTime(std::vector<FittedParameter> list,
@@ -248,8 +232,9 @@ LeftOut outOfStep(const Project& project, const FitData& data, const FitProblem&
         WiderFit wider(project, data, fitted, kind, stop);
         wider.find(best, errors, found);
         if (kind == FittedKind::gauge_lag) {
-            found.unknownLag =
-                WiderFit(project, data, fitted, kind, stop).ofUnknown(best, usualLag_s);
+            for (const double lag_s : {usualLag_s, 2 * usualLag_s}) {
+                WiderFit(project, data, fitted, kind, stop).findHeld(best, errors, lag_s, found);
+            }
         }
     }
     return found;

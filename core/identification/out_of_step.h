@@ -27,22 +27,19 @@ inline constexpr double certainDelay = 3.5;
 /// From so many on it may be real: the criterion of Akaike is for it.
 inline constexpr double possibleDelay = 1.4;
 
-/// What is known of the lag of a gauge that nobody stated, 0 ± this standard deviation: gauges
-/// filter over 0.05 to 0.3 s. An estimate.
+/// What is known of the lag of a gauge that nobody stated: gauges filter over 0.05 to 0.3 s, so one
+/// of twice this may well be there. An estimate.
 inline constexpr double usualLag_s = 0.15;
 
 /// What was left out of a fit.
 struct LeftOut {
     std::vector<OutOfStep> certain;
-    /// Fits with one more that may be real: coordinates of the fitted parameters and the standard
-    /// errors of these.
+    /// Fits with one more that may be real, or with a usual lag of the gauge that the data do not
+    /// exclude: coordinates of the fitted parameters and the standard errors of these.
     struct Possible {
         std::vector<double> q, errors;
     };
     std::vector<Possible> possible;
-    /// What the lag of a gauge that is not known adds to the covariance of the coordinates, row by
-    /// row; empty: nothing.
-    std::vector<double> unknownLag;
 };
 
 /// Whether it is beyond `certainDelay` of its errors, and long enough for the clock of a recorder.

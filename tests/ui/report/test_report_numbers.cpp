@@ -201,7 +201,7 @@ private slots:
             for (const report::Table& table :
                  {CycleCard::requirements(outcome), PassportPrediction::requirements(outcome)}) {
                 QCOMPARE(table.rows.at(0).value(2),
-                         u'0' + point + QStringLiteral("005…0") + point + QStringLiteral("01"));
+                         u'0' + point + QStringLiteral("005…0") + point + QStringLiteral("014"));
                 QCOMPARE(table.rows.at(1).value(2), range);
                 for (const QStringList& row : table.rows) {
                     QCOMPARE(row.value(4), QStringLiteral("–"));
