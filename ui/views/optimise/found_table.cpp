@@ -302,7 +302,7 @@ std::optional<AnswerRow> boundRow(const SearchOutcome& outcome) {
         row.cost = outcome.interval->bound;
         row.basis << FoundTable::tr("none is cheaper");
     } else {
-        row.held = PartsHeld{.parts = std::llround(*outcome.interval->bound)};
+        row.held.emplace().parts = std::llround(*outcome.interval->bound);
         row.basis << FoundTable::tr("none holds for more parts");
     }
     return row;
