@@ -76,8 +76,7 @@ int ranSearch(const Project& project, const ExportRequest& request, Study& study
         return refuseFor(OptimiseText::fault(*study.search));
     }
     if (cli::caughtSignal() == 0 && !study.search->best()) {
-        say(stderr, QStringLiteral("sparkout: %1")
-                        .arg(OptimiseText::answer(*study.search, study.before_s)));
+        say(stderr, QStringLiteral("sparkout: %1").arg(OptimiseText::notes(*study.search)));
         return study.search->unresolved() ? exitUndecided : exitNothingFeasible;
     }
     return 0;

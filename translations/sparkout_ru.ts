@@ -8028,118 +8028,6 @@ With another name both versions stay as they are.</source>
             <translation>Чаще всего мешают: %1.</translation>
         </message>
         <message>
-            <source>A margin of %1 % is the largest so far, in %2; a cycle within %3 min may have a larger one.</source>
-            <translation>Наибольший найденный запас %1 %, цикл за %2; за %3 мин возможен и больший запас.</translation>
-        </message>
-        <message>
-            <source>A margin of %1 % over all that it must hold for, in %2: of %3 the largest within %4 min, proved.</source>
-            <translation>Запас %1 % по всему, для чего цикл должен быть годен, за %2: наибольший за %4 мин, доказано (%3).</translation>
-        </message>
-        <message>
-            <source>A margin of %1 %, in %2: of %3 the largest within %4 min, proved.</source>
-            <translation>Запас %1 %, цикл за %2: наибольший запас за %4 мин, доказано (%3).</translation>
-        </message>
-        <message>
-            <source>%1: of %2 the quickest that holds for the part and the scenarios added; proved for these.</source>
-            <translation>%1: самый быстрый (%2) из годных для детали и добавленных сценариев; для них доказано.</translation>
-        </message>
-        <message>
-            <source>%1: the quickest of %2, proved.</source>
-            <translation>%1: самый быстрый, доказано (%2).</translation>
-        </message>
-        <message>
-            <source>%1, found by dynamic programming as published, a heuristic: it holds, but a quicker cycle may hold too.</source>
-            <translation>%1, найдено динамическим программированием в опубликованном виде — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
-        </message>
-        <message>
-            <source>%1, found by labels of time and deflection, a heuristic: it holds, but a quicker cycle may hold too.</source>
-            <translation>%1, найдено метками времени и отжатия — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
-        </message>
-        <message>
-            <source>%1 is the best so far; no cycle of the grid is quicker than %2.</source>
-            <translation>%1 — лучший найденный; быстрее %2 в сетке нет ни одного.</translation>
-        </message>
-        <message>
-            <source>%1: the quickest of %2. How the wheel wears is not given, so it is the cheapest too, and the wheel&apos;s life is not searched.</source>
-            <translation>%1: самый быстрый из %2. Износ круга не задан, поэтому он и самый дешёвый, а стойкость круга не ищется.</translation>
-        </message>
-        <message>
-            <source>%1 a part, in %2: of %3 the minimum cost, proved.</source>
-            <translation>%1 за деталь, за %2: наименьшая стоимость из %3, доказано.</translation>
-        </message>
-        <message>
-            <source>%1 a part, in %2, is the minimum cost so far.</source>
-            <translation>%1 за деталь, за %2 — пока наименьшая стоимость.</translation>
-        </message>
-        <message>
-            <source>%1: of %2 none holds for more parts between dressings, proved.</source>
-            <translation>%1: из %2 ни один не годен для большего числа деталей между правками, доказано.</translation>
-        </message>
-        <message>
-            <source>%1: the most parts between dressings so far.</source>
-            <translation>%1: пока наибольшее число деталей между правками.</translation>
-        </message>
-        <message>
-            <source>No part of the grid costs less than %1.</source>
-            <translation>Дешевле %1 на сетке нет ни одной детали.</translation>
-        </message>
-        <message>
-            <source>None of the grid holds for more parts than %1.</source>
-            <translation>Ни один цикл сетки не годен для большего числа деталей, чем %1.</translation>
-        </message>
-        <message>
-            <source>Parts per dressing: %1; %2 each on average.</source>
-            <translation>Деталей на правку: %1, в среднем по %2.</translation>
-        </message>
-        <message>
-            <source>The next part breaks: %1.</source>
-            <translation>Следующая деталь нарушит: %1.</translation>
-        </message>
-        <message>
-            <source>The next part does not reach its size.</source>
-            <translation>Следующая деталь не достигает размера.</translation>
-        </message>
-        <message>
-            <source>A part costs %1.</source>
-            <translation>Деталь стоит %1.</translation>
-        </message>
-        <message>
-            <source>That is %1 % less than your cycle takes.</source>
-            <translation>Это на %1 % меньше, чем у исходного цикла.</translation>
-        </message>
-        <message>
-            <source>Your cycle takes %1.</source>
-            <translation>Исходный цикл занимает %1.</translation>
-        </message>
-        <message>
-            <source>Between the levels a cycle of %1 holds; that none is quicker is not proved.</source>
-            <translation>Между уровнями сетки требования выдерживает и цикл за %1 (не доказано, что быстрее нет).</translation>
-        </message>
-        <message>
-            <source>Between the levels nothing quicker was found.</source>
-            <translation>Между уровнями сетки ничего быстрее не найдено.</translation>
-        </message>
-        <message>
-            <source>The stepless limit is %1, %2 % below it.</source>
-            <translation>Предел бесступенчатого цикла %1, на %2 % меньше.</translation>
-        </message>
-        <message>
-            <source>The limit holds for cycles with a continuous infeed of up to %1 mm/min.</source>
-            <translation>Это предел циклов с непрерывной подачей до %1 мм/мин.</translation>
-        </message>
-        <message>
-            <source>The limit holds for cycles without a continuous infeed.</source>
-            <translation>Это предел циклов без непрерывной подачи.</translation>
-        </message>
-        <message>
-            <source>The limit also holds for cycles that draw the wheel head back.</source>
-            <translation>Он верен и для циклов с отводом шлифовальной бабки.</translation>
-        </message>
-        <message>
-            <source>The limit holds for cycles that never draw the wheel head back.</source>
-            <translation>Это предел циклов без отвода шлифовальной бабки.</translation>
-        </message>
-        <message>
             <source>What has the minimum margin is not known: the search was stopped before.</source>
             <translation>У чего запас наименьший, не известно: поиск был остановлен раньше.</translation>
         </message>
@@ -8184,10 +8072,6 @@ With another name both versions stay as they are.</source>
             <translation>Отношение частот вращения круга и детали близко к целому числу, %1: волнистость.</translation>
         </message>
         <message>
-            <source>None of %1 parts of the batch drawn afresh is bad, with cycle no. %2 that was tried so: with 95 % confidence at most %3 % are.</source>
-            <translation>Из %1 случайных деталей партии все годны; так проверен цикл № %2: с вероятностью 95 % не годны не более %3 % деталей.</translation>
-        </message>
-        <message>
             <source>Stage %1: “%2” has the maximum level, %3;</source>
             <translation>Ступень %1: «%2» на наибольшем уровне, %3;</translation>
         </message>
@@ -8206,26 +8090,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>smaller ones are allowed.</source>
             <translation>допускаются и меньшие.</translation>
-        </message>
-        <message>
-            <source>It holds in the last sample of scenarios; scenarios that had to be added: %1.</source>
-            <translation>Он выполняет требования в последней выборке сценариев; добавлено сценариев: %1.</translation>
-        </message>
-        <message>
-            <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are and at each of the %3 corners of the batch&apos;s other factors: decided, not sampled.</source>
-            <translation>Годен при любом припуске %1…%2 мм на сторону, как при заданных остальных исходных данных, так и в каждом из %3 крайних сочетаний остальных факторов партии: решено точно, а не по выборке.</translation>
-        </message>
-        <message>
-            <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are: decided, not sampled.</source>
-            <translation>Цикл выдерживает требования при любом припуске на сторону от %1 до %2 мм, если прочие исходные данные не меняются: это решено точно, а не по выборке.</translation>
-        </message>
-        <message>
-            <source>It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that was tried so: with 95 % confidence at most %3 % of the phases fail.</source>
-            <translation>Цикл годен для всех %1 заново выбранных припусков в пределах подачи на шаг, это %2-й из циклов, проверенных так: с доверительной вероятностью 95 % он не годен не более чем для %3 % таких припусков.</translation>
-        </message>
-        <message>
-            <source>The nominal part alone, of the same levels, would take %1: robustness costs %2 % of time.</source>
-            <translation>Для одной номинальной детали из тех же уровней хватило бы %1: надёжность стоит %2 % времени.</translation>
         </message>
         <message>
             <source>Margins by time are searched for the minimum time, or for the maximum margin; this search is of parts between dressings.</source>
@@ -8258,14 +8122,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>The margin is the least over all that the search must hold for.</source>
             <translation>Запас — наименьший по всему, что должен выдержать поиск.</translation>
-        </message>
-        <message>
-            <source>The limit holds for cycles that end at size or by a count of steps without feed.</source>
-            <translation>Предел действителен для циклов, которые кончаются по размеру или по числу ходов без подачи.</translation>
-        </message>
-        <message>
-            <source>The limit holds for cycles that end at size.</source>
-            <translation>Предел действителен для циклов, которые кончаются по размеру.</translation>
         </message>
         <message>
             <source>%1 min</source>
@@ -10646,6 +10502,14 @@ With another name both versions stay as they are.</source>
         <message>
             <source>The answer, the settings, the cycle found, the best cycles, the time by stages, the margin by time and what binds, each on a sheet of its own.</source>
             <translation>Ответ, настройки, найденный цикл, лучшие циклы, время по числу ступеней, запас по времени и что ограничивает — каждое на отдельном листе.</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>Примечания</translation>
+        </message>
+        <message>
+            <source>Answer</source>
+            <translation>Ответ</translation>
         </message>
     </context>
     <context>
@@ -13751,6 +13615,208 @@ With another name both versions stay as they are.</source>
             <source>Time</source>
             <translation>Время</translation>
         </message>
+        <message>
+            <source>Against
+yours, %</source>
+            <translation>К исходному,
+%</translation>
+        </message>
+        <message>
+            <source>Maximum margin</source>
+            <translation>Наибольший запас</translation>
+        </message>
+        <message>
+            <source>Minimum cost</source>
+            <translation>Наименьшая стоимость</translation>
+        </message>
+        <message>
+            <source>Longest life</source>
+            <translation>Наибольшая стойкость</translation>
+        </message>
+        <message>
+            <source>Robust answer</source>
+            <translation>Надёжный цикл</translation>
+        </message>
+        <message>
+            <source>Quickest cycle</source>
+            <translation>Самый быстрый</translation>
+        </message>
+        <message>
+            <source>Cycle found</source>
+            <translation>Найденный цикл</translation>
+        </message>
+        <message>
+            <source>the largest within %1 min, proved: %2</source>
+            <translation>наибольший за %1 мин, доказано (%2)</translation>
+        </message>
+        <message>
+            <source>the largest so far; within %1 min there may be a larger one</source>
+            <translation>наибольший из найденных; за %1 мин возможен и больший</translation>
+        </message>
+        <message>
+            <source>%1, a heuristic: a quicker cycle may hold, too</source>
+            <translation>%1, эвристика: требования может выполнять и более быстрый цикл</translation>
+        </message>
+        <message>
+            <source>the best so far</source>
+            <translation>лучший из найденных</translation>
+        </message>
+        <message>
+            <source>none is cheaper, proved: %1</source>
+            <translation>дешевле нет, доказано (%1)</translation>
+        </message>
+        <message>
+            <source>none holds for more parts, proved: %1</source>
+            <translation>для большего числа деталей не годен ни один, доказано (%1)</translation>
+        </message>
+        <message>
+            <source>none that holds for the part and the scenarios added is quicker, proved: %1</source>
+            <translation>быстрее из годных для детали и добавленных сценариев нет, доказано (%1)</translation>
+        </message>
+        <message>
+            <source>none is quicker, proved: %1</source>
+            <translation>быстрее нет, доказано (%1)</translation>
+        </message>
+        <message>
+            <source>how the wheel wears is not given</source>
+            <translation>износ круга не задан</translation>
+        </message>
+        <message>
+            <source>%1 a part on average</source>
+            <translation>в среднем %1 на деталь</translation>
+        </message>
+        <message>
+            <source>the next part breaks: %1</source>
+            <translation>следующая деталь нарушит: %1</translation>
+        </message>
+        <message>
+            <source>the next part does not reach its size</source>
+            <translation>следующая деталь не достигает размера</translation>
+        </message>
+        <message>
+            <source>scenarios added: %1</source>
+            <translation>добавлено сценариев: %1</translation>
+        </message>
+        <message>
+            <source>decided for every stock of %1…%2 mm, also at %3 corners of the batch</source>
+            <translation>годен для всех припусков %1…%2 мм, также при крайних сочетаниях партии (%3), решено точно</translation>
+        </message>
+        <message>
+            <source>decided for every stock of %1…%2 mm</source>
+            <translation>годен для всех припусков %1…%2 мм, решено точно</translation>
+        </message>
+        <message>
+            <source>held for %1 stocks at random, as cycle no. %2 tried so</source>
+            <translation>годен для %1 случайных припусков, проверен %2-м</translation>
+        </message>
+        <message>
+            <source>none of %1 parts at random is bad, as cycle no. %2 tried so</source>
+            <translation>из %1 случайных деталей все годны, проверен %2-м</translation>
+        </message>
+        <message>
+            <source>continuous infeed up to %1 mm/min</source>
+            <translation>непрерывная подача до %1 мм/мин</translation>
+        </message>
+        <message>
+            <source>no continuous infeed</source>
+            <translation>без непрерывной подачи</translation>
+        </message>
+        <message>
+            <source>the wheel head may draw back</source>
+            <translation>с отводом шлифовальной бабки</translation>
+        </message>
+        <message>
+            <source>the wheel head never draws back</source>
+            <translation>без отвода шлифовальной бабки</translation>
+        </message>
+        <message>
+            <source>ends at size or by a count of steps without feed</source>
+            <translation>конец по размеру или по числу ходов без подачи</translation>
+        </message>
+        <message>
+            <source>ends at size</source>
+            <translation>конец по размеру</translation>
+        </message>
+        <message>
+            <source>Bound of the grid</source>
+            <translation>Граница сетки</translation>
+        </message>
+        <message>
+            <source>none is quicker</source>
+            <translation>быстрее нет</translation>
+        </message>
+        <message>
+            <source>none is cheaper</source>
+            <translation>дешевле нет</translation>
+        </message>
+        <message>
+            <source>none holds for more parts</source>
+            <translation>для большего числа деталей не годен ни один</translation>
+        </message>
+        <message>
+            <source>Your cycle</source>
+            <translation>Исходный цикл</translation>
+        </message>
+        <message>
+            <source>Nominal part alone</source>
+            <translation>Номинальная деталь</translation>
+        </message>
+        <message>
+            <source>robustness costs %1 % of time</source>
+            <translation>надёжность стоит %1 % времени</translation>
+        </message>
+        <message>
+            <source>Between levels</source>
+            <translation>Между уровнями</translation>
+        </message>
+        <message>
+            <source>that none is quicker is not proved</source>
+            <translation>что быстрее нет, не доказано</translation>
+        </message>
+        <message>
+            <source>nothing quicker was found</source>
+            <translation>ничего быстрее не найдено</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>Предел</translation>
+        </message>
+        <message>
+            <source>a stepless cycle</source>
+            <translation>бесступенчатый цикл</translation>
+        </message>
+        <message>
+            <source>Failing
+stocks, ≤ %</source>
+            <translation>Не годен для
+припусков, ≤ %</translation>
+        </message>
+        <message>
+            <source>Failing stocks, at most, %</source>
+            <translation>Не годен для припусков, не более, %</translation>
+        </message>
+        <message>
+            <source>Share of the stocks within one infeed that the cycle may fail for, with 95 % confidence: it held for all that were tried</source>
+            <translation>Доля припусков в пределах подачи на шаг, для которых цикл может быть не годен, с доверительной вероятностью 95 %: для всех проверенных он годен</translation>
+        </message>
+        <message>
+            <source>Bad
+parts, ≤ %</source>
+            <translation>Не годны
+детали, ≤ %</translation>
+        </message>
+        <message>
+            <source>Bad parts, at most, %</source>
+            <translation>Не годны детали, не более, %</translation>
+        </message>
+        <message>
+            <source>Share of the batch that may be bad, with 95 % confidence: none of the parts that were tried is</source>
+            <translation>Доля деталей партии, которые могут быть не годны, с доверительной вероятностью 95 %: все проверенные годны</translation>
+        </message>
+        <message>
+            <source>Basis</source>
+            <translation>Основание</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::HandoutDialog</name>
@@ -14987,6 +15053,10 @@ target, µm</source>
         <message>
             <source>Continue the search from where it was stopped; the answer is the same as without the stop</source>
             <translation>Продолжить поиск с места остановки; ответ тот же, что и у поиска без остановки</translation>
+        </message>
+        <message>
+            <source>The answer and what it is compared with</source>
+            <translation>Ответ и с чем он сравнивается</translation>
         </message>
     </context>
     <context>

@@ -328,41 +328,34 @@ std::string SearchWording::marginAnswer(const SearchOutcome& outcome) const {
     const FoundCycle& best = *outcome.best();
     const std::string margin = percent(best.leastRelativeMargin), taken = time(best.time_s);
     if (!outcome.proved()) {
-        return filled(SPARKOUT_NOOP("Search",
-                                    "A margin of %1 % is the largest so far, in %2; a cycle "
-                                    "within %3 min may have a larger one."),
+        return filled("A margin of %1 % is the largest so far, in %2; a cycle within %3 min may "
+                      "have a larger one.",
                       {margin, taken, within(outcome)});
     }
-    return filled(
-        outcome.robust
-            ? SPARKOUT_NOOP("Search",
-                            "A margin of %1 % over all that it must hold for, in %2: of %3 the "
-                            "largest within %4 min, proved.")
-            : SPARKOUT_NOOP("Search",
-                            "A margin of %1 %, in %2: of %3 the largest within %4 min, proved."),
-        {margin, taken, gridSize(outcome.search.gridSize), within(outcome)});
+    return filled(outcome.robust
+                      ? "A margin of %1 % over all that it must hold for, in %2: of %3 the largest "
+                        "within %4 min, proved."
+                      : "A margin of %1 %, in %2: of %3 the largest within %4 min, proved.",
+                  {margin, taken, gridSize(outcome.search.gridSize), within(outcome)});
 }
 
 std::string SearchWording::timeAnswer(const SearchOutcome& outcome) const {
     const std::string taken = time(outcome.best()->time_s);
     if (outcome.proved()) {
-        return filled(outcome.robust ? SPARKOUT_NOOP(
-                          "Search", "%1: of %2 the quickest that holds for the part and "
-                                    "the scenarios added; proved for these.")
-                                     : SPARKOUT_NOOP("Search", "%1: the quickest of %2, proved."),
+        return filled(outcome.robust ? "%1: of %2 the quickest that holds for the part and the "
+                                       "scenarios added; proved for these."
+                                     : "%1: the quickest of %2, proved.",
                       {taken, gridSize(outcome.search.gridSize)});
     }
     if (isHeuristic(outcome.method)) {
-        return filled(
-            outcome.method == SearchMethod::published
-                ? SPARKOUT_NOOP("Search", "%1, found by dynamic programming as published, a "
-                                          "heuristic: it holds, but a quicker cycle may hold too.")
-                : SPARKOUT_NOOP("Search", "%1, found by labels of time and deflection, a "
-                                          "heuristic: it holds, but a quicker cycle may hold too."),
-            {taken});
+        return filled(outcome.method == SearchMethod::published
+                          ? "%1, found by dynamic programming as published, a heuristic: it holds, "
+                            "but a quicker cycle may hold too."
+                          : "%1, found by labels of time and deflection, a heuristic: it holds, "
+                            "but a quicker cycle may hold too.",
+                      {taken});
     }
-    return filled(SPARKOUT_NOOP("Search", "%1 is the best so far; no cycle of the grid is "
-                                          "quicker than %2."),
+    return filled("%1 is the best so far; no cycle of the grid is quicker than %2.",
                   {taken, time(outcome.search.bound_s)});
 }
 
@@ -377,47 +370,37 @@ void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
         return;
     }
     if (!best.held) {
-        lines.push_back(
-            filled(SPARKOUT_NOOP("Search", "%1: the quickest of %2. How the wheel wears is "
-                                           "not given, so it is the cheapest too, and the "
-                                           "wheel's life is not searched."),
-                   {taken, size}));
+        lines.push_back(filled("%1: the quickest of %2. How the wheel wears is not given, so it is "
+                               "the cheapest too, and the wheel's life is not searched.",
+                               {taken, size}));
         return;
     }
     if (isCost) {
         lines.push_back(filled(outcome.proved()
-                                   ? SPARKOUT_NOOP("Search", "%1 a part, in %2: of %3 the "
-                                                             "minimum cost, proved.")
-                                   : SPARKOUT_NOOP("Search", "%1 a part, in %2, is the "
-                                                             "minimum cost so far."),
+                                   ? "%1 a part, in %2: of %3 the minimum cost, proved."
+                                   : "%1 a part, in %2, is the minimum cost so far.",
                                {price, taken, size}));
     } else {
-        lines.push_back(
-            filled(outcome.proved()
-                       ? SPARKOUT_NOOP("Search", "%1: of %2 none holds for more parts between "
-                                                 "dressings, proved.")
-                       : SPARKOUT_NOOP("Search", "%1: the most parts between dressings so far."),
-                   {taken, size}));
+        lines.push_back(filled(
+            outcome.proved() ? "%1: of %2 none holds for more parts between dressings, proved."
+                             : "%1: the most parts between dressings so far.",
+            {taken, size}));
     }
     if (!outcome.proved() && outcome.interval->bound) {
-        lines.push_back(
-            isCost
-                ? filled(SPARKOUT_NOOP("Search", "No part of the grid costs less than %1."),
-                         {cost(*outcome.interval->bound)})
-                : filled(SPARKOUT_NOOP("Search", "None of the grid holds for more parts than %1."),
-                         {fixed(*outcome.interval->bound, 0)}));
+        lines.push_back(isCost ? filled("No part of the grid costs less than %1.",
+                                        {cost(*outcome.interval->bound)})
+                               : filled("None of the grid holds for more parts than %1.",
+                                        {fixed(*outcome.interval->bound, 0)}));
     }
-    lines.push_back(filled(SPARKOUT_NOOP("Search", "Parts per dressing: %1; %2 each on average."),
+    lines.push_back(filled("Parts per dressing: %1; %2 each on average.",
                            {parts(*best.held), time(best.held->meanTime_s)}));
     if (best.held->end) {
-        lines.push_back(filled(SPARKOUT_NOOP("Search", "The next part breaks: %1."),
-                               {requirement(*best.held->end)}));
+        lines.push_back(filled("The next part breaks: %1.", {requirement(*best.held->end)}));
     } else if (!best.held->isEndless && !best.held->isAll) {
-        lines.push_back(
-            translated(SPARKOUT_NOOP("Search", "The next part does not reach its size.")));
+        lines.push_back("The next part does not reach its size.");
     }
     if (!isCost && best.cost) {
-        lines.push_back(filled(SPARKOUT_NOOP("Search", "A part costs %1."), {price}));
+        lines.push_back(filled("A part costs %1.", {price}));
     }
 }
 
@@ -436,21 +419,27 @@ std::vector<std::string> SearchWording::answer(const SearchOutcome& outcome,
     if (before_s && *before_s > 0) {
         constexpr double noticed = 5e-4;
         const double change = outcome.answer()->time_s / *before_s - 1;
-        lines.push_back(
-            change < -noticed
-                ? filled(SPARKOUT_NOOP("Search", "That is %1 % less than your cycle takes."),
-                         {percent(-change)})
-                : filled(SPARKOUT_NOOP("Search", "Your cycle takes %1."), {time(*before_s)}));
+        lines.push_back(change < -noticed
+                            ? filled("That is %1 % less than your cycle takes.", {percent(-change)})
+                            : filled("Your cycle takes %1.", {time(*before_s)}));
     }
     addLimit(outcome, lines);
-    if (std::string what = binding(outcome); !what.empty()) {
-        lines.push_back(std::move(what));
-    }
+    addBinding(outcome, lines);
     addLevels(outcome, lines);
-    addSettingEdges(outcome, lines);
     if (outcome.robust) {
         addRobustness(outcome, lines);
     }
+    addRemarks(outcome, lines);
+    return lines;
+}
+
+std::vector<std::string> SearchWording::notes(const SearchOutcome& outcome) const {
+    if (!outcome.best()) {
+        return {noAnswer(outcome)};
+    }
+    std::vector<std::string> lines;
+    addBinding(outcome, lines);
+    addLevels(outcome, lines);
     addRemarks(outcome, lines);
     return lines;
 }
@@ -459,12 +448,10 @@ void SearchWording::addRefinement(const SearchOutcome& outcome,
                                   std::vector<std::string>& lines) const {
     if (const FoundCycle* refined = outcome.refined()) {
         lines.push_back(
-            filled(SPARKOUT_NOOP("Search", "Between the levels a cycle of %1 holds; that none "
-                                           "is quicker is not proved."),
+            filled("Between the levels a cycle of %1 holds; that none is quicker is not proved.",
                    {time(refined->time_s)}));
     } else if (outcome.refinement) {
-        lines.push_back(
-            translated(SPARKOUT_NOOP("Search", "Between the levels nothing quicker was found.")));
+        lines.push_back("Between the levels nothing quicker was found.");
     }
 }
 
@@ -474,53 +461,46 @@ void SearchWording::addLimit(const SearchOutcome& outcome, std::vector<std::stri
     if (!gap) {
         return;
     }
-    lines.push_back(filled(SPARKOUT_NOOP("Search", "The stepless limit is %1, %2 % below it."),
+    lines.push_back(filled("The stepless limit is %1, %2 % below it.",
                            {time(outcome.limit.time_s), percent(*gap)}));
     const LimitedCycles& cycles = outcome.limit.cycles;
     if (outcome.searched.operation->travels) {
         lines.push_back(
             cycles.continuousFeed_mm_min > 0
-                ? filled(SPARKOUT_NOOP("Search", "The limit holds for cycles with a continuous "
-                                                 "infeed of up to %1 mm/min."),
+                ? filled("The limit holds for cycles with a continuous infeed of up to %1 mm/min.",
                          {number(cycles.continuousFeed_mm_min)})
-                : translated(SPARKOUT_NOOP(
-                    "Search", "The limit holds for cycles without a continuous infeed.")));
+                : std::string("The limit holds for cycles without a continuous infeed."));
     }
     if (outcome.searched.operation->mayRetract) {
-        lines.push_back(translated(
-            cycles.drawBack
-                ? SPARKOUT_NOOP("Search",
-                                "The limit also holds for cycles that draw the wheel head back.")
-                : SPARKOUT_NOOP("Search", "The limit holds for cycles that never draw the wheel "
-                                          "head back.")));
+        lines.push_back(cycles.drawBack
+                            ? "The limit also holds for cycles that draw the wheel head back."
+                            : "The limit holds for cycles that never draw the wheel head back.");
     }
-    lines.push_back(translated(
+    lines.push_back(
         cycles.sparkOut
-            ? SPARKOUT_NOOP("Search", "The limit holds for cycles that end at size or by a count "
-                                      "of steps without feed.")
-            : SPARKOUT_NOOP("Search", "The limit holds for cycles that end at size.")));
+            ? "The limit holds for cycles that end at size or by a count of steps without feed."
+            : "The limit holds for cycles that end at size.");
 }
 
-std::string SearchWording::binding(const SearchOutcome& outcome) const {
+void SearchWording::addBinding(const SearchOutcome& outcome,
+                               std::vector<std::string>& lines) const {
     if (!outcome.binding) {
-        return translated(
+        lines.push_back(translated(
             outcome.marginWithin_us
                 ? SPARKOUT_NOOP("Search", "What has the minimum margin is not known: the search "
                                           "was stopped before.")
                 : SPARKOUT_NOOP("Search", "What keeps it from being quicker is not known: the "
-                                          "search was stopped before."));
+                                          "search was stopped before.")));
+    } else if (outcome.marginWithin_us) {
+        lines.push_back(filled(SPARKOUT_NOOP("Search", "The minimum margin is that of: %1."),
+                               {names(*outcome.binding)}));
+    } else if (!outcome.binding->empty()) {
+        lines.push_back(filled(SPARKOUT_NOOP("Search", "What keeps it from being quicker: %1."),
+                               {names(*outcome.binding)}));
+    } else if (outcome.proved() && !outcome.refined()) {
+        lines.push_back(translated(SPARKOUT_NOOP(
+            "Search", "No cycle of the grid that differs in one setting is quicker.")));
     }
-    if (outcome.marginWithin_us) {
-        return filled(SPARKOUT_NOOP("Search", "The minimum margin is that of: %1."),
-                      {names(*outcome.binding)});
-    }
-    if (!outcome.binding->empty()) {
-        return filled(SPARKOUT_NOOP("Search", "What keeps it from being quicker: %1."),
-                      {names(*outcome.binding)});
-    }
-    return outcome.proved() && !outcome.refined() ? translated(SPARKOUT_NOOP(
-               "Search", "No cycle of the grid that differs in one setting is quicker."))
-                                                  : std::string();
 }
 
 void SearchWording::addLevels(const SearchOutcome& outcome, std::vector<std::string>& lines) const {
@@ -550,6 +530,7 @@ void SearchWording::addLevels(const SearchOutcome& outcome, std::vector<std::str
         line += allowed;
         lines.push_back(std::move(line));
     }
+    addSettingEdges(outcome, lines);
 }
 
 void SearchWording::addSettingEdges(const SearchOutcome& outcome,
@@ -587,50 +568,42 @@ void SearchWording::addRemarks(const SearchOutcome& outcome,
 void SearchWording::addRobustness(const SearchOutcome& outcome,
                                   std::vector<std::string>& lines) const {
     const RobustSummary& robust = *outcome.robust;
+    const auto most = [&](double share) { return fixed(std::ceil(share * 1e4) / 1e2, 2); };
     if (!outcome.marginWithin_us) {
-        lines.push_back(filled(SPARKOUT_NOOP("Search", "It holds in the last sample of scenarios; "
-                                                       "scenarios that had to be added: %1."),
-                               {whole(std::int64_t(robust.added.size()))}));
+        lines.push_back(
+            filled("It holds in the last sample of scenarios; scenarios that had to be added: %1.",
+                   {whole(std::int64_t(robust.added.size()))}));
     }
     const FoundCycle& answer = *outcome.answer();
     if (answer.decided) {
         constexpr int digits = 6; // nm
         const auto stock = [&](double stock_mm) { return fixed(stock_mm, digits); };
         lines.push_back(filled(
-            answer.decided->corners > 0
-                ? SPARKOUT_NOOP("Search",
-                                "It holds for every stock of %1…%2 mm per side, with the other "
-                                "inputs as they are and at each of the %3 corners of the batch's "
-                                "other factors: decided, not sampled.")
-                : SPARKOUT_NOOP("Search", "It holds for every stock of %1…%2 mm per side, with the "
-                                          "other inputs as they are: decided, not sampled."),
+            answer.decided->corners > 0 ? "It holds for every stock of %1…%2 mm per side, with the "
+                                          "other inputs as they are and at each of the %3 corners "
+                                          "of the batch's other factors: decided, not sampled."
+                                        : "It holds for every stock of %1…%2 mm per side, with the "
+                                          "other inputs as they are: decided, not sampled.",
             {stock(answer.decided->stocks.from_mm), stock(answer.decided->stocks.to_mm),
              whole(answer.decided->corners)}));
     } else {
-        const int tried = std::max(answer.candidate, 1);
-        const double most = mostFailing(freshPhaseCount, tried);
         lines.push_back(
-            filled(SPARKOUT_NOOP("Search",
-                                 "It held in all of %1 phases of the stock drawn afresh, as cycle "
-                                 "no. %2 that was tried so: with 95 % confidence at most %3 % of "
-                                 "the phases fail."),
-                   {whole(freshPhaseCount), whole(tried), fixed(std::ceil(most * 1e4) / 1e2, 2)}));
+            filled("It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that "
+                   "was tried so: with 95 % confidence at most %3 % of the phases fail.",
+                   {whole(freshPhaseCount), whole(std::max(answer.candidate, 1)),
+                    most(*outcome.mostStocksFailing())}));
     }
     if (robust.freshParts > 0) {
-        const int tried = std::max(robust.candidate, 1);
-        const double most = mostFailing(robust.freshParts, tried);
-        lines.push_back(filled(
-            SPARKOUT_NOOP("Search",
-                          "None of %1 parts of the batch drawn afresh is bad, with cycle "
-                          "no. %2 that was tried so: with 95 % confidence at most %3 % are."),
-            {whole(robust.freshParts), whole(tried), fixed(std::ceil(most * 1e4) / 1e2, 2)}));
+        lines.push_back(filled("None of %1 parts of the batch drawn afresh is bad, with cycle no. "
+                               "%2 that was tried so: with 95 % confidence at most %3 % are.",
+                               {whole(robust.freshParts), whole(std::max(robust.candidate, 1)),
+                                most(*outcome.mostPartsBad())}));
     }
     if (robust.nominalTime_s > 0) {
-        lines.push_back(filled(
-            SPARKOUT_NOOP("Search", "The nominal part alone, of the same levels, would take %1: "
-                                    "robustness costs %2 % of time."),
-            {time(robust.nominalTime_s),
-             percent(outcome.best()->time_s / robust.nominalTime_s - 1)}));
+        lines.push_back(filled("The nominal part alone, of the same levels, would take %1: "
+                               "robustness costs %2 % of time.",
+                               {time(robust.nominalTime_s),
+                                percent(outcome.best()->time_s / robust.nominalTime_s - 1)}));
     }
 }
 

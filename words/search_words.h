@@ -11,8 +11,8 @@
 #include <vector>
 
 /// What a search says of its grid, its progress and its answer. The English sentences stand here
-/// alone, marked for translation in the context "Search": the command line and Python print them,
-/// the window looks up what they are in its language.
+/// alone. The command line and Python print them; those that the window shows as well are marked
+/// for translation in the context "Search", and the window looks up what they are in its language.
 namespace sparkout {
 
 /// Writes about searches: by itself in English, with the names that a file has.
@@ -35,9 +35,13 @@ public:
     /// Why the grid cannot be searched in this way; empty for an outcome that ran, and for one
     /// whose project or batch has faults of its own.
     [[nodiscard]] std::string fault(const SearchOutcome& outcome) const;
-    /// What came out, a sentence each, against the time of the cycle before if that ends by itself.
+    /// What came out, a sentence each, against the time of the cycle before if that ends by itself:
+    /// in English alone, for the window shows it as a table with the notes below.
     [[nodiscard]] std::vector<std::string> answer(const SearchOutcome& outcome,
                                                   std::optional<double> before_s) const;
+    /// What of the answer no table says: what binds it, edges of levels and remarks. Where there is
+    /// no answer, why.
+    [[nodiscard]] std::vector<std::string> notes(const SearchOutcome& outcome) const;
     /// Why no cycle is given, with what cut most.
     [[nodiscard]] std::string noAnswer(const SearchOutcome& outcome) const;
     /// What the margins by time are of, or why there are none.
@@ -69,11 +73,11 @@ private:
     void addIntervalAnswer(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addRefinement(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addLimit(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
+    void addBinding(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addLevels(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addSettingEdges(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addRemarks(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addRobustness(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
-    [[nodiscard]] std::string binding(const SearchOutcome& outcome) const;
 };
 
 /// fault() behind the path of its input: "/optimisation: What is to be searched is not given.";

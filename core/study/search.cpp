@@ -529,6 +529,18 @@ bool SearchOutcome::unresolved() const {
     return search.best && robust && !robust->holdsInSample;
 }
 
+std::optional<double> SearchOutcome::mostStocksFailing() const {
+    return robust && answer() && !answer()->decided
+               ? std::optional(mostFailing(freshPhaseCount, std::max(answer()->candidate, 1)))
+               : std::nullopt;
+}
+
+std::optional<double> SearchOutcome::mostPartsBad() const {
+    return robust && answer() && robust->freshParts > 0
+               ? std::optional(mostFailing(robust->freshParts, std::max(robust->candidate, 1)))
+               : std::nullopt;
+}
+
 std::vector<std::pair<ConstraintKind, long long>> SearchOutcome::cuts() const {
     std::vector<std::pair<ConstraintKind, long long>> cuts;
     for (const Requirement& row : requirementRows) {

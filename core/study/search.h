@@ -149,6 +149,11 @@ struct SearchOutcome {
     [[nodiscard]] const FoundCycle* answer() const;  ///< refined, or the best of the grid
     /// The rounds ran out before a cycle was found that holds in all that it must.
     [[nodiscard]] bool unresolved() const;
+    /// The share of the stocks within one infeed that the answer of a robust search may fail for,
+    /// at most, with 95 % confidence; nothing: that is decided, or was not asked.
+    [[nodiscard]] std::optional<double> mostStocksFailing() const;
+    /// Likewise of the parts of the batch that may be bad.
+    [[nodiscard]] std::optional<double> mostPartsBad() const;
     [[nodiscard]] bool proved() const { return best() && search.status == SearchStatus::proved; }
     /// What cut, the most frequent first.
     [[nodiscard]] std::vector<std::pair<ConstraintKind, long long>> cuts() const;

@@ -250,8 +250,11 @@ std::vector<NamedSheet> sweepSheets(const SweepResult& sweep) {
 CsvTable searchFacts(const SearchOutcome& outcome, const std::optional<double>& before_s) {
     CsvTable table = facts();
     addOrigin(table, outcome.project);
-    addFact(table, StudyBook::tr("What came out"),
-            outcome.ran() ? OptimiseText::answer(outcome, before_s) : OptimiseText::fault(outcome));
+    const QString notes =
+        outcome.ran() ? OptimiseText::notes(outcome) : OptimiseText::fault(outcome);
+    if (!notes.isEmpty()) {
+        addFact(table, StudyBook::tr("Notes"), notes);
+    }
     for (const Output<SearchOutcome>& row : searchOutputs()) {
         const OutputValue value = row.of(outcome);
         const auto number = outputNumber(row, value);
@@ -289,10 +292,12 @@ CsvTable bindingTable(const SearchOutcome& outcome) {
 
 std::vector<NamedSheet> searchSheets(const Study& study) {
     const SearchOutcome& outcome = *study.search;
-    std::vector<NamedSheet> sheets{
-        {StudyBook::tr("Search"), searchFacts(outcome, study.before_s)},
-        {StudyBook::tr("Settings"),
-         inputsOf(outcome.searched, {QStringLiteral("/optimisation/")})}};
+    std::vector<NamedSheet> sheets{{StudyBook::tr("Search"), searchFacts(outcome, study.before_s)}};
+    if (outcome.best()) {
+        sheets.push_back({StudyBook::tr("Answer"), answerTable(outcome, study.before_s).asTable()});
+    }
+    sheets.push_back({StudyBook::tr("Settings"),
+                      inputsOf(outcome.searched, {QStringLiteral("/optimisation/")})});
     if (const FoundCycle* found = outcome.answer()) {
         const Project project = withFound(outcome.project, *found);
         sheets.push_back({StudyBook::tr("Cycle found"),

@@ -17,6 +17,7 @@
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/views/batch/part_rows.h"
+#include "ui/views/optimise/found_table.h"
 #include "ui/views/optimise/optimise_text.h"
 #include "ui/window/studies_shown.h"
 #include "words/judgement_json.h"
@@ -210,45 +211,53 @@ private slots:
         const XlsxReader book(written(study));
         QCOMPARE(book.fault(), QString());
         QCOMPARE(book.names(),
-                 (QStringList{QStringLiteral("Search"), QStringLiteral("Settings"),
-                              QStringLiteral("Cycle found"), QStringLiteral("Best cycles"),
-                              QStringLiteral("Time by stages"), QStringLiteral("Margin by time"),
-                              QStringLiteral("What binds")}));
-        QCOMPARE(book.text(0, rowOf(book, 0, QStringLiteral("What came out")), 1),
-                 OptimiseText::answer(outcome, study.before_s));
+                 (QStringList{QStringLiteral("Search"), QStringLiteral("Answer"),
+                              QStringLiteral("Settings"), QStringLiteral("Cycle found"),
+                              QStringLiteral("Best cycles"), QStringLiteral("Time by stages"),
+                              QStringLiteral("Margin by time"), QStringLiteral("What binds")}));
+        QCOMPARE(book.text(0, rowOf(book, 0, QStringLiteral("Notes")), 1),
+                 OptimiseText::notes(outcome));
+        const ValueTable answer = answerTable(outcome, study.before_s);
+        const int answerHeads = book.rows(1) - static_cast<int>(answer.rows.size());
+        QVERIFY(answer.rows.size() >= 3); // yours, the quickest and the limit
+        for (std::size_t i = 0; i < answer.rows.size(); ++i) {
+            const int row = answerHeads + static_cast<int>(i);
+            QCOMPARE(book.text(1, row, 0), answer.rows[i].fullName());
+            QVERIFY(sameBits(book.number(1, row, 1), std::get<double>(answer.cells[i][1].value)));
+        }
         QVERIFY(
             sameBits(book.number(0, rowOf(book, 0, QStringLiteral("Time of the cycle found")), 1),
                      outcome.best()->time_s / 60));
         const auto& stages = outcome.best()->cycle.stages;
         for (std::size_t z = 0; z < stages.size(); ++z) {
             bool found = false;
-            for (int row = 0; row < book.rows(2); ++row) {
+            for (int row = 0; row < book.rows(3); ++row) {
                 found =
                     found
-                    || (book.text(2, row, 4) == QStringLiteral("/cycle/stages/%1/stock_mm").arg(z)
-                        && sameBits(book.number(2, row, 3), stages[z].stock_mm));
+                    || (book.text(3, row, 4) == QStringLiteral("/cycle/stages/%1/stock_mm").arg(z)
+                        && sameBits(book.number(3, row, 3), stages[z].stock_mm));
             }
             QVERIFY(found);
         }
         const int rows = static_cast<int>(outcome.found.size());
-        const int heads = book.rows(3) - rows;
+        const int heads = book.rows(4) - rows;
         QVERIFY(heads == 1 || heads == 2);
         for (int row = 0; row < rows; ++row) {
-            QVERIFY(sameBits(book.number(3, heads + row, 0),
+            QVERIFY(sameBits(book.number(4, heads + row, 0),
                              outcome.found[static_cast<std::size_t>(row)].time_s / 60));
         }
         const std::vector<const FoundCycle*> front = outcome.front();
         QVERIFY(front.size() > 1);
-        const int frontHeads = book.rows(5) - static_cast<int>(front.size());
+        const int frontHeads = book.rows(6) - static_cast<int>(front.size());
         for (std::size_t i = 0; i < front.size(); ++i) {
             const int row = frontHeads + static_cast<int>(i);
-            QVERIFY(sameBits(book.number(5, row, 0), front[i]->time_s / 60));
-            QVERIFY(sameBits(book.number(5, row, 1), 100 * front[i]->leastRelativeMargin));
+            QVERIFY(sameBits(book.number(6, row, 0), front[i]->time_s / 60));
+            QVERIFY(sameBits(book.number(6, row, 1), 100 * front[i]->leastRelativeMargin));
         }
-        for (int row = 1; row < book.rows(1); ++row) {
-            QVERIFY(book.text(1, row, 4).startsWith(QStringLiteral("/optimisation/")));
+        for (int row = 1; row < book.rows(2); ++row) {
+            QVERIFY(book.text(2, row, 4).startsWith(QStringLiteral("/optimisation/")));
         }
-        QVERIFY(book.rows(1) > 5);
+        QVERIFY(book.rows(2) > 5);
     }
 
     void theMainTableAsCsv() {

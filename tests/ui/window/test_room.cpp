@@ -339,6 +339,34 @@ private slots:
         }
     }
 
+    /// In the window's usual size; in a larger type the table is scrolled.
+    void theAnswerOfASearchIsReadInFull_data() { addLongerLanguages(); }
+    void theAnswerOfASearchIsReadInFull() {
+        QFETCH(QString, language);
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
+        QVERIFY(bench.window->showView(QStringLiteral("optimise")));
+        wait(bench);
+        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("optimiseRun")),
+                          Qt::LeftButton);
+        auto* table = bench.window->findChild<QTableView*>(QStringLiteral("optimiseAnswer"));
+        QTRY_VERIFY_WITH_TIMEOUT(table->isVisible(), 60'000);
+        wait(bench);
+        QCOMPARE(bench.window->size(), QSize(1366, 768));
+        QTRY_COMPARE(table->verticalScrollBar()->maximum(), 0);
+        QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
+        const QAbstractItemView& rows = *table;
+        const QAbstractItemModel& model = *table->model();
+        QVERIFY(model.rowCount() >= 3);
+        for (int row = 0; row < model.rowCount(); ++row) {
+            QVERIFY(table->rowHeight(row) >= rows.sizeHintForRow(row));
+            for (int column = 0; column + 1 < model.columnCount(); ++column) {
+                const QModelIndex cell = model.index(row, column);
+                QVERIFY2(table->columnWidth(column) >= table->sizeHintForIndex(cell).width(),
+                         qPrintable(cell.data().toString()));
+            }
+        }
+    }
+
     /// Also when the program starts so.
     void theToolsAreAllShownWhateverTheType_data() { addLongerLanguages(); }
     void theToolsAreAllShownWhateverTheType() {

@@ -2,11 +2,17 @@
 #include "ui/views/optimise/found_table.h"
 
 #include "core/optimisation/limit.h"
+#include "core/project/optimisation.h"
 #include "core/units.h"
+#include "ui/text/names.h"
+#include "ui/text/number_text.h"
 #include "ui/views/optimise/optimise_text.h"
 
 #include <QLocale>
+#include <QStringList>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace sparkout {
@@ -17,12 +23,40 @@ struct FoundTable {
     Q_DECLARE_TR_FUNCTIONS(FoundTable)
 };
 
+ValueHead timeHead() {
+    return {.text = FoundTable::tr("Time"),
+            .name = FoundTable::tr("Time, min"),
+            .tip = FoundTable::tr("Machining time"),
+            .key = "time"};
+}
+
+ValueHead changeHead() {
+    return {.text = FoundTable::tr("Against\nyours, %"),
+            .name = FoundTable::tr("Against yours, %"),
+            .tip =
+                FoundTable::tr("Against the time of your cycle: the present one, or the one that "
+                               "a cycle found took the place of"),
+            .key = "change"};
+}
+
+ValueHead marginHead() {
+    return {.text = FoundTable::tr("Margin, %"),
+            .tip = FoundTable::tr("The minimum margin of all requirements, of its limit"),
+            .key = "margin"};
+}
+
+void addWearHeads(std::vector<ValueHead>& heads) {
+    heads.push_back({.text = FoundTable::tr("Parts"),
+                     .tip = FoundTable::tr("Parts from one dressing to the next that it holds for"),
+                     .key = "parts"});
+    heads.push_back({.text = FoundTable::tr("Cost"),
+                     .tip = FoundTable::tr("Cost of a part with its share of the dressing"),
+                     .key = "cost"});
+}
+
 std::vector<ValueHead> headsOf(const SearchOutcome& outcome) {
     std::vector<ValueHead> heads{
-        {.text = FoundTable::tr("Time"),
-         .name = FoundTable::tr("Time, min"),
-         .tip = FoundTable::tr("Machining time"),
-         .key = "time"},
+        timeHead(),
         {.text = FoundTable::tr("Cycle"),
          .tip = OptimiseText::cycleHint(outcome.project.operation),
          .key = "cycle",
@@ -30,24 +64,13 @@ std::vector<ValueHead> headsOf(const SearchOutcome& outcome) {
         {.text = FoundTable::tr("Stages"),
          .tip = FoundTable::tr("Number of stages"),
          .key = "stages"},
-        {.text = FoundTable::tr("Against yours, %"),
-         .tip = FoundTable::tr("Against the time of your cycle: the present one, or the one that a "
-                               "cycle found took the place of"),
-         .key = "change"},
+        changeHead(),
         {.text = FoundTable::tr("Gap, %"),
          .tip = FoundTable::tr("By how much a stepless cycle might at most be quicker"),
          .key = "gap"},
-        {.text = FoundTable::tr("Margin, %"),
-         .tip = FoundTable::tr("The minimum margin of all requirements, of its limit"),
-         .key = "margin"}};
+        marginHead()};
     if (outcome.wear) {
-        heads.push_back(
-            {.text = FoundTable::tr("Parts"),
-             .tip = FoundTable::tr("Parts from one dressing to the next that it holds for"),
-             .key = "parts"});
-        heads.push_back({.text = FoundTable::tr("Cost"),
-                         .tip = FoundTable::tr("Cost of a part with its share of the dressing"),
-                         .key = "cost"});
+        addWearHeads(heads);
     }
     return heads;
 }
@@ -90,24 +113,252 @@ ValueCell shareCell(const std::optional<double>& share) {
                          [](double value) { return OptimiseText::percent(value / perCent); });
 }
 
+ValueCell timeCell(const std::optional<double>& time_s) {
+    return ValueCell::of(time_s ? std::optional(*time_s / units::secondsPerMinute) : std::nullopt,
+                         [&time_s](double) { return OptimiseText::time(*time_s); });
+}
+
+ValueCell changeCell(const std::optional<double>& time_s, const std::optional<double>& before_s) {
+    return shareCell(time_s && before_s && *before_s > 0 ? std::optional(*time_s / *before_s - 1)
+                                                         : std::nullopt);
+}
+
+void addWearCells(const std::optional<PartsHeld>& held, const std::optional<double>& cost,
+                  std::vector<ValueCell>& cells) {
+    cells.push_back(ValueCell::of(held ? std::optional(double(held->parts)) : std::nullopt,
+                                  [&held](double) { return OptimiseText::parts(*held); }));
+    cells.push_back(ValueCell::of(cost, OptimiseText::cost));
+}
+
 std::vector<ValueCell> cellsOf(const SearchOutcome& outcome, const FoundCycle& found,
                                std::optional<double> before_s) {
     const auto stages = static_cast<double>(found.cycle.stages.size());
     std::vector<ValueCell> cells{
-        {.text = OptimiseText::time(found.time_s), .value = found.time_s / units::secondsPerMinute},
+        timeCell(found.time_s),
         {.text = OptimiseText::found(found, outcome.project)},
         {.text = QLocale().toString(qulonglong(found.cycle.stages.size())), .value = stages},
-        shareCell(before_s && *before_s > 0 ? std::optional(found.time_s / *before_s - 1)
-                                            : std::nullopt),
+        changeCell(found.time_s, before_s),
         shareCell(gapToLimit(found.time_s, outcome.limit.time_s)),
         shareCell(found.leastRelativeMargin)};
     if (outcome.wear) {
-        cells.push_back(
-            ValueCell::of(found.held ? std::optional(double(found.held->parts)) : std::nullopt,
-                          [&found](double) { return OptimiseText::parts(*found.held); }));
-        cells.push_back(ValueCell::of(found.cost, OptimiseText::cost));
+        addWearCells(found.held, found.cost, cells);
     }
     return cells;
+}
+
+// --- the answer ---------------------------------------------------------------------------------
+
+/// A row of answerTable(); what is not given has a dash.
+struct AnswerRow {
+    const char* key;
+    QString name;
+    std::optional<double> time_s = {}, margin = {};
+    std::optional<PartsHeld> held = {};
+    std::optional<double> cost = {};
+    std::optional<double> stocksFailing = {}, partsBad = {}; ///< shares, at most
+    QStringList basis = {};
+    bool isAnswer = false;
+};
+
+QString requirementText(ConstraintKind kind) {
+    return Names::inSentence(Names::constraint(kind));
+}
+
+QString answerName(const SearchOutcome& outcome) {
+    if (outcome.marginWithin_us) {
+        return FoundTable::tr("Maximum margin");
+    }
+    if (outcome.wear && outcome.best()->held) {
+        return outcome.objective() == SearchObjective::cost ? FoundTable::tr("Minimum cost")
+                                                            : FoundTable::tr("Longest life");
+    }
+    return outcome.robust     ? FoundTable::tr("Robust answer")
+           : outcome.proved() ? FoundTable::tr("Quickest cycle")
+                              : FoundTable::tr("Cycle found");
+}
+
+/// What is proved of the best of the grid.
+QString proofOf(const SearchOutcome& outcome) {
+    const QString size = OptimiseText::gridSize(outcome.search.gridSize);
+    const bool isProved = outcome.proved();
+    if (outcome.marginWithin_us) {
+        const QString within =
+            printedNumber(outcome.project.optimisation->margin_within_min.value_or(0));
+        return isProved
+                   ? FoundTable::tr("the largest within %1 min, proved: %2").arg(within, size)
+                   : FoundTable::tr("the largest so far; within %1 min there may be a larger one")
+                         .arg(within);
+    }
+    if (isHeuristic(outcome.method) && !isProved) {
+        return FoundTable::tr("%1, a heuristic: a quicker cycle may hold, too")
+            .arg(OptimiseText::method(outcome.method));
+    }
+    if (!isProved) {
+        return FoundTable::tr("the best so far");
+    }
+    if (outcome.wear && outcome.best()->held) {
+        return outcome.objective() == SearchObjective::cost
+                   ? FoundTable::tr("none is cheaper, proved: %1").arg(size)
+                   : FoundTable::tr("none holds for more parts, proved: %1").arg(size);
+    }
+    return outcome.robust
+               ? FoundTable::tr("none that holds for the part and the scenarios added is quicker, "
+                                "proved: %1")
+                     .arg(size)
+               : FoundTable::tr("none is quicker, proved: %1").arg(size);
+}
+
+QStringList wearBasis(const FoundCycle& best) {
+    if (!best.held) {
+        return {FoundTable::tr("how the wheel wears is not given")};
+    }
+    QStringList basis{
+        FoundTable::tr("%1 a part on average").arg(OptimiseText::time(best.held->meanTime_s))};
+    if (best.held->end) {
+        basis << FoundTable::tr("the next part breaks: %1").arg(requirementText(*best.held->end));
+    } else if (!best.held->isEndless && !best.held->isAll) {
+        basis << FoundTable::tr("the next part does not reach its size");
+    }
+    return basis;
+}
+
+QStringList robustBasis(const SearchOutcome& outcome, const FoundCycle& answer) {
+    const RobustSummary& robust = *outcome.robust;
+    QStringList basis;
+    if (!outcome.marginWithin_us) {
+        basis << FoundTable::tr("scenarios added: %1")
+                     .arg(QLocale().toString(qulonglong(robust.added.size())));
+    }
+    if (answer.decided) {
+        constexpr int digits = 6; // nm
+        const PhaseCases& cases = *answer.decided;
+        const QString from = Names::fixed(cases.stocks.from_mm, digits),
+                      to = Names::fixed(cases.stocks.to_mm, digits);
+        basis << (cases.corners > 0
+                      ? FoundTable::tr("decided for every stock of %1…%2 mm, also at %3 corners of "
+                                       "the batch")
+                            .arg(from, to, QLocale().toString(qlonglong(cases.corners)))
+                      : FoundTable::tr("decided for every stock of %1…%2 mm").arg(from, to));
+    } else {
+        basis << FoundTable::tr("held for %1 stocks at random, as cycle no. %2 tried so")
+                     .arg(freshPhaseCount)
+                     .arg(std::max(answer.candidate, 1));
+    }
+    if (robust.freshParts > 0) {
+        basis << FoundTable::tr("none of %1 parts at random is bad, as cycle no. %2 tried so")
+                     .arg(robust.freshParts)
+                     .arg(std::max(robust.candidate, 1));
+    }
+    return basis;
+}
+
+AnswerRow foundRow(const SearchOutcome& outcome, const FoundCycle& found, AnswerRow row) {
+    row.time_s = found.time_s;
+    row.margin = found.leastRelativeMargin;
+    row.held = found.held;
+    row.cost = found.cost;
+    row.isAnswer = &found == outcome.answer();
+    if (row.isAnswer && outcome.robust) {
+        row.stocksFailing = outcome.mostStocksFailing();
+        row.partsBad = outcome.mostPartsBad();
+        row.basis << robustBasis(outcome, found);
+    }
+    return row;
+}
+
+QStringList limitBasis(const SearchOutcome& outcome) {
+    const LimitedCycles& cycles = outcome.limit.cycles;
+    QStringList basis{FoundTable::tr("a stepless cycle")};
+    if (outcome.searched.operation->travels) {
+        basis << (cycles.continuousFeed_mm_min > 0
+                      ? FoundTable::tr("continuous infeed up to %1 mm/min")
+                            .arg(printedNumber(cycles.continuousFeed_mm_min))
+                      : FoundTable::tr("no continuous infeed"));
+    }
+    if (outcome.searched.operation->mayRetract) {
+        basis << (cycles.drawBack ? FoundTable::tr("the wheel head may draw back")
+                                  : FoundTable::tr("the wheel head never draws back"));
+    }
+    basis << (cycles.sparkOut ? FoundTable::tr("ends at size or by a count of steps without feed")
+                              : FoundTable::tr("ends at size"));
+    return basis;
+}
+
+/// Of a search that was stopped: what no cycle is better than.
+std::optional<AnswerRow> boundRow(const SearchOutcome& outcome) {
+    if (outcome.proved() || isHeuristic(outcome.method) || outcome.marginWithin_us) {
+        return std::nullopt;
+    }
+    AnswerRow row{.key = "bound", .name = FoundTable::tr("Bound of the grid")};
+    if (!outcome.wear || !outcome.best()->held) {
+        row.time_s = outcome.search.bound_s;
+        row.basis << FoundTable::tr("none is quicker");
+        return row;
+    }
+    if (!outcome.interval->bound) {
+        return std::nullopt;
+    }
+    if (outcome.objective() == SearchObjective::cost) {
+        row.cost = outcome.interval->bound;
+        row.basis << FoundTable::tr("none is cheaper");
+    } else {
+        row.held.emplace().parts = std::llround(*outcome.interval->bound);
+        row.basis << FoundTable::tr("none holds for more parts");
+    }
+    return row;
+}
+
+std::vector<AnswerRow> answerRows(const SearchOutcome& outcome, std::optional<double> before_s,
+                                  std::optional<double> beforeMargin) {
+    std::vector<AnswerRow> rows;
+    if (before_s) {
+        rows.push_back({.key = "yours",
+                        .name = FoundTable::tr("Your cycle"),
+                        .time_s = before_s,
+                        .margin = beforeMargin});
+    }
+    const FoundCycle& best = *outcome.best();
+    if (outcome.robust && outcome.robust->nominalTime_s > 0) {
+        const double nominal_s = outcome.robust->nominalTime_s;
+        rows.push_back({.key = "nominal",
+                        .name = FoundTable::tr("Nominal part alone"),
+                        .time_s = nominal_s,
+                        .basis = {FoundTable::tr("robustness costs %1 % of time")
+                                      .arg(OptimiseText::percent(best.time_s / nominal_s - 1))}});
+    }
+    QStringList basis{proofOf(outcome)};
+    if (outcome.wear) {
+        basis << wearBasis(best);
+    }
+    rows.push_back(foundRow(
+        outcome, best, {.key = "best", .name = answerName(outcome), .basis = std::move(basis)}));
+    const QString between = FoundTable::tr("Between levels");
+    if (const FoundCycle* const refined = outcome.refined()) {
+        rows.push_back(foundRow(outcome, *refined,
+                                {.key = "refined",
+                                 .name = between,
+                                 .basis = {FoundTable::tr("that none is quicker is not proved")}}));
+    } else if (outcome.refinement) {
+        rows.push_back({.key = "refined",
+                        .name = between,
+                        .basis = {FoundTable::tr("nothing quicker was found")}});
+    }
+    if (std::optional<AnswerRow> bound = boundRow(outcome)) {
+        rows.push_back(std::move(*bound));
+    }
+    if (isKnownLimit(outcome.limit.time_s)) {
+        rows.push_back({.key = "limit",
+                        .name = FoundTable::tr("Limit"),
+                        .time_s = outcome.limit.time_s,
+                        .basis = limitBasis(outcome)});
+    }
+    return rows;
+}
+
+/// In per cent, rounded up.
+ValueCell mostCell(const std::optional<double>& share) {
+    return ValueCell::of(share ? std::optional(std::ceil(*share * 1e4) / 1e2) : std::nullopt,
+                         [](double percent) { return Names::fixed(percent, 2); });
 }
 
 } // namespace
@@ -120,6 +371,59 @@ ValueTable foundTable(const SearchOutcome& outcome, std::optional<double> before
                       .tip = kindOf(outcome, found) + u'\n' + text,
                       .isStrong = found.isBestOfItsNumber},
                      cellsOf(outcome, found, before_s));
+    }
+    return table;
+}
+
+ValueTable answerTable(const SearchOutcome& outcome, std::optional<double> before_s,
+                       std::optional<double> beforeMargin) {
+    if (!outcome.best()) {
+        return {};
+    }
+    const bool hasStocks = outcome.mostStocksFailing().has_value(),
+               hasParts = outcome.mostPartsBad().has_value();
+    ValueTable table{.columns = {{.text = FoundTable::tr("Cycle"), .key = "name", .isText = true},
+                                 timeHead(),
+                                 changeHead(),
+                                 marginHead()},
+                     .isList = true};
+    if (outcome.wear) {
+        addWearHeads(table.columns);
+    }
+    if (hasStocks) {
+        table.columns.push_back(
+            {.text = FoundTable::tr("Failing\nstocks, ≤ %"),
+             .name = FoundTable::tr("Failing stocks, at most, %"),
+             .tip = FoundTable::tr("Share of the stocks within one infeed that the cycle may fail "
+                                   "for, with 95 % confidence: it held for all that were tried"),
+             .key = "stocks"});
+    }
+    if (hasParts) {
+        table.columns.push_back(
+            {.text = FoundTable::tr("Bad\nparts, ≤ %"),
+             .name = FoundTable::tr("Bad parts, at most, %"),
+             .tip = FoundTable::tr("Share of the batch that may be bad, with 95 % confidence: none "
+                                   "of the parts that were tried is"),
+             .key = "batch"});
+    }
+    table.columns.push_back({.text = FoundTable::tr("Basis"), .key = "basis", .isText = true});
+    for (const AnswerRow& row : answerRows(outcome, before_s, beforeMargin)) {
+        std::vector<ValueCell> cells{{.text = row.name},
+                                     timeCell(row.time_s),
+                                     changeCell(row.time_s, before_s),
+                                     shareCell(row.margin)};
+        if (outcome.wear) {
+            addWearCells(row.held, row.cost, cells);
+        }
+        if (hasStocks) {
+            cells.push_back(mostCell(row.stocksFailing));
+        }
+        if (hasParts) {
+            cells.push_back(mostCell(row.partsBad));
+        }
+        cells.push_back({.text = row.basis.join(QStringLiteral("; "))});
+        table.addRow({.text = row.name, .key = row.key, .isStrong = row.isAnswer},
+                     std::move(cells));
     }
     return table;
 }

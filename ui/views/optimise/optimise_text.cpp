@@ -131,9 +131,9 @@ QString OptimiseText::fault(const SearchOutcome& outcome) {
                      + Names::refusal(outcome.batchIssues, 2);
 }
 
-QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double> before_s) {
+QString OptimiseText::notes(const SearchOutcome& outcome) {
     QStringList sentences;
-    for (const std::string& each : SearchText().answer(outcome, before_s)) {
+    for (const std::string& each : SearchText().notes(outcome)) {
         sentences << QString::fromStdString(each);
     }
     return sentences.join(u' ');

@@ -32,8 +32,8 @@ public:
     static QString fault(const SearchOutcome& outcome); ///< why nothing could be searched
     /// What the margins by time are of, or why there are none.
     static QString front(const SearchOutcome& outcome);
-    /// What came out, against the time of the cycle before if that ends by itself.
-    static QString answer(const SearchOutcome& outcome, std::optional<double> before_s);
+    /// What of the answer stands beside answerTable(); where no cycle was found, why.
+    static QString notes(const SearchOutcome& outcome);
 };
 
 } // namespace sparkout

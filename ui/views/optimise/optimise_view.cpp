@@ -57,6 +57,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings, Studies* studies
     , m_grid(new StateGridPlot(this))
     , m_gridBar(new StateGridBar(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
+    , m_answer(new ValueModel(this))
     , m_found(new ValueModel(this))
     , m_zone(new QComboBox(this))
     , m_bar(new RunBar(QStringLiteral("optimise"), this))
@@ -74,8 +75,8 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings, Studies* studies
     m_bar->layOut({m_method, m_phases, m_refine}, {m_take});
     share(*m_splitter, {{pages(), curvesShare}, {buildTable(), foundShare}});
     QVBoxLayout* const column =
-        addColumn({m_bar, m_gridBar, notice(), m_add, m_choice = pageTools<ToolRow>({m_zone}),
-                   legend(), m_splitter, values()},
+        addColumn({m_bar, m_gridBar, buildAnswer(), notice(), m_add,
+                   m_choice = pageTools<ToolRow>({m_zone}), legend(), m_splitter, values()},
                   m_splitter);
     column->setAlignment(m_add, Qt::AlignLeft);
     column->addStretch(0);
@@ -89,6 +90,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings, Studies* studies
                  {m_method, "optimiseMethod"},
                  {m_phases, "optimisePhases"},
                  {m_refine, "optimiseRefine"},
+                 {m_answerTable, "optimiseAnswer"},
                  {m_table, "optimiseFound"}});
     m_table->setArrangeable(settings);
     connectParts();
@@ -103,6 +105,22 @@ CopyTable* OptimiseView::buildTable() {
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     return m_table;
+}
+
+/// As high as its rows, whose last column wraps; in a low window it is scrolled.
+CopyTable* OptimiseView::buildAnswer() {
+    m_answerTable = addTable(*m_answer);
+    m_answerTable->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+    m_answerTable->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);
+    m_answerTable->verticalHeader()->hide();
+    QHeaderView* const header = m_answerTable->horizontalHeader();
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setStretchLastSection(true);
+    // Asked for when all columns have their widths.
+    connect(
+        header, &QHeaderView::sectionResized, m_answerTable,
+        [this] { m_answerTable->resizeRowsToContents(); }, Qt::QueuedConnection);
+    return m_answerTable;
 }
 
 void OptimiseView::connectParts() {
@@ -158,6 +176,10 @@ ValueTable OptimiseView::tableOfFound() const {
 void OptimiseView::listFound() {
     m_listed = search();
     m_found->setTable(tableOfFound());
+}
+
+void OptimiseView::listAnswer() {
+    m_answer->update(m_listed ? answerTable(*m_listed, before_s(), beforeMargin()) : ValueTable());
 }
 
 std::optional<double> OptimiseView::before_s() const {
@@ -298,13 +320,20 @@ void OptimiseView::showSearch() {
     showCurves();
 }
 
+std::optional<double> OptimiseView::beforeMargin() const {
+    return before_s() && !m_before->constraints.empty()
+               ? std::optional(std::ranges::min_element(m_before->constraints, {},
+                                                        &ConstraintResult::relativeMargin)
+                                   ->relativeMargin)
+               : std::nullopt;
+}
+
 void OptimiseView::showBefore() {
     std::optional<TimedMargin> yours;
-    if (const std::optional<double> time_s = before_s(); time_s && !m_before->constraints.empty()) {
-        yours = {*time_s, std::ranges::min_element(m_before->constraints, {},
-                                                   &ConstraintResult::relativeMargin)
-                              ->relativeMargin};
+    if (const std::optional<double> margin = beforeMargin()) {
+        yours = {*before_s(), *margin};
     }
+    listAnswer();
     m_times->setSearch(search(), before_s());
     m_margins->setSearch(search(), yours);
     m_margins->setChosen(chosen());
@@ -471,7 +500,10 @@ void OptimiseView::showState() {
     m_bar->state()->setText(isGiven() && !searching
                                 ? OptimiseText::gridSize(sparkout::gridSize(good()->result.project))
                                 : QString());
-    m_table->setVisible(isFound() && !grid);
+    m_answer->setGreyed(faint());
+    for (QWidget* table : {m_answerTable, m_table}) {
+        table->setVisible(isFound() && !grid);
+    }
     m_take->setEnabled(chosen() && !stale() && (!searching || studies().search.isAnswered()));
     readOut();
 }
@@ -538,7 +570,7 @@ QString OptimiseView::remark() const {
     if (stale()) {
         return staleText(studies().search.running(), m_bar->run()->text());
     }
-    return OptimiseText::answer(*search(), before_s());
+    return OptimiseText::notes(*search());
 }
 
 const Project* OptimiseView::shownProject() const {
@@ -566,6 +598,7 @@ void OptimiseView::nameParts() {
     m_grid->setAccessibleName(tr("Grid of dynamic programming"));
     m_bar->state()->setAccessibleName(tr("Size of the grid"));
     m_bar->progress()->setAccessibleName(tr("Progress of the search"));
+    m_answerTable->setAccessibleName(tr("The answer and what it is compared with"));
     m_table->setAccessibleName(tr("The best cycles found"));
     fillChoice(*content(), {tr("Before and after"), tr("Time by stages"), tr("Margin by time"),
                             OptimiseText::method(SearchMethod::published)});
@@ -576,6 +609,8 @@ void OptimiseView::nameParts() {
     tell(*m_zone, tr("Zone or section of the curves"));
     nameButtons();
     m_gridBar->retranslate();
+    listAnswer();
+    m_answerTable->retranslate();
     m_found->update(tableOfFound());
     m_table->retranslate();
     fillZones();

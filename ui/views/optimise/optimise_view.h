@@ -25,11 +25,11 @@ struct SearchTicks;
 struct ValueTable;
 
 /// The view "Optimise": searches the grid of the project for the quickest cycle that holds every
-/// requirement. The best cycles as they were found; the one chosen beside the present cycle, or
-/// the one that it took the place of, curve by curve; the time over the number of stages; the
-/// margin over the time; what keeps it from being quicker. A cycle is taken by one edit. Results of
-/// other inputs are drawn faint. Or, instead of a search, the grid of dynamic programming as the
-/// published rule fills it.
+/// requirement. The answer beside what it is held against; the best cycles as they were found; the
+/// one chosen beside the present cycle, or the one that it took the place of, curve by curve; the
+/// time over the number of stages; the margin over the time; what keeps it from being quicker. A
+/// cycle is taken by one edit. Results of other inputs are drawn faint. Or, instead of a search,
+/// the grid of dynamic programming as the published rule fills it.
 class OptimiseView : public StudyView {
     Q_OBJECT
 public:
@@ -71,7 +71,9 @@ protected:
 private:
     void dropStudies() override;
     CopyTable* buildTable();
+    CopyTable* buildAnswer();
     [[nodiscard]] ValueTable tableOfFound() const;
+    void listAnswer();
     void listFound();
     void connectParts();
     void nameButtons();
@@ -96,7 +98,9 @@ private:
 
     void showSearch();
     void fillCurves();
-    void showBefore(); ///< in the plots of the search
+    /// The least relative margin of the cycle that is compared with, if it ends by itself.
+    [[nodiscard]] std::optional<double> beforeMargin() const;
+    void showBefore(); ///< in the plots of the search, and beside its answer
     void chooseRow(std::size_t row);
     void showCurves();
     [[nodiscard]] bool isGiven() const;   ///< what is to be searched
@@ -111,8 +115,10 @@ private:
     StateGridBar* m_gridBar;
     QWidget* m_choice = nullptr; ///< of what is drawn, and how it leaves
     QSplitter* m_splitter;
+    ValueModel* m_answer;
     ValueModel* m_found;
     SearchOutcomePtr m_listed; ///< in m_found: the newest may be about to be shown
+    CopyTable* m_answerTable = nullptr;
     CopyTable* m_table = nullptr;
     QComboBox* m_zone;
     RunBar* m_bar;

@@ -14,6 +14,7 @@
 #include "tests/ui/support/window_bench.h"
 #include "ui/charts/compare_plot.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/views/optimise/found_table.h"
 #include "ui/views/optimise/margin_front_plot.h"
@@ -33,6 +34,9 @@
 #include <QStatusBar>
 #include <QTest>
 
+#include <algorithm>
+#include <string_view>
+
 namespace test_optimise_view {
 
 using namespace sparkout;
@@ -41,6 +45,20 @@ namespace {
 
 constexpr int patience_ms = 120'000;
 constexpr int searchPage = 7;
+
+template <typename List>
+std::size_t placeOf(const List& heads, const char* key) {
+    const auto at = std::ranges::find(heads, std::string_view(key), [](const ValueHead& head) {
+        return std::string_view(head.key);
+    });
+    return static_cast<std::size_t>(at - heads.begin());
+}
+
+QString cellOf(const ValueTable& table, const char* row, const char* column) {
+    const std::size_t line = placeOf(table.rows, row), at = placeOf(table.columns, column);
+    return line < table.rows.size() && at < table.columns.size() ? table.cells[line][at].text
+                                                                 : QString();
+}
 
 /// A window with the view in sight.
 struct Desk {
@@ -85,6 +103,12 @@ struct Desk {
         const QAbstractItemModel* model = part<CopyTable>("optimiseFound").model();
         return model->index(row, static_cast<int>(column)).data().toString();
     }
+    /// Of the answer: the cell of a row and a column by their keys; nothing: there is none.
+    [[nodiscard]] QString answered(const char* row, const char* column) const {
+        const auto* model =
+            qobject_cast<const ValueModel*>(part<CopyTable>("optimiseAnswer").model());
+        return cellOf(model->table(), row, column);
+    }
     [[nodiscard]] QString told() const { return part<QLabel>("optimiseNotice").text(); }
     [[nodiscard]] const Project& project() const { return bench.window->document().project(); }
     /// Types a text into a line of the page "Search" and leaves it.
@@ -117,7 +141,15 @@ private slots:
         QVERIFY(desk.searched());
         QCOMPARE(desk.cell(0, FoundColumn::time), OptimiseText::time(engine.best->time_s));
         QCOMPARE(desk.cell(0, FoundColumn::cycle), OptimiseText::cycle(engine.cycle));
-        QVERIFY(desk.told().contains(desk.cell(0, FoundColumn::time)));
+        QCOMPARE(desk.answered("best", "time"), desk.cell(0, FoundColumn::time));
+        QCOMPARE(desk.answered("best", "change"), desk.cell(0, FoundColumn::change));
+        QCOMPARE(desk.answered("best", "margin"), desk.cell(0, FoundColumn::margin));
+        QVERIFY2(desk.answered("best", "basis").contains(QStringLiteral("none is quicker, proved")),
+                 qPrintable(desk.answered("best", "basis")));
+        QCOMPARE(desk.answered("yours", "time"), OptimiseText::time(desk.view->before_s().value()));
+        QCOMPARE(desk.answered("limit", "time"),
+                 OptimiseText::time(desk.view->search()->limit.time_s));
+        QVERIFY(!desk.told().contains(desk.cell(0, FoundColumn::time))); // it stands there once
         const ComparedFeeds& found = desk.view->curves()->runs().back();
         QVERIFY(std::abs(found.feeds->end_s - engine.best->time_s) < 1e-5);
         const BarChart& times = desk.view->times()->chart();
@@ -158,7 +190,9 @@ private slots:
             desk.click("optimiseRun");
             QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy() && desk.view->search(), patience_ms);
             QVERIFY(isHeuristic(desk.view->search()->method) && !desk.view->search()->proved());
-            QVERIFY2(desk.told().contains(QStringLiteral("heuristic")), qPrintable(desk.told()));
+            const QString basis = desk.answered("best", "basis");
+            QVERIFY2(basis.contains(QStringLiteral("heuristic")) && !basis.contains(u"proved"),
+                     qPrintable(basis));
         }
     }
 
@@ -316,9 +350,11 @@ private slots:
         QCOMPARE(desk.cell(0, FoundColumn::cycle), OptimiseText::cycle(engine.search.cycle));
         QCOMPARE(desk.cell(0, FoundColumn::parts), OptimiseText::parts(*engine.held));
         QCOMPARE(desk.cell(0, FoundColumn::cost), OptimiseText::cost(*engine.cost));
-        QVERIFY2(desk.told().contains(OptimiseText::cost(*engine.cost))
-                     && desk.told().contains(QStringLiteral("the minimum cost, proved")),
-                 qPrintable(desk.told()));
+        QCOMPARE(desk.answered("best", "name"), QStringLiteral("Minimum cost"));
+        QCOMPARE(desk.answered("best", "parts"), OptimiseText::parts(*engine.held));
+        QCOMPARE(desk.answered("best", "cost"), OptimiseText::cost(*engine.cost));
+        QVERIFY2(desk.answered("best", "basis").contains(QStringLiteral("none is cheaper, proved")),
+                 qPrintable(desk.answered("best", "basis")));
         QVERIFY(!desk.view->stale());
         SetupState worn = desk.bench.window->document().state();
         worn.wear.dulling_per_mm2 = 4e-5;
@@ -342,7 +378,9 @@ private slots:
         QCOMPARE(desk.cell(0, FoundColumn::cycle), OptimiseText::cycle(engine.cycle));
         QCOMPARE(desk.cell(0, FoundColumn::margin),
                  OptimiseText::percent(engine.best->leastRelativeMargin));
-        QVERIFY(desk.told().contains(QStringLiteral("the largest within")));
+        QCOMPARE(desk.answered("best", "name"), QStringLiteral("Maximum margin"));
+        QCOMPARE(desk.answered("best", "margin"), desk.cell(0, FoundColumn::margin));
+        QVERIFY(desk.answered("best", "basis").contains(QStringLiteral("the largest within")));
         desk.part<QComboBox>("optimiseContent").setCurrentIndex(2);
         desk.bench.settle();
         MarginFrontPlot& plot = *desk.view->margins();
@@ -377,7 +415,7 @@ private slots:
         QVERIFY(desk.searched());
         const double before_s = desk.view->curves()->runs().front().feeds->end_s;
         const QString gained = desk.cell(0, FoundColumn::change);
-        const QString told = desk.told();
+        const QString yours = desk.answered("yours", "time");
         desk.click("optimiseTake");
         const double best_s = desk.view->search()->best()->time_s;
         const auto present_s = [&] { return desk.bench.window->outcome()->result.time_s; };
@@ -385,7 +423,7 @@ private slots:
         desk.bench.settle();
         QCOMPARE(desk.view->curves()->runs().front().feeds->end_s, before_s);
         QCOMPARE(desk.cell(0, FoundColumn::change), gained);
-        QCOMPARE(desk.told(), told);
+        QCOMPARE(desk.answered("yours", "time"), yours);
         Project larger = desk.project();
         larger.part->stock_mm += 0.05;
         desk.bench.window->document().edit(larger, {"Edit", ""});
@@ -482,40 +520,106 @@ private slots:
         outcome.search.best.emplace().time_s = outcome.search.bound_s = 60;
         outcome.search.status = SearchStatus::proved; // for the scenarios of the last round
         QVERIFY(outcome.unresolved() && !outcome.proved());
-        const QString none = OptimiseText::answer(outcome, {});
+        const QString none = OptimiseText::notes(outcome);
         QVERIFY2(none.contains(QStringLiteral("every scenario")), qPrintable(none));
+        QVERIFY(answerTable(outcome, {}).rows.empty());
         robust.holdsInSample = true;
         FoundCycle& found = outcome.found.emplace_back();
         found.time_s = 50;
         found.isBest = true;
         outcome.search.status = SearchStatus::stopped;
         QVERIFY(!outcome.unresolved() && !outcome.proved());
-        const QString some = OptimiseText::answer(outcome, {});
-        QVERIFY2(some.contains(QStringLiteral("best so far")), qPrintable(some));
+        const ValueTable some = answerTable(outcome, {});
+        QVERIFY(cellOf(some, "best", "basis").startsWith(QStringLiteral("the best so far")));
+        QCOMPARE(cellOf(some, "bound", "time"), OptimiseText::time(60));
         outcome.search.status = SearchStatus::proved;
         QVERIFY(outcome.proved());
         robust.nominalTime_s = 40;
-        const QString cost = OptimiseText::answer(outcome, {});
-        QVERIFY2(cost.contains(QStringLiteral("40.00 s: robustness costs 25.0 % of time")),
-                 qPrintable(cost));
-        QVERIFY2(cost.contains(QStringLiteral("held in all of 500 phases"))
-                     && cost.contains(QStringLiteral("at most 0.74 % of the phases fail"))
-                     && cost.contains(QStringLiteral("proved for these")),
-                 qPrintable(cost));
+        robust.added.resize(3);
+        const ValueTable proved = answerTable(outcome, 100, 0.25);
+        QCOMPARE(cellOf(proved, "bound", "time"), QString());
+        QCOMPARE(cellOf(proved, "yours", "margin"), OptimiseText::percent(0.25));
+        QCOMPARE(cellOf(proved, "nominal", "time"), OptimiseText::time(40));
+        QCOMPARE(cellOf(proved, "nominal", "change"), OptimiseText::percent(-0.6));
+        QVERIFY(cellOf(proved, "nominal", "basis").contains(QStringLiteral("25.0 % of time")));
+        QCOMPARE(cellOf(proved, "nominal", "stocks"), QStringLiteral("–"));
+        QCOMPARE(cellOf(proved, "best", "name"), QStringLiteral("Robust answer"));
+        QCOMPARE(cellOf(proved, "best", "stocks"), QStringLiteral("0.74"));
+        const QString basis = cellOf(proved, "best", "basis");
+        QVERIFY2(
+            basis.contains(QStringLiteral("scenarios added is quicker, proved"))
+                && basis.contains(QStringLiteral("scenarios added: 3"))
+                && basis.contains(QStringLiteral("held for 500 stocks at random, as cycle no. 1")),
+            qPrintable(basis));
     }
 
     void theShareThatMayFailGrowsWithTheCyclesTried() {
         SearchOutcome outcome;
         outcome.project = outcome.searched = fixtures::searchedShaft();
-        outcome.robust.emplace().holdsInSample = true;
+        RobustSummary& robust = outcome.robust.emplace();
+        robust.holdsInSample = true;
         FoundCycle& found = outcome.found.emplace_back();
         found.time_s = 50;
         found.isBest = true;
         found.candidate = 3;
-        const QString third = OptimiseText::answer(outcome, {});
-        QVERIFY2(third.contains(QStringLiteral("as cycle no. 3 that was tried so"))
-                     && third.contains(QStringLiteral("at most 1.10 % of the phases fail")),
-                 qPrintable(third));
+        const ValueTable third = answerTable(outcome, {});
+        QCOMPARE(cellOf(third, "best", "stocks"), QStringLiteral("1.10"));
+        QVERIFY(cellOf(third, "best", "basis").contains(QStringLiteral("as cycle no. 3 tried so")));
+        QVERIFY(cellOf(third, "best", "batch").isEmpty()); // no batch is searched
+        found.decided = PhaseCases{{0.149, 0.151}, 8};
+        robust.freshParts = 500;
+        robust.candidate = 2;
+        const ValueTable decided = answerTable(outcome, {});
+        QCOMPARE(placeOf(decided.columns, "stocks"), decided.columns.size());
+        QCOMPARE(cellOf(decided, "best", "batch"), QStringLiteral("0.96"));
+        const QString basis = cellOf(decided, "best", "basis");
+        QVERIFY2(basis.contains(QStringLiteral("every stock of 0.149000…0.151000 mm, also at 8"))
+                     && basis.contains(QStringLiteral("none of 500 parts at random is bad")),
+                 qPrintable(basis));
+    }
+
+    /// What was found between the levels is the answer, in bold, and stands beside the grid's best.
+    void theRefinedCycleHasARowOfItsOwn() {
+        SearchOutcome outcome;
+        outcome.project = outcome.searched = fixtures::searchedShaft();
+        outcome.search.status = SearchStatus::proved;
+        outcome.refinement.emplace();
+        FoundCycle& best = outcome.found.emplace_back();
+        best.time_s = 50;
+        best.isBest = true;
+        const ValueTable without = answerTable(outcome, 100);
+        QCOMPARE(cellOf(without, "refined", "basis"), QStringLiteral("nothing quicker was found"));
+        QVERIFY(without.rows[placeOf(without.rows, "best")].isStrong);
+        FoundCycle refined;
+        refined.by = FoundBy::refinement;
+        refined.time_s = 45;
+        outcome.found.insert(outcome.found.begin(), refined);
+        const ValueTable with = answerTable(outcome, 100);
+        QCOMPARE(cellOf(with, "best", "time"), OptimiseText::time(50));
+        QCOMPARE(cellOf(with, "refined", "time"), OptimiseText::time(45));
+        QCOMPARE(cellOf(with, "refined", "change"), OptimiseText::percent(-0.55));
+        QVERIFY(cellOf(with, "refined", "basis").contains(QStringLiteral("not proved")));
+        QVERIFY(!with.rows[placeOf(with.rows, "best")].isStrong);
+        QVERIFY(with.rows[placeOf(with.rows, "refined")].isStrong);
+    }
+
+    /// With its heads and all digits, under a name that a screen reader speaks.
+    void theAnswerIsCopiedAsATable() {
+        const Desk desk(fixtures::searchedShaft());
+        QVERIFY(!desk.part<CopyTable>("optimiseAnswer").isVisible());
+        QVERIFY(desk.searched());
+        auto& table = desk.part<CopyTable>("optimiseAnswer");
+        QVERIFY(table.isVisible() && !table.accessibleName().isEmpty());
+        QCOMPARE(table.model()->index(1, 1).data(Qt::AccessibleTextRole).toString(),
+                 QStringLiteral("Time, min, Quickest cycle: ") + desk.answered("best", "time"));
+        table.setFocus();
+        QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+        const QStringList lines =
+            QGuiApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), 1 + table.model()->rowCount());
+        QVERIFY2(lines[0].startsWith(QStringLiteral("Cycle\tTime, min\tAgainst yours, %\t")),
+                 qPrintable(lines[0]));
+        QVERIFY2(lines[2].startsWith(QStringLiteral("Quickest cycle\t")), qPrintable(lines[2]));
     }
 
     // What was not worked out is not known; it does not read as if nothing were in the way.
@@ -527,7 +631,7 @@ private slots:
         found.isBest = true;
         outcome.search.status = SearchStatus::proved;
         const auto says = [&](const char* words) {
-            return OptimiseText::answer(outcome, {}).contains(QString::fromLatin1(words));
+            return OptimiseText::notes(outcome).contains(QString::fromLatin1(words));
         };
         QVERIFY(says("from being quicker is not known: the search was stopped"));
         outcome.binding.emplace();
@@ -555,7 +659,7 @@ private slots:
         cycle.stages[1].radial_feed_mm = 0.003;
         cycle.stages[1].axial_feed_mm_min = 1200;
         outcome.edges = edgesReached(outcome.searched, cycle);
-        QString text = OptimiseText::answer(outcome, {});
+        QString text = OptimiseText::notes(outcome);
         QVERIFY2(text.contains(QStringLiteral("Stage 1: “Axial feed” has the maximum level"))
                      && text.contains(QStringLiteral("allowed is 5000")),
                  qPrintable(text));
@@ -563,7 +667,7 @@ private slots:
         outcome.searched.machine->limits.axial_feed_mm_min = std::vector<double>{50, 2400, 50};
         outcome.edges = edgesReached(outcome.searched, cycle);
         outcome.rounds = 3;
-        text = OptimiseText::answer(outcome, {});
+        text = OptimiseText::notes(outcome);
         QVERIFY2(text.contains(QStringLiteral("limits allow no other"))
                      && text.contains(QStringLiteral("rounds: 3")),
                  qPrintable(text));
