@@ -297,10 +297,10 @@
     <context>
         <name>sparkout::VerdictPanel</name>
         <message numerus="yes">
-            <source>%n fields hold a refused text; the verdict is of the values before it.</source>
+            <source>%n fields contain invalid entries; the verdict is based on their last valid values.</source>
             <translation>
-                <numerusform>%n field holds a refused text; the verdict is of the value before it.</numerusform>
-                <numerusform>%n fields hold a refused text; the verdict is of the values before it.</numerusform>
+                <numerusform>%n field contains an invalid entry; the verdict is based on its last valid value.</numerusform>
+                <numerusform>%n fields contain invalid entries; the verdict is based on their last valid values.</numerusform>
             </translation>
         </message>
     </context>

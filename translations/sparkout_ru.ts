@@ -1038,7 +1038,7 @@
     <context>
         <name>CouplingCurves</name>
         <message>
-            <source>Coupled less independent at most %1 µm of diameter, at %2 mm. Spread over the length: independent %3 µm, coupled %4 µm. Time %5 and %6.</source>
+            <source>Coupling changes the diameter most at %2 mm, by %1 µm. Spread over the length: independent %3 µm, coupled %4 µm. Time: %5 and %6.</source>
             <translation>Разность связанных и независимых не более %1 мкм по диаметру, на %2 мм. Разброс по длине: независимые %3 мкм, связанные %4 мкм. Время %5 и %6.</translation>
         </message>
         <message>
@@ -2954,7 +2954,7 @@ axial feed, mm/min</source>
             <translation>Добавить партию</translation>
         </message>
         <message>
-            <source>Keep the present run</source>
+            <source>Keep the current run</source>
             <translation>Запомнить текущий расчёт</translation>
         </message>
         <message>
@@ -3890,7 +3890,7 @@ With another name both versions stay as they are.</source>
             <translation>лучшее место</translation>
         </message>
         <message>
-            <source>present place</source>
+            <source>current place</source>
             <translation>текущее место</translation>
         </message>
         <message>
@@ -10651,7 +10651,7 @@ With another name both versions stay as they are.</source>
     <context>
         <name>PhaseText</name>
         <message>
-            <source>Of the parts of the batch %1 fail by their stock alone.</source>
+            <source>Rejected by stock alone: %1.</source>
             <translation>Деталей партии, не годных из-за припуска: %1.</translation>
         </message>
         <message>
@@ -10659,7 +10659,7 @@ With another name both versions stay as they are.</source>
             <translation>У %1 припуск вне диапазона.</translation>
         </message>
         <message>
-            <source>The phases of the stock are being decided</source>
+            <source>The stocks are being checked</source>
             <translation>Проверяются припуски диапазона</translation>
         </message>
         <message>
@@ -10667,11 +10667,11 @@ With another name both versions stay as they are.</source>
             <translation>Участков: %1</translation>
         </message>
         <message>
-            <source>Under position control the phases of the stock cannot be decided: the first step meets the part somewhere within its infeed. Vary the stock in a sweep, or let it scatter in a batch.</source>
+            <source>Under position control the stocks within one infeed cannot be decided: the wheel touches the part at an unknown point within the first infeed. Vary the stock in a sweep, or let it scatter in a batch.</source>
             <translation>При управлении по положению проверить все припуски нельзя: первый шаг встречает деталь где-то в пределах подачи на шаг. Варьируйте припуск или задайте его рассеяние в партии.</translation>
         </message>
         <message>
-            <source>Holds for every stock per side from %1 to %2 mm.</source>
+            <source>The cycle is fit for every stock per side from %1 to %2 mm.</source>
             <translation>Годен при любом припуске на сторону от %1 до %2 мм.</translation>
         </message>
         <message>
@@ -10679,7 +10679,7 @@ With another name both versions stay as they are.</source>
             <translation>от %1 до %2</translation>
         </message>
         <message>
-            <source>Fails for stocks per side %1 mm%2: %3.</source>
+            <source>The cycle is unfit for stocks per side %1 mm%2: %3.</source>
             <translation>Не годен при припусках на сторону %1 мм%2: %3.</translation>
         </message>
         <message>
@@ -10687,19 +10687,19 @@ With another name both versions stay as they are.</source>
             <translation> (ещё диапазонов: %1)</translation>
         </message>
         <message>
-            <source>Other stocks fail by other requirements: see the table of the plot.</source>
+            <source>Other stocks do not meet other requirements: see the table of the plot.</source>
             <translation>При других припусках нарушены другие требования: см. таблицу графика.</translation>
         </message>
         <message>
-            <source>holds</source>
+            <source>fit</source>
             <translation>годен</translation>
         </message>
         <message>
-            <source>holds from %1 to %2 mm, else fails: %3</source>
+            <source>fit from %1 to %2 mm, otherwise unfit: %3</source>
             <translation>годен от %1 до %2 мм, иначе нет: %3</translation>
         </message>
         <message>
-            <source>fails: %1</source>
+            <source>unfit: %1</source>
             <translation>не годен: %1</translation>
         </message>
         <message>
@@ -10711,11 +10711,11 @@ With another name both versions stay as they are.</source>
             <translation>, диаметры %1…%2 мкм от номинала</translation>
         </message>
         <message>
-            <source>every requirement holds</source>
+            <source>all requirements are met</source>
             <translation>выполнены все требования</translation>
         </message>
         <message>
-            <source>The range has more than %1 pieces: type a narrower one.</source>
+            <source>The range has more than %1 pieces: enter a narrower range.</source>
             <translation>В диапазоне больше %1 участков: задайте более узкий.</translation>
         </message>
     </context>
@@ -10790,11 +10790,11 @@ With another name both versions stay as they are.</source>
             <translation>Размер не достигнут: %1.</translation>
         </message>
         <message>
-            <source>every requirement holds</source>
+            <source>all requirements are met</source>
             <translation>выполнены все требования</translation>
         </message>
         <message>
-            <source>does not hold: %1</source>
+            <source>not met: %1</source>
             <translation>не выполнено: %1</translation>
         </message>
         <message>
@@ -11476,7 +11476,7 @@ With another name both versions stay as they are.</source>
             <translation>%1 (%2 с)</translation>
         </message>
         <message>
-            <source>%1: the gauge reads %2 mm, %3 µm a side remain</source>
+            <source>%1: the gauge reads %2 mm, %3 µm per side remain</source>
             <translation>%1: показание прибора %2 мм, осталось %3 мкм на сторону</translation>
         </message>
         <message>
@@ -11499,7 +11499,7 @@ With another name both versions stay as they are.</source>
             <translation>Высота круга, умноженная на частоту вращения заготовки и делённая на продольную подачу; значение %1 достигается при %2 мм/мин.</translation>
         </message>
         <message>
-            <source>The fewest that a stage with stock makes; a smaller feed or more stock in stage %1 makes them more.</source>
+            <source>This is the minimum over the stages with stock; a smaller feed or more stock in stage %1 increases it.</source>
             <translation>Наименьшее число среди ступеней с припуском; меньшая подача или больший припуск ступени %1 увеличит его.</translation>
         </message>
         <message>
@@ -11532,7 +11532,7 @@ With another name both versions stay as they are.</source>
             <translation>, больше предела: никакой цикл его не выдержит.</translation>
         </message>
         <message>
-            <source>. More passes without feed take it down, or a smaller last feed.</source>
+            <source>. More passes without feed or a smaller last feed reduce it.</source>
             <translation>. Уменьшат его выхаживание подольше или меньшая последняя подача.</translation>
         </message>
         <message>
@@ -11548,7 +11548,7 @@ With another name both versions stay as they are.</source>
             <translation>%1: хуже всего здесь: %2.</translation>
         </message>
         <message>
-            <source> A smaller feed in stage %1 lowers it, or a sharper wheel.</source>
+            <source> A smaller feed in stage %1 or a sharper wheel lowers it.</source>
             <translation> Снизят её меньшая подача ступени %1 или более острый круг.</translation>
         </message>
         <message>
@@ -11816,7 +11816,7 @@ With another name both versions stay as they are.</source>
             <translation>&amp;Контрастная</translation>
         </message>
         <message>
-            <source>&amp;Keep the present run</source>
+            <source>&amp;Keep the current run</source>
             <translation>&amp;Запомнить текущий расчёт</translation>
         </message>
         <message>
@@ -11991,11 +11991,11 @@ With another name both versions stay as they are.</source>
             <translation>В этой партии ни один фактор не рассеивается.</translation>
         </message>
         <message>
-            <source>This characteristic or one of the factors does not vary, or the parts are too few to tell which factor matters.</source>
+            <source>This characteristic or one of the factors does not vary, or there are too few parts to show which factor matters.</source>
             <translation>Эта характеристика или один из факторов не меняется, либо деталей слишком мало, чтобы сказать, какой фактор важен.</translation>
         </message>
         <message>
-            <source>Corners are no sample: rank regression takes parts at random.</source>
+            <source>Corner parts are not a sample: rank regression needs parts drawn at random.</source>
             <translation>Крайние сочетания — не выборка: для ранговой регрессии нужны случайные детали.</translation>
         </message>
         <message>
@@ -12003,7 +12003,7 @@ With another name both versions stay as they are.</source>
             <translation>Для коррелированных факторов индексы Соболя не имеют смысла.</translation>
         </message>
         <message>
-            <source>Sobol indices take parts of their own; they are being run.</source>
+            <source>Sobol indices need additional parts; these are being run.</source>
             <translation>Для индексов Соболя нужны собственные детали; они рассчитываются.</translation>
         </message>
         <message>
@@ -12015,7 +12015,7 @@ With another name both versions stay as they are.</source>
             <translation>Расчёт индексов Соболя остановлен. «Рассчитать» запустит его снова.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the batch is that of the last accepted ones.</source>
+            <source>The inputs are refused; the batch is that of the last valid inputs.</source>
             <translation>Исходные данные не приняты; партия — по последним верным.</translation>
         </message>
         <message>
@@ -12087,7 +12087,7 @@ With another name both versions stay as they are.</source>
             <translation>Чем выражен вес фактора</translation>
         </message>
         <message>
-            <source>Rank regression: standardised coefficients, of the parts of the batch; sign and weight as far as the dependence is monotone, which R² says. Sobol indices: share of the variance, of parts of their own.</source>
+            <source>Rank regression: standardised coefficients from the parts of the batch; sign and weight are valid as far as the dependence is monotone, which R² shows. Sobol indices: shares of the variance, from additional parts.</source>
             <translation>Ранговая регрессия: стандартизованные коэффициенты по деталям партии; знак и вес настолько, насколько зависимость монотонна, что показывает R². Индексы Соболя: доля дисперсии, по собственным деталям.</translation>
         </message>
         <message>
@@ -12119,7 +12119,7 @@ With another name both versions stay as they are.</source>
             <translation>Остановить</translation>
         </message>
         <message>
-            <source>End the batch; what was done is kept and shown</source>
+            <source>Stop the batch; the completed parts are kept and shown</source>
             <translation>Остановить расчёт партии; сделанное сохраняется и показывается</translation>
         </message>
         <message>
@@ -12131,11 +12131,11 @@ With another name both versions stay as they are.</source>
             <translation>Добавить типовую партию</translation>
         </message>
         <message>
-            <source>This project describes no batch. A batch is a number of parts whose stock, runout, dullness and other factors scatter: it says which share of them keeps the drawing. Choose the factors on the page Batch of the inputs, or start with usual ones.</source>
+            <source>This project describes no batch. A batch is a number of parts whose stock, runout, dullness and other factors scatter: it shows which share of them meets the drawing. Choose the factors on the page Batch of the inputs, or start with the usual factors.</source>
             <translation>В проекте не описана партия. Партия — это детали, у которых припуск, биение, затупление и другие факторы рассеиваются: она показывает, какая их доля выдерживает чертёж. Выберите факторы на странице «Партия» исходных данных или начните с типовых.</translation>
         </message>
         <message>
-            <source>50 parts whose stock, runout and dullness scatter about the present inputs; can be undone and changed on the page Batch</source>
+            <source>50 parts whose stock, runout and dullness scatter about the current inputs; can be undone and changed on the page Batch</source>
             <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг текущих значений; можно отменить и изменить на странице «Партия»</translation>
         </message>
         <message>
@@ -12151,7 +12151,7 @@ With another name both versions stay as they are.</source>
             <translation>Брак по причинам, сначала самая частая</translation>
         </message>
         <message>
-            <source>Keep the part with the minimum margin as a run beside this project and compare the two; the project stays as it is</source>
+            <source>Keep the part with the minimum margin as a run and compare it with this project, which stays unchanged</source>
             <translation>Запомнить деталь с наименьшим запасом как расчёт рядом с проектом и сравнить их; сам проект не изменится</translation>
         </message>
         <message>
@@ -12159,7 +12159,7 @@ With another name both versions stay as they are.</source>
             <translation>Все детали в CSV</translation>
         </message>
         <message>
-            <source>Run the batch again and save a row for every part: its factors, every quantity, every requirement held or not</source>
+            <source>Run the batch again and save a row for every part: its factors, all quantities, and whether each requirement is met</source>
             <translation>Рассчитать партию ещё раз и сохранить по строке на деталь: её факторы, все показатели и выполнение каждого требования</translation>
         </message>
     </context>
@@ -12178,7 +12178,7 @@ With another name both versions stay as they are.</source>
             <translation>Ход расчёта партии</translation>
         </message>
         <message>
-            <source>End the batch; no report is made</source>
+            <source>Stop the batch; no report is made</source>
             <translation>Прекратить расчёт партии; отчёт не создаётся</translation>
         </message>
     </context>
@@ -12477,11 +12477,11 @@ With another name both versions stay as they are.</source>
             <translation>Горизонтальная ось</translation>
         </message>
         <message>
-            <source>Keep the present run</source>
+            <source>Keep the current run</source>
             <translation>Запомнить текущий расчёт</translation>
         </message>
         <message>
-            <source>Present run</source>
+            <source>Current run</source>
             <translation>Текущий расчёт</translation>
         </message>
         <message>
@@ -12493,23 +12493,23 @@ With another name both versions stay as they are.</source>
             <translation>сейчас: %1</translation>
         </message>
         <message>
-            <source>Point at a curve to read its values beside those of the present run.</source>
+            <source>Point at a curve to read its values beside those of the current run.</source>
             <translation>Наведите указатель на кривую: её значения встанут рядом со значениями текущего расчёта.</translation>
         </message>
         <message>
-            <source>No run is kept yet. Keep the present one, change the inputs, and see here what it did: the curves of both, and the inputs and results that differ.</source>
+            <source>No run is kept yet. Keep the current run and change the inputs; the curves of both runs, and the inputs and results that differ, are shown here.</source>
             <translation>Пока не запомнен ни один расчёт. Запомните текущий и измените исходные данные — здесь станет видно, что изменилось.</translation>
         </message>
         <message>
-            <source>Check a run in the list to lay it over the present one.</source>
+            <source>Check a run in the list to draw it over the current run.</source>
             <translation>Отметьте расчёт в списке, чтобы наложить его на текущий.</translation>
         </message>
         <message>
-            <source>The chosen runs have the inputs and results of the present one.</source>
+            <source>The chosen runs have the same inputs and results as the current run.</source>
             <translation>У отмеченных расчётов те же исходные данные и результаты, что у текущего.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the present run is that of the last accepted ones.</source>
+            <source>The inputs are refused; the current run is that of the last valid inputs.</source>
             <translation>Исходные данные не приняты; текущий расчёт — по последним верным.</translation>
         </message>
         <message>
@@ -12533,7 +12533,7 @@ With another name both versions stay as they are.</source>
             </translation>
         </message>
         <message>
-            <source>“%1” was kept by version %2 of the program and comes out differently now: %3</source>
+            <source>“%1” was kept by version %2 of the program; this version gives different results: %3</source>
             <translation>«%1» запомнен версией программы %2 и теперь получается иначе: %3</translation>
         </message>
         <message>
@@ -12631,11 +12631,11 @@ With another name both versions stay as they are.</source>
             <translation>Одинакова по всей длине.</translation>
         </message>
         <message>
-            <source>Stages end by the position of the wheel head: the gauge has no say, and all its places are alike.</source>
+            <source>Stages end by the position of the wheel head: the gauge has no effect, wherever it is placed.</source>
             <translation>Ступени заканчиваются по положению шлифовальной бабки: прибор не действует, и все его места равноценны.</translation>
         </message>
         <message>
-            <source>In traverse grinding the gauge stands in the middle of %1. The curves say what it would do in another zone.</source>
+            <source>In traverse grinding the gauge is in the middle of %1. The curves show its effect in another zone.</source>
             <translation>При шлифовании с продольной подачей прибор стоит посередине %1. Кривые показывают, что было бы в другой зоне.</translation>
         </message>
         <message>
@@ -12651,7 +12651,7 @@ With another name both versions stay as they are.</source>
             <translation>Идёт расчёт…</translation>
         </message>
         <message>
-            <source>From no place of the gauge does the cycle reach size.</source>
+            <source>The cycle does not reach size with the gauge in any place.</source>
             <translation>Ни с одного места прибора цикл не выходит на размер.</translation>
         </message>
         <message>
@@ -12659,7 +12659,7 @@ With another name both versions stay as they are.</source>
             <translation>%1 мм</translation>
         </message>
         <message>
-            <source>Best place: %1; there no diameter is farther than %2 µm from the middle of the field. At present, at %3 mm: %4 µm.</source>
+            <source>Best place: %1; there all diameters are within %2 µm of the middle of the tolerance band. Current place, %3 mm: %4 µm.</source>
             <translation>Лучшее место: %1; там ни один диаметр не дальше %2 мкм от середины поля. Сейчас, на %3 мм: %4 мкм.</translation>
         </message>
         <message>
@@ -12671,7 +12671,7 @@ With another name both versions stay as they are.</source>
             <translation>Связанные и независимые сечения</translation>
         </message>
         <message>
-            <source>What stands below the part</source>
+            <source>Curves below the part</source>
             <translation>Что показано под деталью</translation>
         </message>
         <message>
@@ -12683,11 +12683,11 @@ With another name both versions stay as they are.</source>
             <translation>Сделать лучшее место местом прибора; можно отменить</translation>
         </message>
         <message>
-            <source>The compliance is given, zone by zone or section by section. Choose &quot;from stiffness and shaft&quot; on the page Machine to see what it is made of.</source>
+            <source>The compliance is given, zone by zone or section by section. Choose “from stiffness and shaft” on the page Machine to see its components.</source>
             <translation>Податливость задана по зонам или сечениям. Выберите «по жёсткости узлов и валу» на странице «Станок», чтобы увидеть, из чего она складывается.</translation>
         </message>
         <message>
-            <source>The compliance is given section by section, which does not say how one section moves another. Choose &quot;from stiffness and shaft&quot; on the page Machine.</source>
+            <source>The compliance is given section by section, which does not determine how a force in one section moves another. Choose “from stiffness and shaft” on the page Machine.</source>
             <translation>Податливость задана по сечениям, а это не говорит, как одно сечение отжимает другое. Выберите «по жёсткости узлов и валу» на странице «Станок».</translation>
         </message>
     </context>
@@ -12782,11 +12782,11 @@ With another name both versions stay as they are.</source>
             <translation>%1 — %2</translation>
         </message>
         <message>
-            <source>Choose a requirement to see where it was worst and how its number came about.</source>
+            <source>Choose a requirement to see where it was worst and how its value arose.</source>
             <translation>Выберите требование: здесь появится, где оно ближе всего к пределу и как получено число.</translation>
         </message>
         <message>
-            <source>%1, %2: a setting held against its range.</source>
+            <source>%1, %2: a setting compared with its range.</source>
             <translation>%1 (%2): настройка сверяется с диапазоном станка.</translation>
         </message>
         <message>
@@ -12822,7 +12822,7 @@ With another name both versions stay as they are.</source>
             <translation>Требования по доле занятого предела</translation>
         </message>
         <message>
-            <source>How the number came about</source>
+            <source>Origin of the value</source>
             <translation>Как получено число</translation>
         </message>
         <message>
@@ -12838,11 +12838,11 @@ With another name both versions stay as they are.</source>
             <translation>Показать, где</translation>
         </message>
         <message>
-            <source>Zone or section; in a reversal zone the wheel stands or travels, which differ in the width of cut. With the share of its limit it comes to.</source>
+            <source>Zone or section with the used share of its limit. In a reversal zone, the width of cut depends on whether the wheel stands or travels.</source>
             <translation>Зона или сечение; в реверсной зоне круг стоит или ходит, ширина шлифования при этом разная. Рядом — наибольшая доля предела.</translation>
         </message>
         <message>
-            <source>Actual feeds on a logarithmic axis: sparking out and far limits in one picture</source>
+            <source>Actual feeds on a logarithmic axis: spark-out and distant limits in one plot</source>
             <translation>Фактические подачи по логарифмической оси: выхаживание и далёкие пределы на одном графике</translation>
         </message>
         <message>
@@ -12858,7 +12858,7 @@ With another name both versions stay as they are.</source>
             <translation>Наведите указатель на кривую, чтобы прочитать значения.</translation>
         </message>
         <message>
-            <source>Coupled sections share the power of the drives, so it limits no section&apos;s feed by itself. The requirements below hold it against the whole length.</source>
+            <source>Coupled sections share the power of the drives, so it does not limit the feed of a single section. The requirements below apply to the whole length.</source>
             <translation>Связанные сечения делят мощность приводов, поэтому подачу отдельного сечения она не ограничивает. Ниже, в требованиях, с ней сравнивается вся длина.</translation>
         </message>
     </context>
@@ -13274,11 +13274,11 @@ With another name both versions stay as they are.</source>
             <translation>Э1…Э5 — номера этапов, на которых зона шлифуется за один двойной ход, поэтому в разных зонах один номер означает разное. Этапы показаны, когда на графике немного двойных ходов.</translation>
         </message>
         <message>
-            <source>Fed at the exit, RZ2 is ground in E4 between its E1 and E2.</source>
+            <source>With infeed at the exit, RZ2 is ground in E4 between its E1 and E2.</source>
             <translation>При подаче у выхода этап Э4 зоны РЗ2 стоит между её этапами Э1 и Э2.</translation>
         </message>
         <message>
-            <source>A zone is shown as ground during the whole stroke, as the model has it: where the wheel stands within a stroke is not distinguished.</source>
+            <source>A zone is shown as ground during the whole stroke, as in the model: the position of the wheel within a stroke is not resolved.</source>
             <translation>Зона показана шлифуемой в течение всего хода, как принято в модели: положение круга внутри хода не различается.</translation>
         </message>
         <message>
@@ -13302,7 +13302,7 @@ With another name both versions stay as they are.</source>
             <translation>&amp;Закрыть</translation>
         </message>
         <message>
-            <source>The thick upright line is where the cycle stands: the bar below the views moves it, and so does a click into a plot. Without it the cycle is at its end.</source>
+            <source>The thick vertical line marks the moment of the cycle; the bar below the views or a click in a plot moves it. Without the line, the plots show the end of the cycle.</source>
             <translation>Толстая вертикальная линия показывает, где сейчас цикл: её двигает панель под графиками и щелчок по графику. Без линии цикл показан до конца.</translation>
         </message>
     </context>
@@ -13397,7 +13397,7 @@ With another name both versions stay as they are.</source>
             <translation>Наведите указатель на кривую, чтобы прочитать значения.</translation>
         </message>
         <message>
-            <source>%1 values that are no numbers are not drawn.</source>
+            <source>%1 values are not numbers and are not drawn.</source>
             <translation>Не показано нечисловых значений: %1.</translation>
         </message>
         <message>
@@ -14044,7 +14044,7 @@ With another name both versions stay as they are.</source>
             <translation>Поверхность поворачивают мышью или стрелками; колесо мыши меняет масштаб.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the layers are those of the last accepted ones.</source>
+            <source>The inputs are refused; the layers are those of the last valid inputs.</source>
             <translation>Исходные данные не приняты; слои — по последним верным.</translation>
         </message>
         <message>
@@ -14108,7 +14108,7 @@ With another name both versions stay as they are.</source>
             <translation>Круг и деталь</translation>
         </message>
         <message>
-            <source>Heights are exaggerated. As the model has it, a zone is ground during the whole stroke; and all that yields is drawn at the part.</source>
+            <source>Heights are exaggerated. As in the model, a zone is ground during the whole stroke; the whole deflection is drawn at the part.</source>
             <translation>Высоты увеличены. По модели зона шлифуется в течение всего хода; всё отжатие показано у детали.</translation>
         </message>
     </context>
@@ -15434,7 +15434,7 @@ target, µm</source>
             <translation>Наведите указатель на профиль, чтобы прочитать значения.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the profiles are those of the last accepted ones.</source>
+            <source>The inputs are refused; the profiles are those of the last valid inputs.</source>
             <translation>Исходные данные не приняты; профили — по последним верным.</translation>
         </message>
         <message>
@@ -15551,7 +15551,7 @@ target, µm</source>
             <translation>&amp;Прочитать измеренный профиль…</translation>
         </message>
         <message>
-            <source>&amp;Take it away</source>
+            <source>&amp;Remove profile</source>
             <translation>&amp;Убрать профиль</translation>
         </message>
         <message>
@@ -15559,7 +15559,7 @@ target, µm</source>
             <translation>Базовые окружности круглости (ISO 12181): МНК — средняя окружность, мин. зона — две окружности минимальной зоны, вписанная — максимальная вписанная, описанная — минимальная описанная окружность</translation>
         </message>
         <message>
-            <source>Gaussian filter of the cross-sections (ISO 16610-21): waves up to about so many undulations per revolution stay, as roundness machines state them</source>
+            <source>Gaussian filter of the cross-sections (ISO 16610-21): keeps waves up to about this number of undulations per revolution, as on roundness machines</source>
             <translation>Фильтр Гаусса для поперечных сечений (ISO 16610-21): остаются волны примерно до стольких на оборот, как указывают кругломеры</translation>
         </message>
         <message>
@@ -15819,7 +15819,7 @@ target, µm</source>
     <context>
         <name>sparkout::RunKeeper</name>
         <message>
-            <source>Kept as “%1”; the view Compare lays it over the present run.</source>
+            <source>Kept as “%1”; the view Compare draws it over the current run.</source>
             <translation>Запомнен как «%1»; на вкладке «Сравнение» он наложен на текущий расчёт.</translation>
         </message>
         <message>
@@ -15827,7 +15827,7 @@ target, µm</source>
             <translation>Расчёт не запомнен: файл проекта стал бы слишком большим. Удалите ненужные запомненные расчёты.</translation>
         </message>
         <message>
-            <source>The run was not kept: the inputs are refused, so there is none.</source>
+            <source>There is no run to keep: the inputs are refused.</source>
             <translation>Расчёт не запомнен: исходные данные не приняты, поэтому его нет.</translation>
         </message>
         <message numerus="yes">
@@ -15862,7 +15862,7 @@ target, µm</source>
     <context>
         <name>sparkout::RunsPanel</name>
         <message>
-            <source>Present run</source>
+            <source>Current run</source>
             <translation>Текущий расчёт</translation>
         </message>
         <message>
@@ -15890,7 +15890,7 @@ target, µm</source>
             <translation>теперь иначе</translation>
         </message>
         <message>
-            <source>Present run, always drawn</source>
+            <source>Current run, always drawn</source>
             <translation>Текущий расчёт, показан всегда</translation>
         </message>
         <message>
@@ -15898,15 +15898,15 @@ target, µm</source>
             <translation>Запомнен %1 версией %2</translation>
         </message>
         <message>
-            <source>Runs; a check mark lays one over the present run</source>
+            <source>Runs; a check mark draws a run over the current one</source>
             <translation>Расчёты; отмеченный накладывается на текущий</translation>
         </message>
         <message>
-            <source>Keep the present run</source>
+            <source>Keep the current run</source>
             <translation>Запомнить текущий расчёт</translation>
         </message>
         <message>
-            <source>Keep the present run: its inputs and results, for comparison</source>
+            <source>Keep the inputs and results of the current run for comparison</source>
             <translation>Запомнить текущий расчёт: исходные данные и результаты, для сравнения</translation>
         </message>
         <message>
@@ -15914,7 +15914,7 @@ target, µm</source>
             <translation>Вернуть исходные данные</translation>
         </message>
         <message>
-            <source>Take the inputs of the selected run in place of the present ones; the kept runs stay</source>
+            <source>Replace the current inputs with those of the selected run; the kept runs remain</source>
             <translation>Применить исходные данные выбранного расчёта вместо текущих; запомненные расчёты остаются</translation>
         </message>
         <message>
@@ -16441,19 +16441,19 @@ target, µm</source>
     <context>
         <name>sparkout::PhaseBar</name>
         <message>
-            <source>The range has to go upwards: it begins at %1 mm and ends at %2 mm.</source>
+            <source>The upper end of the range must lie above the lower end: it begins at %1 mm and ends at %2 mm.</source>
             <translation>Диапазон должен возрастать: он начинается с %1 мм и кончается на %2 мм.</translation>
         </message>
         <message>
-            <source>Stopped before anything was decided. Press “Run”.</source>
+            <source>Stopped before a result. Press “Run”.</source>
             <translation>Остановлено, прежде чем что-либо решено. Нажмите «Рассчитать».</translation>
         </message>
         <message>
-            <source>Minimum stock per side decided; empty: half the maximum infeed below</source>
+            <source>Minimum stock per side to check; empty: half the maximum infeed below the given stock</source>
             <translation>Наименьший припуск на сторону; пусто: на половину наибольшей подачи на шаг ниже</translation>
         </message>
         <message>
-            <source>Maximum stock per side decided; empty: half the maximum infeed above</source>
+            <source>Maximum stock per side to check; empty: half the maximum infeed above the given stock</source>
             <translation>Наибольший припуск на сторону; пусто: на половину наибольшей подачи на шаг выше</translation>
         </message>
         <message>
@@ -16461,7 +16461,7 @@ target, µm</source>
             <translation>Рассчитать</translation>
         </message>
         <message>
-            <source>Decide the phases of the range; that runs by itself after an edit</source>
+            <source>Check all stocks of the range; this also starts by itself after an edit</source>
             <translation>Проверить все припуски диапазона; после правки проверка идёт сама</translation>
         </message>
         <message>
@@ -16469,15 +16469,15 @@ target, µm</source>
             <translation>Остановить</translation>
         </message>
         <message>
-            <source>End the run; what was decided before is kept</source>
+            <source>Stop the run; the results so far are kept</source>
             <translation>Прервать расчёт; рассчитанное раньше остаётся</translation>
         </message>
         <message>
-            <source>What was decided</source>
+            <source>Result</source>
             <translation>Что рассчитано</translation>
         </message>
         <message>
-            <source>Progress of the decision</source>
+            <source>Progress of the check</source>
             <translation>Ход проверки</translation>
         </message>
     </context>
@@ -16611,11 +16611,11 @@ target, µm</source>
             <translation>предел</translation>
         </message>
         <message>
-            <source>every requirement holds</source>
+            <source>requirements met</source>
             <translation>выполнены все требования</translation>
         </message>
         <message>
-            <source>present value</source>
+            <source>current value</source>
             <translation>текущее значение</translation>
         </message>
     </context>
@@ -16626,11 +16626,11 @@ target, µm</source>
             <translation>предел этого результата</translation>
         </message>
         <message>
-            <source>every requirement holds: its edge</source>
+            <source>requirements met: edge</source>
             <translation>граница выполнения всех требований</translation>
         </message>
         <message>
-            <source>present values</source>
+            <source>current values</source>
             <translation>текущие значения</translation>
         </message>
         <message>
@@ -16672,7 +16672,7 @@ target, µm</source>
             <translation>Наведите указатель на припуск, чтобы прочитать шаги, время и размер его цикла.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the phases of the stock are those of the last accepted ones.</source>
+            <source>The inputs are refused; the stocks shown are those of the last valid inputs.</source>
             <translation>Исходные данные не приняты; проверка припусков — по последним верным.</translation>
         </message>
         <message>
@@ -16708,7 +16708,7 @@ target, µm</source>
             <translation>Наведите указатель на место, чтобы прочитать значения; щелчок выбирает его.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the sweep is that of the last accepted ones.</source>
+            <source>The inputs are refused; the sweep is that of the last valid inputs.</source>
             <translation>Исходные данные не приняты; варьирование — по последним верным.</translation>
         </message>
         <message>
@@ -16724,7 +16724,7 @@ target, µm</source>
             <translation>Это варьирование займёт время: нажмите «Рассчитать». Его можно остановить в любой момент, сделанное сохраняется.</translation>
         </message>
         <message>
-            <source>The cycle reaches size at no point of the range.</source>
+            <source>The cycle does not reach size at any point of the range.</source>
             <translation>Ни в одной точке этих пределов цикл не достигает размера.</translation>
         </message>
         <message>
@@ -16732,7 +16732,7 @@ target, µm</source>
             <translation>Ни в одной точке нет результата. Отклонено:</translation>
         </message>
         <message>
-            <source>Nothing changes over this range: the model does not read the input as this project is set.</source>
+            <source>Nothing changes over this range: with the settings of this project, the model does not use this input.</source>
             <translation>В этих пределах ничего не меняется: при таких настройках проекта расчёт не зависит от этой величины.</translation>
         </message>
         <message>
@@ -16776,7 +16776,7 @@ target, µm</source>
             <translation>Значения или запасы</translation>
         </message>
         <message>
-            <source>The values themselves, or how far they are from their limits: above 0 the requirement holds</source>
+            <source>The values, or their distances from the limits: above 0 the requirement is met</source>
             <translation>Сами значения или их запас до предела: выше 0 требование выполнено</translation>
         </message>
         <message>
@@ -16800,7 +16800,7 @@ target, µm</source>
             <translation>Остановить</translation>
         </message>
         <message>
-            <source>End the sweep; what was done is kept and shown</source>
+            <source>Stop the sweep; the completed points are kept and shown</source>
             <translation>Закончить варьирование; сделанное сохраняется и показывается</translation>
         </message>
         <message>
@@ -16816,7 +16816,7 @@ target, µm</source>
             <translation>Применить эти значения</translation>
         </message>
         <message>
-            <source>Put the inputs of the chosen point into this project; undo brings yours back</source>
+            <source>Use the inputs of the chosen point in this project; Undo restores the previous inputs</source>
             <translation>Подставить исходные данные выбранной точки в проект; отмена возвращает ваши</translation>
         </message>
         <message>
@@ -16869,15 +16869,15 @@ target, µm</source>
             <translation>То, чего от цикла требуют чертёж, процесс или станок</translation>
         </message>
         <message>
-            <source>What the cycle comes to, at its worst</source>
+            <source>Worst value</source>
             <translation>Наихудшее значение</translation>
         </message>
         <message>
-            <source>What is allowed</source>
+            <source>Allowed value</source>
             <translation>Допускаемое значение</translation>
         </message>
         <message>
-            <source>How far the value is from its limit; below 0 it is beyond</source>
+            <source>Distance of the value from its limit; below 0 the limit is exceeded</source>
             <translation>Насколько значение отстоит от предела; меньше 0 — предел превышен</translation>
         </message>
         <message>
@@ -16885,7 +16885,7 @@ target, µm</source>
             <translation>не известно: остались полосы</translation>
         </message>
         <message>
-            <source>holds</source>
+            <source>met</source>
             <translation>выполнено</translation>
         </message>
         <message>
@@ -16893,7 +16893,7 @@ target, µm</source>
             <translation>близко к пределу</translation>
         </message>
         <message>
-            <source>fails</source>
+            <source>not met</source>
             <translation>не выполнено</translation>
         </message>
         <message>
@@ -17369,7 +17369,7 @@ target, µm</source>
     <context>
         <name>sparkout::VerdictPanel</name>
         <message>
-            <source>The inputs are refused; the numbers are those of the last accepted ones.</source>
+            <source>The inputs are refused; the numbers are those of the last valid inputs.</source>
             <translation>Исходные данные не приняты; числа — по последним верным.</translation>
         </message>
         <message>
@@ -17405,7 +17405,7 @@ target, µm</source>
             <translation>Требования чертежа</translation>
         </message>
         <message numerus="yes">
-            <source>%n fields hold a refused text; the verdict is of the values before it.</source>
+            <source>%n fields contain invalid entries; the verdict is based on their last valid values.</source>
             <translation>
                 <numerusform>В %n поле стоит непринятый текст; заключение — по прежнему значению.</numerusform>
                 <numerusform>В %n полях стоит непринятый текст; заключение — по прежним значениям.</numerusform>
@@ -17413,7 +17413,7 @@ target, µm</source>
             </translation>
         </message>
         <message>
-            <source>Fields that hold a refused text</source>
+            <source>Fields with invalid entries</source>
             <translation>Поля с непринятым текстом</translation>
         </message>
         <message>
@@ -17665,7 +17665,7 @@ target, µm</source>
     <context>
         <name>sparkout::PlotView</name>
         <message>
-            <source>The inputs are refused; the curves are those of the last accepted ones.</source>
+            <source>The inputs are refused; the curves are those of the last valid inputs.</source>
             <translation>Исходные данные не приняты; кривые — по последним верным.</translation>
         </message>
         <message>
@@ -17848,11 +17848,11 @@ mm/min</source>
             <translation>Добавить партию…</translation>
         </message>
         <message>
-            <source>This project describes no batch. A batch of parts whose stock, runout and wheel scatter shows here how the sizes scatter and how many parts are good.</source>
+            <source>This project describes no batch. With a batch of parts whose stock, runout and wheel scatter, the scatter of the sizes and the number of good parts are shown here.</source>
             <translation>В проекте нет партии. Партия деталей, у которых рассеиваются припуск, биение и состояние круга, покажет здесь рассеяние размеров и число годных деталей.</translation>
         </message>
         <message>
-            <source>The batch has not been run: here will be how its sizes scatter and how many parts are good.</source>
+            <source>The batch has not been run. The scatter of its sizes and the number of good parts will be shown here.</source>
             <translation>Партия ещё не рассчитана: здесь будут рассеяние её размеров и число годных деталей.</translation>
         </message>
         <message>
@@ -17864,7 +17864,7 @@ mm/min</source>
             <translation>Ни у одной детали партии нет размера.</translation>
         </message>
         <message>
-            <source>The batch is of corners: they are no sample and have no quartiles.</source>
+            <source>The batch consists of corner parts: they are not a sample and have no quartiles.</source>
             <translation>Партия — крайние сочетания: это не выборка, квартилей у неё нет.</translation>
         </message>
         <message>
@@ -17876,12 +17876,12 @@ mm/min</source>
             <translation>Цикл слишком длинный для записи по этапам: помогут меньше радиусов или сечений.</translation>
         </message>
         <message>
-            <source>present</source>
+            <source>current</source>
             <comment>run</comment>
             <translation>текущий</translation>
         </message>
         <message>
-            <source>No run is kept yet: here will be its time and margin beside those of the present run.</source>
+            <source>No run is kept yet. Its time and margin will be shown here beside those of the current run.</source>
             <translation>Запомненных расчётов ещё нет: здесь будут их время и запас рядом с текущим расчётом.</translation>
         </message>
         <message>
@@ -17897,7 +17897,7 @@ mm/min</source>
             <translation>Значение столбца — под указателем; щелчок ведёт к виду. С клавиатуры: стрелки, Enter.</translation>
         </message>
         <message>
-            <source>The batch is of the inputs before the last edit.</source>
+            <source>The inputs have changed since the batch was run.</source>
             <translation>Исходные данные изменены после расчёта партии.</translation>
         </message>
         <message>
@@ -18147,7 +18147,7 @@ good</source>
             <translation>Запас — у требования, ближайшего к пределу; ниже 0, если требование не выполнено.</translation>
         </message>
         <message>
-            <source>The present run and the newest %1 of %2 kept ones.</source>
+            <source>The current run and the newest %1 of the %2 kept runs.</source>
             <translation>Текущий расчёт и последние %1 из %2 запомненных.</translation>
         </message>
     </context>
@@ -20059,7 +20059,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             </translation>
         </message>
         <message>
-            <source>Nothing speaks against the model; %1 of %2 comparisons agree.</source>
+            <source>No contradiction with the model; %1 of %2 comparisons agree.</source>
             <translation>Противоречий с моделью нет; согласуется сравнений: %1 из %2.</translation>
         </message>
         <message>
@@ -20075,19 +20075,19 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Значения — под указателем.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the prediction is that of the last accepted ones.</source>
+            <source>The inputs are refused; the prediction is that of the last valid inputs.</source>
             <translation>Исходные данные не приняты; прогноз — по последним верным.</translation>
         </message>
         <message>
-            <source>No part is measured yet. Here measured diameters, runout, roundness, cylindricity and roughness will stand beside those that the batch predicts, with a verdict on the model. Import a table of a measuring machine, paste one from a spreadsheet (Ctrl+V), or type the statistics of a printed table under “Statistics”.</source>
+            <source>No part is measured yet. Measured diameters, runout, roundness, cylindricity and roughness will be shown here beside the predicted batch, with a verdict on the model. Import a table of a measuring machine, paste one from a spreadsheet (Ctrl+V), or enter the statistics of a printed table under “Statistics”.</source>
             <translation>Измеренных деталей ещё нет. Здесь измеренные диаметры, биение, отклонения от круглости и цилиндричности и шероховатость встанут рядом с прогнозом партии, с заключением о модели. Импортируйте таблицу измерительной машины, вставьте её из электронной таблицы (Ctrl+V) или введите статистику печатной таблицы в разделе «Статистика».</translation>
         </message>
         <message>
-            <source>The batch that predicts cannot be run:</source>
+            <source>The predicted batch cannot be run:</source>
             <translation>Партию для прогноза рассчитать нельзя:</translation>
         </message>
         <message>
-            <source>The batch that predicts takes a while: press “Run”. It can be stopped at any time.</source>
+            <source>The predicted batch takes a while: press “Run”. It can be stopped at any time.</source>
             <translation>Расчёт партии для прогноза займёт время: нажмите «Рассчитать». Его можно остановить в любой момент.</translation>
         </message>
         <message>
@@ -20155,7 +20155,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Рассчитать</translation>
         </message>
         <message>
-            <source>Run the batch that predicts; a quick one runs by itself</source>
+            <source>Run the predicted batch; a quick one runs by itself</source>
             <translation>Рассчитать партию для прогноза; быстрая рассчитывается сама</translation>
         </message>
         <message>
@@ -20163,7 +20163,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Остановить</translation>
         </message>
         <message>
-            <source>End the batch; what was done is kept and shown</source>
+            <source>Stop the batch; the completed parts are kept and shown</source>
             <translation>Прервать расчёт партии; сделанное сохраняется и показывается</translation>
         </message>
         <message>

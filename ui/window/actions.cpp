@@ -365,7 +365,7 @@ void Actions::retranslate() {
     importMeasured->setText(tr("&Import measurements…"));
     exportResults->setText(tr("Export resu&lts…"));
     quit->setText(tr("&Quit"));
-    keepRun->setText(tr("&Keep the present run"));
+    keepRun->setText(tr("&Keep the current run"));
     keepRun->setIconText(tr("Keep run"));
     reports.front().preview->setIconText(tr("Cycle card"));
     english->setText(QStringLiteral("English"));
