@@ -3354,7 +3354,7 @@ axial feed, mm/min</source>
             <translation>Файлы JSON (*.json)</translation>
         </message>
         <message>
-            <source>There is no trace: of a run of %1 rows only the results are kept; a trace has %2 at most.</source>
+            <source>There is no trace: the run has %1 rows and a trace at most %2, so only the results are kept.</source>
             <translation>Трассы нет: в ней было бы %1 строк, а записывается не больше %2. Результаты сохранены полностью.</translation>
         </message>
     </context>
@@ -3512,11 +3512,11 @@ axial feed, mm/min</source>
     <context>
         <name>FileError</name>
         <message>
-            <source>the path cannot be reached</source>
+            <source>the file or folder is not accessible</source>
             <translation>файл или папка недоступны</translation>
         </message>
         <message>
-            <source>what stands there is not a file</source>
+            <source>the path does not name a file</source>
             <translation>по этому пути находится не файл</translation>
         </message>
         <message>
@@ -3536,7 +3536,7 @@ axial feed, mm/min</source>
             <translation>не удаётся задать права доступа</translation>
         </message>
         <message>
-            <source>the disk did not take the data</source>
+            <source>the data could not be written</source>
             <translation>данные не удалось записать</translation>
         </message>
         <message>
@@ -3548,7 +3548,7 @@ axial feed, mm/min</source>
             <translation>не удаётся поставить новый файл на место</translation>
         </message>
         <message>
-            <source>the disk gave back other data than written</source>
+            <source>the data read back from the disk differ from the data written</source>
             <translation>диск вернул не те данные, что были записаны</translation>
         </message>
         <message>
@@ -3560,11 +3560,11 @@ axial feed, mm/min</source>
             <translation>файл слишком велик</translation>
         </message>
         <message>
-            <source>another program has changed it meanwhile</source>
+            <source>another program has changed it in the meantime</source>
             <translation>за это время его изменила другая программа</translation>
         </message>
         <message>
-            <source>this program could not read the content again</source>
+            <source>this program could not read the saved content back</source>
             <translation>такое содержимое эта программа не смогла бы прочитать снова</translation>
         </message>
         <message>
@@ -3651,7 +3651,7 @@ axial feed, mm/min</source>
             <translation>&amp;Не сохранять</translation>
         </message>
         <message>
-            <source>The lock file beside it cannot be understood; it belongs to the user %1 and is of %2.</source>
+            <source>The lock file beside it cannot be read; it belongs to the user %1 and dates from %2.</source>
             <translation>Файл блокировки рядом с ним не читается; его владелец — %1, время — %2.</translation>
         </message>
         <message>
@@ -3673,7 +3673,7 @@ Since: %5</source>
             <translation>«%1», по-видимому, уже открыт.</translation>
         </message>
         <message>
-            <source>Take it over only if nobody works in it any more.</source>
+            <source>Open it anyway only if nobody is working in it any more.</source>
             <translation>Открывайте его, только если с ним больше никто не работает.</translation>
         </message>
         <message>
@@ -3689,7 +3689,7 @@ Since: %5</source>
             <translation>Открыть &amp;копию</translation>
         </message>
         <message>
-            <source>&amp;Take over</source>
+            <source>&amp;Open anyway</source>
             <translation>&amp;Всё равно открыть</translation>
         </message>
         <message>
@@ -3711,7 +3711,7 @@ Reloading takes that version; your changes stay in Undo.</source>
 Перезагрузка возьмёт ту версию; ваши изменения останутся в «Отменить».</translation>
         </message>
         <message>
-            <source>The file is not locked against other users: “%1” stands where its lock belongs and is not a lock file. It was left as it is.</source>
+            <source>The file is not locked against other users: “%1” has the name of its lock file but is not one. It was left unchanged.</source>
             <translation>Файл не заблокирован для других пользователей: на месте его файла блокировки стоит «%1», а это не файл блокировки. Он оставлен как есть.</translation>
         </message>
         <message>
@@ -3765,15 +3765,15 @@ With another name both versions stay as they are.</source>
             <translation>&amp;Повторить</translation>
         </message>
         <message>
-            <source>Refused texts, which no file will hold:</source>
+            <source>Invalid entries (not saved):</source>
             <translation>Неверные значения (не сохранены):</translation>
         </message>
         <message>
-            <source>Refused texts</source>
+            <source>Invalid entries</source>
             <translation>Непринятый текст</translation>
         </message>
         <message>
-            <source>Everything else is saved, but what was refused is in no file. Go on without it?</source>
+            <source>Everything else is saved, but the invalid entries are not. Continue without them?</source>
             <translation>Всё остальное сохранено, но непринятого текста нет ни в одном файле. Продолжить без него?</translation>
         </message>
         <message>
@@ -3781,7 +3781,7 @@ With another name both versions stay as they are.</source>
             <translation>Не принято:</translation>
         </message>
         <message>
-            <source>&amp;Go on</source>
+            <source>&amp;Continue</source>
             <translation>&amp;Продолжить</translation>
         </message>
         <message>
@@ -7873,11 +7873,11 @@ With another name both versions stay as they are.</source>
     <context>
         <name>OperationNotice</name>
         <message>
-            <source>A plunge grinds no more than the wheel covers. With the operation these inputs changed: %1.</source>
+            <source>A plunge grinds only the length that the wheel covers. These inputs changed with the operation: %1.</source>
             <translation>Врезанием шлифуется не больше, чем перекрывает круг. Вместе с операцией изменены: %1.</translation>
         </message>
         <message>
-            <source>With the operation these inputs changed: %1.</source>
+            <source>These inputs changed with the operation: %1.</source>
             <translation>Вместе с операцией изменены: %1.</translation>
         </message>
         <message>
@@ -9856,7 +9856,7 @@ With another name both versions stay as they are.</source>
     <context>
         <name>SizeField</name>
         <message>
-            <source>Not a size with its tolerance class; write it like 30h6.</source>
+            <source>This is not a size with a tolerance class; write it like 30h6.</source>
             <translation>Это не размер с полем допуска; пишите, например, 30h6.</translation>
         </message>
         <message>
@@ -11068,7 +11068,7 @@ With another name both versions stay as they are.</source>
             <translation>Слишком много строк</translation>
         </message>
         <message>
-            <source>“%1” would have %2 rows; a sheet of a workbook holds %3, its head included. As CSV it can be saved whole.</source>
+            <source>“%1” would have %2 rows; a worksheet has at most %3, including the head. It can be saved in full as CSV.</source>
             <translation>На листе «%1» было бы %2 строк, а лист книги вмещает %3 вместе с шапкой. В формате CSV таблицу можно сохранить целиком.</translation>
         </message>
         <message>
@@ -11123,11 +11123,11 @@ With another name both versions stay as they are.</source>
             <translation>Что подано и что снято</translation>
         </message>
         <message>
-            <source>Does it hold the drawing?</source>
+            <source>Does it meet the drawing?</source>
             <translation>Выполнен ли чертёж?</translation>
         </message>
         <message>
-            <source>Time of the cycle and every requirement with its margin. A click on a row leads to the place where the value comes about.</source>
+            <source>Time of the cycle and every requirement with its margin. A click on a row leads to the place where the value arises.</source>
             <translation>Время цикла и каждое требование с запасом. Щелчок по строке ведёт туда, где значение возникает.</translation>
         </message>
         <message>
@@ -11613,7 +11613,7 @@ With another name both versions stay as they are.</source>
             <translation>Sparkout %1</translation>
         </message>
         <message>
-            <source>A workbench for cylindrical grinding cycles: computes a cycle pass by pass and holds it against the drawing.</source>
+            <source>A workbench for cylindrical grinding cycles: it computes a cycle pass by pass and checks it against the drawing.</source>
             <translation>Рабочее место технолога круглого шлифования: рассчитывает цикл проход за проходом и сравнивает результат с чертежом.</translation>
         </message>
         <message>
@@ -11768,7 +11768,7 @@ With another name both versions stay as they are.</source>
             <translation>&amp;О программе Sparkout</translation>
         </message>
         <message>
-            <source>refused text</source>
+            <source>invalid entry</source>
             <translation>непринятый текст</translation>
         </message>
         <message>
@@ -12235,7 +12235,7 @@ With another name both versions stay as they are.</source>
     <context>
         <name>sparkout::CatalogueDialog</name>
         <message>
-            <source>Put it a&amp;side and begin a new one</source>
+            <source>Rename it, &amp;start a new one</source>
             <translation>Переименовать, со&amp;здать новый</translation>
         </message>
         <message>
@@ -12909,7 +12909,7 @@ With another name both versions stay as they are.</source>
             <translation>строка %1, столбец %1: «%2» — не 1</translation>
         </message>
         <message>
-            <source>row %1, column %2: “%3” is not what stands across the diagonal, “%4”</source>
+            <source>row %1, column %2: “%3” differs from “%4” across the diagonal</source>
             <translation>строка %1, столбец %2: «%3» не равно числу по другую сторону диагонали, «%4»</translation>
         </message>
     </context>
@@ -12954,7 +12954,7 @@ With another name both versions stay as they are.</source>
             <translation>Имя в вашем каталоге</translation>
         </message>
         <message>
-            <source>What becomes of it</source>
+            <source>Action</source>
             <translation>Что произойдёт</translation>
         </message>
         <message>
@@ -13164,7 +13164,7 @@ With another name both versions stay as they are.</source>
             <translation>Таблицы (*.csv *.txt *.tsv *.dat);;Все файлы (*)</translation>
         </message>
         <message>
-            <source>“%1” was not taken: %2</source>
+            <source>“%1” was not read: %2</source>
             <translation>Файл «%1» не принят: %2</translation>
         </message>
         <message>
@@ -13172,7 +13172,7 @@ With another name both versions stay as they are.</source>
             <translation>нет столбца с заголовком «%1»</translation>
         </message>
         <message>
-            <source>line %1: “%2” is no number</source>
+            <source>line %1: “%2” is not a number</source>
             <translation>строка %1: «%2» — не число</translation>
         </message>
         <message>
@@ -13497,7 +13497,7 @@ With another name both versions stay as they are.</source>
             <translation>Проекты и лабораторные работы (*.sparkout *.sparkout-lesson *.sparkout-work);;Все файлы (*)</translation>
         </message>
         <message>
-            <source>%1 carries no project. The cards and passports that Sparkout writes do.</source>
+            <source>%1 contains no project. Only cards and passports written by Sparkout contain one.</source>
             <translation>%1 не содержит проекта. Он вложен в карты и паспорта, которые пишет Sparkout.</translation>
         </message>
     </context>
@@ -13535,7 +13535,7 @@ With another name both versions stay as they are.</source>
     <context>
         <name>sparkout::FileNotices</name>
         <message>
-            <source>Kept runs of this file hold inputs that this version refuses. They stay in the file as they are, but cannot be computed again.</source>
+            <source>Kept runs of this file contain inputs that this version refuses. They stay in the file unchanged but cannot be computed again.</source>
             <translation>В запомненных расчётах этого файла есть исходные данные, которые эта версия не принимает. Они останутся в файле как есть, но пересчитать их нельзя.</translation>
         </message>
         <message>
@@ -13591,7 +13591,7 @@ With another name both versions stay as they are.</source>
             <translation>Настройки не сохранены. %1</translation>
         </message>
         <message>
-            <source>The settings file is damaged and could not be put aside (%1): %2. It is left as it is; the settings are the default ones, and changes of them are not kept.</source>
+            <source>The settings file is damaged and could not be renamed (%1): %2. It is left unchanged; the default settings are used, and changes to them are not saved.</source>
             <translation>Файл настроек повреждён, и убрать его в сторону не удалось (%1): %2. Он оставлен как есть; действуют настройки по умолчанию, их изменения не сохраняются.</translation>
         </message>
         <message>
@@ -14134,7 +14134,7 @@ With another name both versions stay as they are.</source>
             <translation>%1 %2, %3: %4</translation>
         </message>
         <message>
-            <source>“%1” has no place, the row does not use this column</source>
+            <source>“%1” cannot be entered: this row does not use the column</source>
             <translation>«%1» не на месте: этот столбец в строке не используется</translation>
         </message>
         <message>
@@ -14370,7 +14370,7 @@ target, µm</source>
             <translation>Сохранено.</translation>
         </message>
         <message numerus="yes">
-            <source>Saved; %n fields hold a refused text, their last good values were saved.</source>
+            <source>Saved. %n fields contain invalid entries; their last valid values were saved.</source>
             <translation>
                 <numerusform>Сохранено; %n поле содержит непринятый текст, записано его последнее верное значение.</numerusform>
                 <numerusform>Сохранено; %n поля содержат непринятый текст, записаны их последние верные значения.</numerusform>
@@ -14511,7 +14511,7 @@ target, µm</source>
             <translation>Не рассчитано: проект не заполнен.</translation>
         </message>
         <message>
-            <source>One infeed is larger than the part: it is ground away.</source>
+            <source>One infeed is larger than the part: reduce the feed.</source>
             <translation>Подача на шаг больше размера детали: уменьшите подачу.</translation>
         </message>
     </context>
@@ -14581,7 +14581,7 @@ target, µm</source>
             <translation>Скорость круга на станке выше допускаемой маркировкой.</translation>
         </message>
         <message>
-            <source>Not understood as a marking; written like 500×50×203 25А F60 L 6 V 35 it fills the wheel&apos;s values.</source>
+            <source>This is not a marking. Write it like 500×50×203 25А F60 L 6 V 35 to fill in the wheel&apos;s values.</source>
             <translation>Не понято как маркировка; записанная как 500×50×203 25А F60 L 6 V 35, она заполняет данные круга.</translation>
         </message>
         <message>
@@ -14727,11 +14727,11 @@ target, µm</source>
             <translation>%1…%2 шаг %3</translation>
         </message>
         <message>
-            <source>values with semicolons between them, as in 300; 500; 800, or from, to and step, as in 300…2400 step 100</source>
+            <source>values separated by semicolons, as in 300; 500; 800, or from, to and step, as in 300…2400 step 100</source>
             <translation>значения через точку с запятой, например 300; 500; 800, или пределы и шаг, например 300…2400 шаг 100</translation>
         </message>
         <message numerus="yes">
-            <source>%n number(s) with semicolons between them</source>
+            <source>%n number(s) separated by semicolons</source>
             <translation>
                 <numerusform>%n число через точку с запятой</numerusform>
                 <numerusform>%n числа через точку с запятой</numerusform>
@@ -14739,7 +14739,7 @@ target, µm</source>
             </translation>
         </message>
         <message>
-            <source>numbers with semicolons between them, as in 1; 2; 3</source>
+            <source>numbers separated by semicolons, as in 1; 2; 3</source>
             <translation>числа через точку с запятой, например 1; 2; 3</translation>
         </message>
         <message>
@@ -14762,7 +14762,7 @@ target, µm</source>
             <translation>Для чего партия</translation>
         </message>
         <message>
-            <source>A batch says which share of many parts keeps the drawing when stock, runout, dullness and other factors scatter. The view Batch runs it.</source>
+            <source>A batch shows which share of many parts meets the drawing when stock, runout, dullness and other factors scatter. The view Batch runs it.</source>
             <translation>Партия показывает, какая доля многих деталей выдерживает чертёж, когда припуск, биение, затупление и другие факторы рассеиваются. Её рассчитывает вид «Партия».</translation>
         </message>
         <message>
@@ -14770,7 +14770,7 @@ target, µm</source>
             <translation>Добавить типовую партию</translation>
         </message>
         <message>
-            <source>50 parts whose stock, runout and dullness scatter about the present inputs</source>
+            <source>50 parts whose stock, runout and dullness scatter about the current inputs</source>
             <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг текущих значений</translation>
         </message>
         <message>
@@ -14778,7 +14778,7 @@ target, µm</source>
             <translation>Для чего нужен поиск</translation>
         </message>
         <message>
-            <source>A search finds the quickest cycle that holds every requirement, out of all feeds and stocks listed here. The view Optimise runs it.</source>
+            <source>A search finds the quickest cycle that meets every requirement, among all feeds and stocks listed here. The view Optimise runs it.</source>
             <translation>Поиск находит самый быстрый цикл, который выдерживает все требования, среди всех перечисленных здесь подач и припусков. Его запускает вид «Оптимизация».</translation>
         </message>
         <message>
@@ -14798,7 +14798,7 @@ target, µm</source>
             <translation>Применить оценку</translation>
         </message>
         <message>
-            <source>Without chamfers, keyways and bores; the drawing&apos;s mass goes before it</source>
+            <source>Without chamfers, keyways and bores; the mass in the drawing takes precedence</source>
             <translation>Без фасок, пазов и отверстий; масса по чертежу важнее</translation>
         </message>
         <message>
@@ -14810,7 +14810,7 @@ target, µm</source>
             <translation>Форма от станка по измеренным деталям</translation>
         </message>
         <message>
-            <source>Measured by zone or section, mean in µm: roundness and radial runout %1. The number of lobes is not among what was measured.</source>
+            <source>Measured by zone or section, mean in µm: roundness and radial runout %1. The number of lobes was not measured.</source>
             <translation>Измерено по зонам или сечениям, среднее в мкм: отклонение от круглости и радиальное биение %1. Число граней не измерялось.</translation>
         </message>
         <message>
@@ -14818,7 +14818,7 @@ target, µm</source>
             <translation>Задать форму от станка</translation>
         </message>
         <message>
-            <source>What the process alone leaves is small beside it where the cycle sparks out; the number of lobes is to be given</source>
+            <source>In a cycle with spark-out, the form left by the process itself is small beside it; the number of lobes must be entered</source>
             <translation>После выхаживания вклад самого процесса рядом с ней мал; число граней нужно задать</translation>
         </message>
     </context>
@@ -15047,7 +15047,7 @@ target, µm</source>
             <translation>Остановить цикл здесь</translation>
         </message>
         <message>
-            <source>Let the cycle run, from the blank if it is at its end</source>
+            <source>Play the cycle, from the blank if it is at its end</source>
             <translation>Показать ход цикла; с конца — заново от заготовки</translation>
         </message>
         <message>
@@ -15578,7 +15578,7 @@ target, µm</source>
             <translation>Таблицы (*.csv *.txt *.tsv *.dat);;Все файлы (*)</translation>
         </message>
         <message>
-            <source>“%1” was not taken: %2</source>
+            <source>“%1” was not read: %2</source>
             <translation>Файл «%1» не принят: %2</translation>
         </message>
         <message numerus="yes">
@@ -15744,7 +15744,7 @@ target, µm</source>
             <translation>Без имени</translation>
         </message>
         <message>
-            <source>Another window is offering the unsaved work that was found. When it has answered, ask again for what it left.</source>
+            <source>Another window already offers the unsaved work that was found. Answer there first, then try again.</source>
             <translation>Найденную несохранённую работу уже предлагает другое окно. Когда там будет дан ответ, спросите снова о том, что осталось.</translation>
         </message>
     </context>
@@ -15800,7 +15800,7 @@ target, µm</source>
     <context>
         <name>sparkout::RowsEditor</name>
         <message numerus="yes">
-            <source>rows of %n number(s), a semicolon between them, as in 0 50; 200 80</source>
+            <source>rows of %n number(s) separated by semicolons, as in 0 50; 200 80</source>
             <translation>
                 <numerusform>строки по %n числу через точку с запятой, например 50; 80</numerusform>
                 <numerusform>строки по %n числа через точку с запятой, например 0 50; 200 80</numerusform>
@@ -15812,7 +15812,7 @@ target, µm</source>
             <translation>силы должны расти от строки к строке, жёсткости быть больше 0</translation>
         </message>
         <message>
-            <source>a number is outside of what is allowed</source>
+            <source>a number is out of range</source>
             <translation>число вне допустимых пределов</translation>
         </message>
     </context>
@@ -16298,7 +16298,7 @@ target, µm</source>
             <translation>Основное время ступени и его доля в цикле.</translation>
         </message>
         <message>
-            <source>“%1” is no spark-out; allowed: %2, “%3”, “%4”</source>
+            <source>spark-out “%1” is invalid; allowed: %2, “%3”, “%4”</source>
             <translation>выхаживание «%1» недопустимо; допускается: %2, «%3», «%4»</translation>
         </message>
         <message>
@@ -16398,7 +16398,7 @@ target, µm</source>
             <translation>%1, %2: %3</translation>
         </message>
         <message>
-            <source>The part is the blank still. Step on or press Play below the views: the formulas of each step stand here, with its numbers.</source>
+            <source>Grinding has not started. Step on or press Play below the views: the formulas of each step are shown here with their numbers.</source>
             <translation>Шлифование не начато: деталь — заготовка. Сделайте шаг вперёд или нажмите «Пуск» под графиками: здесь появятся формулы каждого этапа с числами.</translation>
         </message>
         <message>
@@ -18291,7 +18291,7 @@ good</source>
             <translation>Показать в папке</translation>
         </message>
         <message>
-            <source>The system names no program that opens %1</source>
+            <source>No program opens %1; assign one</source>
             <translation>Нет программы для %1; назначьте её</translation>
         </message>
         <message>
@@ -18348,7 +18348,7 @@ good</source>
             <translation>Без отметки жёсткость в проекте остаётся прежней; остальные значения станка применяются.</translation>
         </message>
         <message>
-            <source>The compliance is given on the page of the machine, which does not read a stiffness. With this the given compliance goes, and γ follows from the stiffness of the machine and from the shaft.</source>
+            <source>The compliance is given on the page Machine, so a stiffness is not used there. This removes the given compliance; γ then follows from the stiffness of the machine and from the shaft.</source>
             <translation>На странице станка задана податливость, поэтому жёсткость не используется. С этой отметкой заданная податливость снимается, и γ вычисляется по жёсткости станка и по валу.</translation>
         </message>
         <message>
@@ -18383,7 +18383,7 @@ good</source>
             <translation>Только обычные данные</translation>
         </message>
         <message>
-            <source>Beside the usual inputs those are shown that are calibrated, refused or warned of, or that are neither the default nor the catalogue's</source>
+            <source>Besides the usual inputs, those are shown that are calibrated, refused or warned about, or that differ from both the default and the catalogue</source>
             <translation>Кроме обычных данных показаны откалиброванные, непринятые, с предупреждением и те, что отличаются от значений по умолчанию и от каталога</translation>
         </message>
     </context>
@@ -18447,7 +18447,7 @@ good</source>
             <translation>Поверхности детали в порядке шлифования</translation>
         </message>
         <message>
-            <source>Surfaces that hold, and piece time; times and verdicts of all of them</source>
+            <source>Number of fit surfaces, and piece time; a click shows times and verdicts of all surfaces</source>
             <translation>Годные поверхности и штучное время; времена и заключения по всем поверхностям</translation>
         </message>
         <message>
@@ -18568,7 +18568,7 @@ good</source>
             <translation>Поверхности рассчитываются…</translation>
         </message>
         <message>
-            <source>Batch and search are of the inputs before the last edit.</source>
+            <source>The inputs have changed since the batch and the search were run.</source>
             <translation>Исходные данные изменены после расчёта партии и поиска.</translation>
         </message>
         <message>
@@ -20648,7 +20648,7 @@ s</source>
             <translation>правка через %1 дет.: %2 на деталь</translation>
         </message>
         <message>
-            <source>How the wheel wears is not given: a dulling c or a grinding ratio G.</source>
+            <source>The wear of the wheel is not given: enter a dulling c or a grinding ratio G.</source>
             <translation>Износ круга не задан: нужно затупление c или коэффициент шлифования G.</translation>
         </message>
         <message>
@@ -20656,7 +20656,7 @@ s</source>
             <translation>Первая деталь после правки не достигает размера.</translation>
         </message>
         <message>
-            <source>any number: the wheel gets no duller, and every part holds</source>
+            <source>any number: the wheel does not get duller, and every part is good</source>
             <translation>сколько угодно: круг больше не тупится, годна каждая деталь</translation>
         </message>
         <message>
@@ -20707,7 +20707,7 @@ s</source>
             <translation>деталей партий</translation>
         </message>
         <message>
-            <source>Batches are set up in the view Batch; the dullness is the wear&apos;s.</source>
+            <source>Batches are set up in the view Batch; the dullness follows from the wear.</source>
             <translation>Партии задаются в виде «Партия»; затупление берётся из износа.</translation>
         </message>
         <message>
@@ -20719,7 +20719,7 @@ s</source>
             <translation>&amp;Закрыть</translation>
         </message>
         <message>
-            <source>Stopped: nothing is known.</source>
+            <source>Stopped before there was a result.</source>
             <translation>Остановлено: ничего не известно.</translation>
         </message>
     </context>
@@ -21237,7 +21237,7 @@ s</source>
             <translation>У вас есть</translation>
         </message>
         <message>
-            <source>What becomes of it</source>
+            <source>Action</source>
             <translation>Действие</translation>
         </message>
         <message>
@@ -21273,11 +21273,11 @@ s</source>
             <translation>Логотип из набора не импортируется. %1</translation>
         </message>
         <message>
-            <source>Nothing of yours is replaced unless you choose it here. A pack holds data alone: nothing in it is run.</source>
+            <source>Your own data are replaced only if you choose so here. A pack contains only data: nothing in it is executed.</source>
             <translation>Ваше заменяется, только если вы выберете это здесь. В наборе только данные: ничего из него не запускается.</translation>
         </message>
         <message>
-            <source>What becomes of “%1”</source>
+            <source>Action for “%1”</source>
             <translation>Что сделать с «%1»</translation>
         </message>
         <message>
@@ -21384,11 +21384,11 @@ s</source>
             <translation>%1, без логотипа</translation>
         </message>
         <message>
-            <source>“%1” is no laboratory work: %2</source>
+            <source>“%1” is not a laboratory work: %2</source>
             <translation>«%1» — не лабораторная работа: %2</translation>
         </message>
         <message>
-            <source>“%1” is too long a name for a file, or has letters that not every system takes.</source>
+            <source>“%1” is too long for a file name or has characters that some systems do not allow.</source>
             <translation>«%1»: имя файла слишком длинное, или в нём есть знаки, которые допускает не каждая система.</translation>
         </message>
         <message>
@@ -23258,7 +23258,7 @@ s</source>
             <translation>Не напечатано</translation>
         </message>
         <message>
-            <source>The printer or the file did not take the pages.</source>
+            <source>Output failed. Check printer and disk.</source>
             <translation>Вывод не удался. Проверьте принтер и диск.</translation>
         </message>
         <message>
@@ -23292,7 +23292,7 @@ s</source>
         <translation>открытый</translation>
     </message>
     <message>
-        <source>numbers with spaces between them</source>
+        <source>numbers separated by spaces</source>
         <translation>здесь нужны числа через пробел</translation>
     </message>
     <message>
@@ -23401,7 +23401,7 @@ s</source>
     <context>
         <name>sparkout::KeywayHelper</name>
         <message>
-            <source>Not a keyway by width and length; write it like 12P9 × 45, or with the angle of its first edge like 12P9 × 45, 90°.</source>
+            <source>This is not a keyway with width and length; write it like 12P9 × 45, or with the angle of its first edge like 12P9 × 45, 90°.</source>
             <translation>Не паз по ширине и длине; пишется как 12P9 × 45 или с углом первой кромки: 12P9 × 45, 90°.</translation>
         </message>
         <message>
@@ -23429,7 +23429,7 @@ s</source>
             <translation>напр. %1</translation>
         </message>
         <message>
-            <source>12P9 × 45 makes a gap of the surface; 12P9 × 45, 90° says where its first edge is</source>
+            <source>12P9 × 45 makes a gap of the surface; 12P9 × 45, 90° also sets the angle of its first edge</source>
             <translation>12P9 × 45 даёт паз поверхности; 12P9 × 45, 90° задаёт и угол его первой кромки</translation>
         </message>
         <message>

@@ -289,7 +289,7 @@ void Actions::nameViews(const std::vector<View*>& views) {
 void Actions::follow(const Document& document, bool refusedText) {
     undo->setEnabled(document.canUndo() || refusedText);
     redo->setEnabled(document.canRedo());
-    const QString undone = refusedText ? tr("refused text") : document.undoText();
+    const QString undone = refusedText ? tr("invalid entry") : document.undoText();
     const QString redone = document.redoText();
     undo->setText(undone.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undone));
     redo->setText(redone.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redone));
