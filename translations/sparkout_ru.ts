@@ -12,11 +12,11 @@
             <translation>Квантиль %1 %</translation>
         </message>
         <message>
-            <source>Below it lie %1 % of the parts, as below mean − 3 s of a normal quantity; given from 741 parts on</source>
+            <source>%1 % of the parts lie below this value, as below mean − 3 s of a normal quantity; given for 741 parts or more</source>
             <translation>Ниже него %1 % деталей, как ниже среднего − 3 s у нормальной величины; указывается от 741 детали</translation>
         </message>
         <message>
-            <source>Above it lie %1 % of the parts, as above mean + 3 s of a normal quantity; given from 741 parts on</source>
+            <source>%1 % of the parts lie above this value, as above mean + 3 s of a normal quantity; given for 741 parts or more</source>
             <translation>Выше него %1 % деталей, как выше среднего + 3 s у нормальной величины; указывается от 741 детали</translation>
         </message>
         <message>
@@ -63,7 +63,7 @@
             <translation>%1, не норм.</translation>
         </message>
         <message>
-            <source>The nominal part alone: nothing scatters.</source>
+            <source>Only the nominal part was run: no factor scatters.</source>
             <translation>Только номинальная деталь: ничего не рассеивается.</translation>
         </message>
         <message numerus="yes">
@@ -2568,7 +2568,7 @@ axial feed, mm/min</source>
     <context>
         <name>ExerciseSheet</name>
         <message>
-            <source>Computed by the engine: it has run the whole cycle with that one input changed.</source>
+            <source>Computed by the engine, which ran the whole cycle with only that input changed.</source>
             <translation>Ответы вычислены программой: весь цикл просчитан с одной изменённой исходной величиной.</translation>
         </message>
         <message>
@@ -7952,7 +7952,7 @@ With another name both versions stay as they are.</source>
             <translation>Этот метод — для врезного шлифования; циклы с продольной подачей ищет точный поиск (%1).</translation>
         </message>
         <message>
-            <source>This method looks for the minimum time alone.</source>
+            <source>This method searches only for the minimum time.</source>
             <translation>Этот метод ищет только наименьшее время.</translation>
         </message>
         <message>
@@ -7968,11 +7968,11 @@ With another name both versions stay as they are.</source>
             <translation>Наибольший запас за время ищется только с целью «наименьшее время».</translation>
         </message>
         <message>
-            <source>Cost and wheel life are searched for the part as it stands, without the phases of the stock and the batch.</source>
+            <source>Cost and wheel life are searched for the given part alone, not for other stocks within one infeed or for the batch.</source>
             <translation>Стоимость и стойкость круга ищутся для детали, как она задана: только для её припуска и без партии.</translation>
         </message>
         <message>
-            <source>What is to be searched is not given.</source>
+            <source>The inputs of the search are missing.</source>
             <translation>Не задано, что искать.</translation>
         </message>
         <message>
@@ -8000,11 +8000,11 @@ With another name both versions stay as they are.</source>
             <translation>Припуск нельзя разделить на столько ступеней: возьмите меньший шаг или другие пределы подач и припусков ступеней.</translation>
         </message>
         <message>
-            <source>Stopped before a cycle was found that holds every requirement.</source>
+            <source>Stopped before a cycle that meets every requirement was found.</source>
             <translation>Остановлено раньше, чем нашёлся цикл, который выдерживает все требования.</translation>
         </message>
         <message>
-            <source>No cycle was found that holds in every scenario, and none is quicker than %1; each one tried failed in a further scenario.</source>
+            <source>No cycle was found that is fit in every scenario, and none is quicker than %1; each cycle tried was unfit in a further scenario.</source>
             <translation>Не найдено цикла, годного во всех сценариях, и ни один не короче %1; каждый испытанный не выдержал ещё одного сценария.</translation>
         </message>
         <message>
@@ -8024,7 +8024,7 @@ With another name both versions stay as they are.</source>
             <translation>%1 (%2 раз)</translation>
         </message>
         <message>
-            <source>What cut most: %1.</source>
+            <source>Excluded most often by: %1.</source>
             <translation>Чаще всего мешают: %1.</translation>
         </message>
         <message>
@@ -8032,7 +8032,7 @@ With another name both versions stay as they are.</source>
             <translation>Наибольший найденный запас %1 %, цикл за %2; за %3 мин возможен и больший запас.</translation>
         </message>
         <message>
-            <source>A margin of %1 % over all that it must hold for, in %2: of %3 the largest within %4 min, proved.</source>
+            <source>A margin of %1 % over all required cases, in %2: of %3 the largest within %4 min, proved.</source>
             <translation>Запас %1 % по всему, для чего цикл должен быть годен, за %2: наибольший за %4 мин, доказано (%3).</translation>
         </message>
         <message>
@@ -8040,7 +8040,7 @@ With another name both versions stay as they are.</source>
             <translation>Запас %1 %, цикл за %2: наибольший запас за %4 мин, доказано (%3).</translation>
         </message>
         <message>
-            <source>%1: of %2 the quickest that holds for the part and the scenarios added; proved for these.</source>
+            <source>%1: the quickest of %2 that is fit for the part and the added scenarios; proved for these.</source>
             <translation>%1: самый быстрый (%2) из годных для детали и добавленных сценариев; для них доказано.</translation>
         </message>
         <message>
@@ -8048,11 +8048,11 @@ With another name both versions stay as they are.</source>
             <translation>%1: самый быстрый, доказано (%2).</translation>
         </message>
         <message>
-            <source>%1, found by dynamic programming as published, a heuristic: it holds, but a quicker cycle may hold too.</source>
+            <source>%1, found by dynamic programming as published, a heuristic: the cycle is fit, but a quicker one may be fit too.</source>
             <translation>%1, найдено динамическим программированием в опубликованном виде — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
         </message>
         <message>
-            <source>%1, found by labels of time and deflection, a heuristic: it holds, but a quicker cycle may hold too.</source>
+            <source>%1, found by labels of time and deflection, a heuristic: the cycle is fit, but a quicker one may be fit too.</source>
             <translation>%1, найдено метками времени и отжатия — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
         </message>
         <message>
@@ -8060,7 +8060,7 @@ With another name both versions stay as they are.</source>
             <translation>%1 — лучший найденный; быстрее %2 в сетке нет ни одного.</translation>
         </message>
         <message>
-            <source>%1: the quickest of %2. How the wheel wears is not given, so it is the cheapest too, and the wheel&apos;s life is not searched.</source>
+            <source>%1: the quickest of %2. The wear of the wheel is not given, so this cycle is the cheapest too, and the life of the wheel is not searched.</source>
             <translation>%1: самый быстрый из %2. Износ круга не задан, поэтому он и самый дешёвый, а стойкость круга не ищется.</translation>
         </message>
         <message>
@@ -8072,7 +8072,7 @@ With another name both versions stay as they are.</source>
             <translation>%1 за деталь, за %2 — пока наименьшая стоимость.</translation>
         </message>
         <message>
-            <source>%1: of %2 none holds for more parts between dressings, proved.</source>
+            <source>%1: none of %2 is fit for more parts between dressings, proved.</source>
             <translation>%1: из %2 ни один не годен для большего числа деталей между правками, доказано.</translation>
         </message>
         <message>
@@ -8084,7 +8084,7 @@ With another name both versions stay as they are.</source>
             <translation>Дешевле %1 на сетке нет ни одной детали.</translation>
         </message>
         <message>
-            <source>None of the grid holds for more parts than %1.</source>
+            <source>No cycle of the grid is fit for more than %1 parts.</source>
             <translation>Ни один цикл сетки не годен для большего числа деталей, чем %1.</translation>
         </message>
         <message>
@@ -8112,7 +8112,7 @@ With another name both versions stay as they are.</source>
             <translation>Исходный цикл занимает %1.</translation>
         </message>
         <message>
-            <source>Between the levels a cycle of %1 holds; that none is quicker is not proved.</source>
+            <source>Between the levels a cycle of %1 is fit; it is not proved to be the quickest.</source>
             <translation>Между уровнями сетки требования выдерживает и цикл за %1 (не доказано, что быстрее нет).</translation>
         </message>
         <message>
@@ -8140,11 +8140,11 @@ With another name both versions stay as they are.</source>
             <translation>Это предел циклов без отвода шлифовальной бабки.</translation>
         </message>
         <message>
-            <source>What has the minimum margin is not known: the search was stopped before.</source>
+            <source>What has the minimum margin is not known: the search was stopped first.</source>
             <translation>У чего запас наименьший, не известно: поиск был остановлен раньше.</translation>
         </message>
         <message>
-            <source>What keeps it from being quicker is not known: the search was stopped before.</source>
+            <source>What limits the time is not known: the search was stopped first.</source>
             <translation>Что ограничивает время, не известно: поиск был остановлен раньше.</translation>
         </message>
         <message>
@@ -8152,7 +8152,7 @@ With another name both versions stay as they are.</source>
             <translation>Наименьший запас у требования: %1.</translation>
         </message>
         <message>
-            <source>What keeps it from being quicker: %1.</source>
+            <source>Limited by: %1.</source>
             <translation>Время ограничивает: %1.</translation>
         </message>
         <message>
@@ -8184,7 +8184,7 @@ With another name both versions stay as they are.</source>
             <translation>Отношение частот вращения круга и детали близко к целому числу, %1: волнистость.</translation>
         </message>
         <message>
-            <source>None of %1 parts of the batch drawn afresh is bad, with cycle no. %2 that was tried so: with 95 % confidence at most %3 % are.</source>
+            <source>None of %1 newly drawn parts of the batch is rejected (cycle no. %2 tried in this way): with 95 % confidence at most %3 % of all parts are.</source>
             <translation>Из %1 случайных деталей партии все годны; так проверен цикл № %2: с вероятностью 95 % не годны не более %3 % деталей.</translation>
         </message>
         <message>
@@ -8204,23 +8204,23 @@ With another name both versions stay as they are.</source>
             <translation>допускается %1.</translation>
         </message>
         <message>
-            <source>smaller ones are allowed.</source>
+            <source>smaller values are allowed.</source>
             <translation>допускаются и меньшие.</translation>
         </message>
         <message>
-            <source>It holds in the last sample of scenarios; scenarios that had to be added: %1.</source>
+            <source>The cycle is fit in the last sample of scenarios; scenarios that had to be added: %1.</source>
             <translation>Он выполняет требования в последней выборке сценариев; добавлено сценариев: %1.</translation>
         </message>
         <message>
-            <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are and at each of the %3 corners of the batch&apos;s other factors: decided, not sampled.</source>
+            <source>The cycle is fit for every stock of %1…%2 mm per side, with the other inputs unchanged and at each of the %3 corners of the batch&apos;s other factors: decided, not sampled.</source>
             <translation>Годен при любом припуске %1…%2 мм на сторону, как при заданных остальных исходных данных, так и в каждом из %3 крайних сочетаний остальных факторов партии: решено точно, а не по выборке.</translation>
         </message>
         <message>
-            <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are: decided, not sampled.</source>
+            <source>The cycle is fit for every stock of %1…%2 mm per side, with the other inputs unchanged: decided, not sampled.</source>
             <translation>Цикл выдерживает требования при любом припуске на сторону от %1 до %2 мм, если прочие исходные данные не меняются: это решено точно, а не по выборке.</translation>
         </message>
         <message>
-            <source>It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that was tried so: with 95 % confidence at most %3 % of the phases fail.</source>
+            <source>The cycle is fit for all %1 stocks drawn at random within one infeed (cycle no. %2 tried in this way): with 95 % confidence it is unfit for at most %3 % of all stocks.</source>
             <translation>Цикл годен для всех %1 заново выбранных припусков в пределах подачи на шаг, это %2-й из циклов, проверенных так: с доверительной вероятностью 95 % он не годен не более чем для %3 % таких припусков.</translation>
         </message>
         <message>
@@ -8240,15 +8240,15 @@ With another name both versions stay as they are.</source>
             <translation>Запасы по времени ещё ищутся.</translation>
         </message>
         <message>
-            <source>Margins by time over all phases of the stock are searched under gauge control alone.</source>
+            <source>Margins by time for all stocks within one infeed are searched only under gauge control.</source>
             <translation>Запас по времени для всех припусков в пределах подачи на шаг ищется только при управлении от прибора.</translation>
         </message>
         <message>
-            <source>No margins by time: the search was stopped before, or no cycle holds.</source>
+            <source>No margins by time: the search was stopped first, or no cycle is fit.</source>
             <translation>Запаса по времени нет: поиск остановлен раньше или ни один цикл не годен.</translation>
         </message>
         <message>
-            <source>All cycles of the grid of which none is both quicker and farther from its limits: %1.</source>
+            <source>Cycles of the grid that no other cycle beats in both time and distance from its limits: %1.</source>
             <translation>Все циклы сетки, быстрее и дальше от пределов которых одновременно нет ни одного: %1.</translation>
         </message>
         <message>
@@ -8497,7 +8497,7 @@ With another name both versions stay as they are.</source>
             <translation>Ожидаемая точность по сравнению с чертежом</translation>
         </message>
         <message>
-            <source>Corners are no sample: they tell extremes and counts, no mean and no capability.</source>
+            <source>Corner parts are not a sample: they give extremes and counts, but no mean and no capability.</source>
             <translation>Крайние сочетания — не выборка: они дают крайние значения и число деталей, но не среднее и не показатели пригодности процесса.</translation>
         </message>
         <message>
@@ -8529,7 +8529,7 @@ With another name both versions stay as they are.</source>
             <translation>Примечания</translation>
         </message>
         <message>
-            <source>–: of so few values it would be the smallest or the largest.</source>
+            <source>–: with so few values it would be the smallest or the largest one.</source>
             <translation>–: при таком числе значений это было бы наименьшее или наибольшее из них.</translation>
         </message>
         <message>
@@ -8651,7 +8651,7 @@ With another name both versions stay as they are.</source>
             <translation>Прогноз</translation>
         </message>
         <message>
-            <source>no requirement fails; no batch is described, so its scatter is not weighed</source>
+            <source>all requirements are met; no batch is described, so scatter is not assessed</source>
             <translation>все проверенные требования выполнены; партия не описана, поэтому рассеяние не учтено</translation>
         </message>
         <message>
@@ -8691,7 +8691,7 @@ With another name both versions stay as they are.</source>
             <translation>Основное время</translation>
         </message>
         <message>
-            <source>This is the prediction of a model, to be confirmed at the machine; it is no assessment of conformity and replaces no measurement.</source>
+            <source>This is the prediction of a model, to be confirmed at the machine; it is not an assessment of conformity and does not replace measurement.</source>
             <translation>Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
         </message>
         <message>
@@ -8862,7 +8862,7 @@ With another name both versions stay as they are.</source>
             <translation>%1 по всей партии</translation>
         </message>
         <message>
-            <source>This project describes no batch, so the passport tells the nominal part alone: no scatter, no capability, no share out of tolerance.</source>
+            <source>This project describes no batch, so the passport covers only the nominal part: it gives no scatter, no capability and no share out of tolerance.</source>
             <translation>В проекте не описана партия, поэтому паспорт содержит только расчёт номинальной детали: без рассеяния, без показателей пригодности процесса и без доли вне допуска.</translation>
         </message>
         <message>
@@ -8985,7 +8985,7 @@ With another name both versions stay as they are.</source>
     <context>
         <name>CapabilityChart</name>
         <message>
-            <source>Ppk with its 95 % bounds, the least first; dashed: 1 and %1</source>
+            <source>Ppk with its 95 % bounds, the smallest first; dashed: 1 and %1</source>
             <translation>Ppk с 95%-ными границами, начиная с наименьшего; штрихами — 1 и %1</translation>
         </message>
     </context>
@@ -9419,7 +9419,7 @@ With another name both versions stay as they are.</source>
             <translation>Перекрытие витков</translation>
         </message>
         <message>
-            <source>overlap B/s in %1 is %3, below 1: strips stay uncut, so size, form and roughness are not known of the whole surface</source>
+            <source>overlap B/s in %1 is %3, below 1: strips stay uncut, so size, form and roughness are not known for the whole surface</source>
             <translation>коэффициент перекрытия B/s (%1) равен %3, меньше 1: остаются непрошлифованные полосы, поэтому размер, форма и шероховатость всей поверхности неизвестны</translation>
         </message>
         <message>
@@ -17131,19 +17131,19 @@ target, µm</source>
             <translation>Значения {value}, на шаг ближе к текущему {before}, недостаточно.</translation>
         </message>
         <message>
-            <source>It holds for every stock per side of {from}…{to} mm: decided, not sampled.</source>
+            <source>The cycle is fit for every stock per side of {from}…{to} mm: decided, not sampled.</source>
             <translation>Цикл годен для всех припусков на сторону {from}…{to} мм: решено точно, а не по выборке.</translation>
         </message>
         <message>
-            <source>It holds for all of {phases} stocks drawn at random within one infeed: with 95 % confidence at most {share} % of them fail.</source>
+            <source>The cycle is fit for all {phases} stocks drawn at random within one infeed: with 95 % confidence it is unfit for at most {share} % of all stocks.</source>
             <translation>Цикл годен для всех {phases} случайных припусков в пределах подачи на шаг: с вероятностью 95 % не годен не более чем для {share} % из них.</translation>
         </message>
         <message>
-            <source>Each holds for every stock within half an infeed of the stated one.</source>
+            <source>Each change helps for every stock within half an infeed of the stated one.</source>
             <translation>С каждым изменением цикл годен для всех припусков в пределах половины подачи на шаг от заданного.</translation>
         </message>
         <message>
-            <source>Each holds for the stocks tried within half an infeed of the stated one; under position control that is sampled, not decided.</source>
+            <source>Each change helps for the stocks tried within half an infeed of the stated one; under position control this is sampled, not decided.</source>
             <translation>С каждым изменением цикл годен для проверенных припусков в пределах половины подачи на шаг от заданного; при управлении по положению это проверено выборкой, а не решено.</translation>
         </message>
         <message>
@@ -17151,15 +17151,15 @@ target, µm</source>
             <translation>Среди проверенных значений ни одна настройка не даёт запаса: при «{change}» для заданного припуска ничто не близко к пределу, но при припуске {stock} мм цикл сам не завершается.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting helps: with {change}, everything holds for the stated stock, but with a stock of {stock} mm the cycle does not end by itself.</source>
+            <source>Among the values tried, no single setting helps: with {change}, the cycle is fit for the stated stock, but with a stock of {stock} mm the cycle does not end by itself.</source>
             <translation>Среди проверенных значений не помогает ни одна настройка: при «{change}» для заданного припуска всё выполнено, но при припуске {stock} мм цикл сам не завершается.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit for the stated stock, but with a stock of {stock} mm “{second}” fails.</source>
+            <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit for the stated stock, but with a stock of {stock} mm “{second}” is not met.</source>
             <translation>Среди проверенных значений ни одна настройка не даёт запаса: при «{change}» для заданного припуска ничто не близко к пределу, но при припуске {stock} мм нарушено «{second}».</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting helps: with {change}, everything holds for the stated stock, but with a stock of {stock} mm “{second}” fails.</source>
+            <source>Among the values tried, no single setting helps: with {change}, the cycle is fit for the stated stock, but with a stock of {stock} mm “{second}” is not met.</source>
             <translation>Среди проверенных значений не помогает ни одна настройка: при «{change}» для заданного припуска всё выполнено, но при припуске {stock} мм нарушено «{second}».</translation>
         </message>
         <message>
@@ -17171,7 +17171,7 @@ target, µm</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не прибавит запаса требованию «{first}».</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting mends “{first}” or brings it closer to its limit.</source>
+            <source>Among the values tried, no single setting meets “{first}” or brings it closer to its limit.</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не устраняет и не уменьшает нарушение требования «{first}».</translation>
         </message>
         <message>
@@ -17179,23 +17179,23 @@ target, µm</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не даёт требованию «{first}» достаточного запаса. {change} — запас наибольший.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting mends “{first}”: it comes closest to its limit with {change}.</source>
+            <source>Among the values tried, no single setting meets “{first}”: it comes closest to its limit with {change}.</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не устраняет нарушение требования «{first}». {change} — нарушение наименьшее.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives “{first}” enough room: it has most with {change}, where “{second}” has not enough.</source>
+            <source>Among the values tried, no single setting gives “{first}” enough room: it has most with {change}, where “{second}” has too little.</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не даёт требованию «{first}» достаточного запаса. {change} — запас наибольший, но мал запас требования «{second}».</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting mends “{first}”: it comes closest to its limit with {change}, where “{second}” fails.</source>
+            <source>Among the values tried, no single setting meets “{first}”: it comes closest to its limit with {change}, where “{second}” is not met.</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не устраняет нарушение требования «{first}». {change} — нарушение наименьшее, но нарушено требование «{second}».</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting helps: with {change}, the cycle ends by itself, but “{second}” fails.</source>
+            <source>Among the values tried, no single setting helps: with {change}, the cycle ends by itself, but “{second}” is not met.</source>
             <translation>При проверенных значениях изменение одной настройки не помогает: {change} — цикл завершается, но нарушено требование «{second}».</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives room: with {change}, “{first}” has it, but “{second}” has not.</source>
+            <source>Among the values tried, no single setting gives room: with {change}, “{first}” has enough, but “{second}” has not.</source>
             <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — у требования «{first}» запас есть, у требования «{second}» нет.</translation>
         </message>
         <message>
@@ -17203,7 +17203,7 @@ target, µm</source>
             <translation>Одной настройкой не исправить. «{first}» требует меньше ({change}), «{second}» — больше.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting mends all that fails: with {change}, “{first}” holds, but “{second}” still fails.</source>
+            <source>Among the values tried, no single setting meets all requirements: with {change}, “{first}” is met, but “{second}” is still not met.</source>
             <translation>При проверенных значениях изменение одной настройки не устраняет всех нарушений: {change} — требование «{first}» выполнено, «{second}» по-прежнему нарушено.</translation>
         </message>
         <message>
@@ -17215,7 +17215,7 @@ target, µm</source>
             <translation>Без этой ступени запас слишком мал.</translation>
         </message>
         <message>
-            <source>Without this stage the cycle fails.</source>
+            <source>Without this stage the cycle is unfit.</source>
             <translation>Без этой ступени цикл не годен.</translation>
         </message>
         <message>
@@ -17231,7 +17231,7 @@ target, µm</source>
             <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — все требования выполнены с запасом, но появляется предупреждение.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting helps: with {change}, everything holds, but the change brings a warning.</source>
+            <source>Among the values tried, no single setting helps: with {change}, all requirements are met, but the change brings a warning.</source>
             <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены, но появляется предупреждение.</translation>
         </message>
         <message>
@@ -17239,7 +17239,7 @@ target, µm</source>
             <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — все требования выполнены с запасом, но ещё одна ступень остаётся без хода.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting helps: with {change}, everything holds, but one more stage ends without a step.</source>
+            <source>Among the values tried, no single setting helps: with {change}, all requirements are met, but one more stage ends without a step.</source>
             <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены, но ещё одна ступень остаётся без хода.</translation>
         </message>
         <message>
@@ -17279,11 +17279,11 @@ target, µm</source>
             <translation>Исходный цикл</translation>
         </message>
         <message>
-            <source>A cycle made for part, wheel and machine as they are: nothing is close to its limit; it takes {time}.</source>
+            <source>A cycle made for the given part, wheel and machine: nothing is close to its limit; it takes {time}.</source>
             <translation>Цикл, составленный для детали, круга и станка как они есть: все требования выполнены с запасом; его время {time}.</translation>
         </message>
         <message>
-            <source>A cycle made for part, wheel and machine as they are: all requirements are met; it takes {time}.</source>
+            <source>A cycle made for the given part, wheel and machine: all requirements are met; it takes {time}.</source>
             <translation>Цикл, составленный для детали, круга и станка как они есть: все требования выполнены; его время {time}.</translation>
         </message>
         <message>
@@ -17295,11 +17295,11 @@ target, µm</source>
             <translation>, брак {bad} из {parts}</translation>
         </message>
         <message>
-            <source>So it is with all {values} values of {interval} that can be set.</source>
+            <source>This applies to all {values} values of {interval} that can be set.</source>
             <translation>То же при всех задаваемых значениях {interval} (их {values}).</translation>
         </message>
         <message>
-            <source>Of {parts} parts of the batch drawn for it {bad} are bad: with 95 % confidence at most {share} % of all.</source>
+            <source>Of {parts} parts of the batch drawn for this check, {bad} are rejected: with 95 % confidence at most {share} % of all parts are.</source>
             <translation>Из {parts} случайных деталей партии не годны {bad}: с вероятностью 95 % — не более {share} % всех.</translation>
         </message>
         <message>
@@ -17311,7 +17311,7 @@ target, µm</source>
             <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены, но при соседних значениях нет.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting helps: with {change} all requirements are met for every stock, but too many parts of the batch are bad: “{second}” fails.</source>
+            <source>Among the values tried, no single setting helps: with {change} all requirements are met for every stock, but too many parts of the batch are rejected: “{second}” is not met.</source>
             <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены для всех припусков, но в партии слишком много брака: нарушено «{second}».</translation>
         </message>
         <message>

@@ -90,7 +90,8 @@ private slots:
         QVERIFY2(outcome.out.find("all requirements are met; the cycle takes ")
                      != std::string::npos,
                  outcome.out.c_str());
-        QVERIFY2(outcome.out.find("It holds for every stock per side of ") != std::string::npos,
+        QVERIFY2(outcome.out.find("The cycle is fit for every stock per side of ")
+                     != std::string::npos,
                  outcome.out.c_str());
         QVERIFY2(outcome.out.find("; for every stock\n") != std::string::npos, outcome.out.c_str());
         QVERIFY2(outcome.out.find(" settings tried in ") != std::string::npos, outcome.out.c_str());

@@ -49,7 +49,7 @@ QString PassportVerdict::decision(const Subject& subject, const Judgement& judge
     return !isOfBatch ? JudgementText::headline(judgement)
            : subject.batch
                ? BatchText::decision(*subject.batch)
-               : tr("no requirement fails; no batch is described, so its scatter is not weighed");
+               : tr("all requirements are met; no batch is described, so scatter is not assessed");
 }
 
 std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
@@ -98,8 +98,8 @@ std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
     }
     facts.facts.emplace_back(tr("Machining time"), sparkout::verdict::time(outcome.result));
     const QString caution =
-        tr("This is the prediction of a model, to be confirmed at the machine; it is no assessment "
-           "of conformity and replaces no measurement.");
+        tr("This is the prediction of a model, to be confirmed at the machine; it is not an "
+           "assessment of conformity and does not replace measurement.");
     std::vector<Block> blocks{facts};
     for (const QString& reason : reasons) {
         blocks.push_back(Paragraph{reason});

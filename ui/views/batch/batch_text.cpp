@@ -205,7 +205,7 @@ QString BatchText::run(const BatchOutcome& outcome) {
     const QString scenarios =
         choiceText(choicesOf<Scenarios>()[static_cast<std::size_t>(batch.scenarios)].label);
     if (outcome.factors.empty()) {
-        return tr("The nominal part alone: nothing scatters.");
+        return tr("Only the nominal part was run: no factor scatters.");
     }
     if (!outcome.summary.isSample) {
         return tr("%n part(s), %1.", nullptr, static_cast<int>(outcome.summary.parts))
