@@ -1167,7 +1167,7 @@
             <translation>среднее отличается от прогноза, и рассеяние деталей тоже</translation>
         </message>
         <message>
-            <source>too few parts to tell</source>
+            <source>too few parts for a conclusion</source>
             <translation>деталей слишком мало, чтобы судить</translation>
         </message>
         <message>
@@ -1179,7 +1179,7 @@
             <translation>найдено</translation>
         </message>
         <message>
-            <source>the data cannot tell some parameters</source>
+            <source>the data leave some parameters undetermined</source>
             <translation>некоторые параметры по данным определить нельзя</translation>
         </message>
         <message>
@@ -1199,7 +1199,7 @@
             <translation>наилучшие значения не найдены</translation>
         </message>
         <message>
-            <source>the model does not fit: more is left than chance leaves, a factor is beyond what is searched, or an input would be refused</source>
+            <source>the model does not fit: the residuals exceed the noise, a factor lies outside the searched range, or an input would be refused</source>
             <translation>модель не подходит: остаётся больше случайного, множитель вне пределов поиска или исходные данные с ним недопустимы</translation>
         </message>
         <message>
@@ -1279,11 +1279,11 @@
             <translation>начало цикла в записи</translation>
         </message>
         <message>
-            <source>the difference grows with time, as of a gauge or a sensor that drifts</source>
+            <source>the difference grows with time, as when a gauge or a sensor drifts</source>
             <translation>разность растёт со временем, как при дрейфе прибора или датчика</translation>
         </message>
         <message>
-            <source>the trace lags behind where it changes fast, as of a damped gauge or a filter</source>
+            <source>the trace lags where it changes fast, as with a damped gauge or a filter</source>
             <translation>запись запаздывает там, где быстро меняется, как у демпфированного прибора или после фильтра</translation>
         </message>
         <message>
@@ -1291,11 +1291,11 @@
             <translation>разность приходится на одну ступень: та ли у неё подача, что при записи?</translation>
         </message>
         <message>
-            <source>the difference lies in a few values far off: let outliers weigh less, or leave them out</source>
+            <source>the difference lies in a few outliers: give them less weight, or leave them out</source>
             <translation>разность создают несколько выпавших значений: уменьшите вес выбросов или исключите их</translation>
         </message>
         <message>
-            <source>something else than these parameters differs between the project and the recording</source>
+            <source>the project and the recording differ in something other than these parameters</source>
             <translation>проект и запись различаются чем-то кроме этих параметров</translation>
         </message>
         <message>
@@ -7209,7 +7209,7 @@ With another name both versions stay as they are.</source>
             <translation>версия {value} записана более новой программой Sparkout; эта читает версии {limit}</translation>
         </message>
         <message>
-            <source>this key stands here twice</source>
+            <source>this key appears here twice</source>
             <translation>этот ключ стоит здесь дважды</translation>
         </message>
         <message>
@@ -7217,7 +7217,7 @@ With another name both versions stay as they are.</source>
             <translation>неизвестный ключ {value}; допускаются: {limit}</translation>
         </message>
         <message>
-            <source>this value is required; allowed: {limit}</source>
+            <source>value missing; allowed: {limit}</source>
             <translation>значение не задано; допускается: {limit}</translation>
         </message>
         <message>
@@ -7245,7 +7245,7 @@ With another name both versions stay as they are.</source>
             <translation>{value} — нечётное число; допускается чётное, {limit}</translation>
         </message>
         <message>
-            <source>{value} radii cannot tell a lobed form from eccentricity; better: {limit}</source>
+            <source>{value} radii do not separate lobing from eccentricity; better: {limit}</source>
             <translation>число радиусов {value} не позволяет отличить огранку от эксцентриситета; лучше: {limit}</translation>
         </message>
         <message>
@@ -7305,15 +7305,15 @@ With another name both versions stay as they are.</source>
             <translation>целевой размер {value} лежит вне поля допуска {limit}</translation>
         </message>
         <message>
-            <source>the part stays {value} above size: a spark-out feeds nothing, and the deflection did not give back its stock of {limit}</source>
+            <source>the part stays {value} above size: a spark-out feeds nothing, and the deflection did not remove its stock of {limit}</source>
             <translation>до размера остаётся {value}: при выхаживании подачи нет, и отжатие не вернуло припуск ступени {limit}</translation>
         </message>
         <message>
-            <source>how a force in one section deflects the others does not follow from compliances as given; needed: {limit}</source>
+            <source>given compliances do not determine how a force in one section deflects the others; needed: {limit}</source>
             <translation>по заданным податливостям не видно, как сила в одном сечении отжимает другие; нужно: {limit}</translation>
         </message>
         <message>
-            <source>{value} says neither where it comes from nor that it is an estimate; needed: its line in {limit}</source>
+            <source>{value} has neither a source nor a mark as an estimate; needed: its line in {limit}</source>
             <translation>для {value} не указан ни источник, ни что это оценка; нужна строка в {limit}</translation>
         </message>
         <message>
@@ -7325,7 +7325,7 @@ With another name both versions stay as they are.</source>
             <translation>сумма припусков ступеней {value}, припуск детали {limit}; первой ступени достаётся то, что оставляют следующие</translation>
         </message>
         <message>
-            <source>{value} is no number that this project reads; needed: {limit}</source>
+            <source>{value} is not a number of the project; needed: {limit}</source>
             <translation>{value} — не число проекта; нужно: {limit}</translation>
         </message>
         <message>
@@ -7349,7 +7349,7 @@ With another name both versions stay as they are.</source>
             <translation>{value} — уже имя поверхности {limit}</translation>
         </message>
         <message>
-            <source>{value} is the same for all surfaces and stands outside them</source>
+            <source>{value} applies to all surfaces and belongs outside them</source>
             <translation>{value} — общее для всех поверхностей и стоит вне их</translation>
         </message>
         <message>
@@ -7357,15 +7357,15 @@ With another name both versions stay as they are.</source>
             <translation>пазы оставляют слишком мало поверхности: вне их радиусов {value}; нужно: {limit}, из них два напротив друг друга</translation>
         </message>
         <message>
-            <source>a gap of {value} lies between two radii, which stand {limit} apart: it leaves nothing out</source>
+            <source>a gap of {value} lies between two radii, which are {limit} apart: it has no effect</source>
             <translation>паз {value} лежит между двумя радиусами, шаг которых {limit}: он ничего не исключает</translation>
         </message>
         <message>
-            <source>a gauge that does not span the gaps drops into them; needed: {limit}</source>
+            <source>this gauge drops into the gaps; needed: {limit}</source>
             <translation>прибор проваливается в пазы; нужно: {limit}</translation>
         </message>
         <message>
-            <source>{value} is no input of this project; needed: {limit}</source>
+            <source>{value} is not an input of this project; needed: {limit}</source>
             <translation>{value} — не исходная величина этого проекта; нужно: {limit}</translation>
         </message>
         <message>
@@ -18811,7 +18811,7 @@ good</source>
             <translation>с выхаживанием</translation>
         </message>
         <message>
-            <source>trials by what they tell</source>
+            <source>trials, most informative first</source>
             <translation>опыты по их информативности</translation>
         </message>
         <message>
@@ -18957,15 +18957,15 @@ good</source>
             <translation>%1, %2 (n = %3)</translation>
         </message>
         <message>
-            <source>Not told apart by the data: %1. What would help: %2.</source>
+            <source>The data do not separate: %1. What would help: %2.</source>
             <translation>По этим данным не различаются: %1. Что поможет: %2.</translation>
         </message>
         <message>
-            <source>Only the product is told by the data: %1. What would help: %2.</source>
+            <source>The data determine only the product: %1. What would help: %2.</source>
             <translation>По этим данным определяется только произведение: %1. Что поможет: %2.</translation>
         </message>
         <message>
-            <source>Not told by the data: %1. What would help: %2.</source>
+            <source>The data do not determine: %1. What would help: %2.</source>
             <translation>По этим данным не определяется: %1. Что поможет: %2.</translation>
         </message>
         <message numerus="yes">
@@ -18977,11 +18977,11 @@ good</source>
             </translation>
         </message>
         <message>
-            <source>Left out: %1 seems to be %2 ± %3 and was not fitted. The values found are wrong by it: fitted too, %4 would be %5 instead of %6.</source>
+            <source>Left out: %1 seems to be %2 ± %3 and was not fitted. This distorts the values found: with it fitted, %4 would be %5 instead of %6.</source>
             <translation>Не учтено: %1, по-видимому, %2 ± %3 и не определялось. Найденные значения из-за этого неверны: если определить и его, %4 составит %5 вместо %6.</translation>
         </message>
         <message>
-            <source>Does not fit: %1: %2 times what the noise leaves; by chance up to %3: %4.</source>
+            <source>Does not fit: %1: residuals %2 times the noise; by chance up to %3: %4.</source>
             <translation>Не подходит: %1: в %2 раза больше того, что оставляет шум; случайно — не более чем в %3: %4.</translation>
         </message>
         <message>
@@ -19004,7 +19004,7 @@ good</source>
             <translation>Измерения</translation>
         </message>
         <message>
-            <source>A current takes part once its factor in kW per A is given.</source>
+            <source>A current is used once its factor in kW per A is given.</source>
             <translation>Ток участвует, когда указан его коэффициент в кВт на А.</translation>
         </message>
         <message>
@@ -19023,7 +19023,7 @@ good</source>
             <translation>известно: среднее ± s</translation>
         </message>
         <message>
-            <source>A value known from elsewhere, with its standard deviation, takes part like one more measurement. Factors are of the present inputs: 1 ± 0.1 means known within some 20 %. Left empty: nothing is known.</source>
+            <source>A value known from elsewhere, with its standard deviation, counts as one more measurement. Factors refer to the current inputs: 1 ± 0.1 means known within about 20 %. Empty: nothing is known.</source>
             <translation>Значение, известное заранее, со стандартным отклонением участвует как ещё одно измерение. Множители относятся к текущим исходным данным: 1 ± 0,1 значит, что величина известна в пределах примерно 20 %. Пусто: ничего не известно.</translation>
         </message>
         <message>
@@ -19078,7 +19078,7 @@ good</source>
             </translation>
         </message>
         <message>
-            <source>Offsets of the traces are no inputs of the project: there is nothing to take.</source>
+            <source>Offsets of the traces are not inputs of the project: there is nothing to apply.</source>
             <translation>Сдвиги записей не входят в исходные данные проекта: применять нечего.</translation>
         </message>
         <message>
@@ -19094,11 +19094,11 @@ good</source>
             <translation>Ток без коэффициента в кВт на А не учтён.</translation>
         </message>
         <message>
-            <source>The residuals are hardly normal (probability %1): something else than noise may be left in them, and the intervals are too narrow.</source>
+            <source>The residuals are hardly normal (probability %1): they may contain more than noise, and the intervals are too narrow.</source>
             <translation>Остатки вряд ли распределены нормально (вероятность %1): в них может оставаться не только шум, и тогда интервалы слишком узки.</translation>
         </message>
         <message>
-            <source>Nothing speaks against normal residuals (probability %1).</source>
+            <source>The residuals do not contradict a normal distribution (probability %1).</source>
             <translation>Остатки не противоречат нормальному распределению (вероятность %1).</translation>
         </message>
         <message>
@@ -19123,7 +19123,7 @@ good</source>
             <translation>Ед.</translation>
         </message>
         <message>
-            <source>Hardly told apart: %1 and %2.</source>
+            <source>Barely separable: %1 and %2.</source>
             <translation>Почти не различаются: %1 и %2.</translation>
         </message>
         <message>
@@ -19186,7 +19186,7 @@ good</source>
             <translation>&amp;Выбросы:</translation>
         </message>
         <message>
-            <source>Unchecks what the data cannot tell</source>
+            <source>Clears undetermined parameters</source>
             <translation>Снимает отметки с неопределимых параметров</translation>
         </message>
         <message>
@@ -19210,15 +19210,15 @@ good</source>
             <translation>Циклы рассчитываются и сравниваются …</translation>
         </message>
         <message>
-            <source>Are gauge, feeds and blank of the project those of the recording? Fewer parameters, or what is known of them before, help, too.</source>
+            <source>Check that gauge, feeds and blank of the project match the recording. Fewer parameters, or values known before, also help.</source>
             <translation>Те ли в проекте прибор, подачи и заготовка, что при записи? Помогут и меньшее число параметров или то, что известно о них заранее.</translation>
         </message>
         <message>
-            <source>These values cannot be taken over. %1. %2</source>
+            <source>These values cannot be applied. %1. %2</source>
             <translation>Эти значения применить нельзя. %1. %2</translation>
         </message>
         <message>
-            <source>These values cannot be taken over: the model does not fit. %1</source>
+            <source>These values cannot be applied: the model does not fit. %1</source>
             <translation>Эти значения применить нельзя: модель не подходит. %1</translation>
         </message>
         <message>
@@ -19443,7 +19443,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>измерено</translation>
         </message>
         <message>
-            <source>Of typed statistics the box is that of a normal law of their mean and standard deviation.</source>
+            <source>For entered statistics, the box is that of a normal law with their mean and standard deviation.</source>
             <translation>По введённой статистике: нормальный закон с её средним и отклонением.</translation>
         </message>
         <message>
@@ -19463,7 +19463,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Прямоугольник — средняя половина деталей, черта в нём и число у него — медиана; «усы» — до наименьшей и наибольшей детали.</translation>
         </message>
         <message>
-            <source>Corners are no sample: of their prediction there is no box.</source>
+            <source>Corner parts are not a sample: their prediction has no box.</source>
             <translation>Крайние сочетания — не выборка: для их прогноза прямоугольника нет.</translation>
         </message>
         <message>
@@ -19584,7 +19584,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Податливость, сила или настройка прибора не те, что у станка: откалибруйте их по этим деталям, прежде чем пользоваться прогнозом.</translation>
         </message>
         <message>
-            <source>The factors of the batch scatter otherwise than in the shop: put the measured scatter of stock, runout and dullness into the batch.</source>
+            <source>The factors of the batch do not scatter as in the shop: enter the measured scatter of stock, runout and dullness in the batch.</source>
             <translation>Факторы партии рассеиваются иначе, чем в цехе: задайте в партии измеренное рассеяние припуска, биения и затупления.</translation>
         </message>
         <message>
@@ -19596,7 +19596,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Измерьте больше деталей той же наладки.</translation>
         </message>
         <message>
-            <source>These measurements say nothing of the model.</source>
+            <source>These measurements do not test the model.</source>
             <translation>Эти измерения не проверяют модель.</translation>
         </message>
         <message numerus="yes">
@@ -19798,7 +19798,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>«%1» вне диапазона; допускается: %2</translation>
         </message>
         <message>
-            <source>“%1” is no number out of %2; several are parted by semicolons</source>
+            <source>“%1” is not a number from %2; separate several by semicolons</source>
             <translation>«%1» — не число из диапазона %2; разделяйте точкой с запятой</translation>
         </message>
     </context>
@@ -19809,7 +19809,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Измеренные детали</translation>
         </message>
         <message>
-            <source>A row for each zone or section of a part. Double click or F2 edits a cell; several diameters are parted by semicolons.</source>
+            <source>A row for each zone or section of a part. Double click or F2 edits a cell; separate several diameters by semicolons.</source>
             <translation>Строка на каждую зону или сечение детали. Двойной щелчок или F2 правит ячейку; диаметры разделяйте точкой с запятой.</translation>
         </message>
         <message>
@@ -19817,7 +19817,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Статистика измерений</translation>
         </message>
         <message>
-            <source>Statistics of parts that are not listed one by one, as a printed table has them: the mean with what stands behind ±, and how many parts it is of.</source>
+            <source>Statistics of parts that are not listed one by one, as in a printed table: the mean with the value after ±, and the number of parts.</source>
             <translation>Статистика деталей, не перечисленных поштучно, как в печатной таблице: среднее, то, что стоит за знаком ±, и число деталей.</translation>
         </message>
         <message>
@@ -20013,7 +20013,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             </translation>
         </message>
         <message>
-            <source>So many cells are refused that the lines are not read to the end. Are the delimiter, the decimal mark and the columns right?</source>
+            <source>Reading stopped early because too many cells are refused. Check the delimiter, the decimal mark and the columns.</source>
             <translation>Не принято столько ячеек, что строки не прочитаны до конца. Верны ли разделитель, десятичный знак и столбцы?</translation>
         </message>
         <message>
@@ -20262,7 +20262,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Снимите отжатие при %1 Н и при %2 Н. Разгрузите; индикатор должен вернуться к нулю. Снимите оба отсчёта ещё раз.</translation>
         </message>
         <message>
-            <source>Do the same at the other places: %1 mm.</source>
+            <source>Repeat this at the other places: %1 mm.</source>
             <translation>Сделайте то же в других местах: %1 мм.</translation>
         </message>
         <message>
@@ -20270,11 +20270,11 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation> и </translation>
         </message>
         <message>
-            <source>For the wheel head, too, set the indicator on the wheel head instead of the bed, load between wheel head and part, and choose so below.</source>
+            <source>To include the wheel head, set the indicator on the wheel head instead of the bed, apply the load between wheel head and part, and choose this below.</source>
             <translation>Чтобы найти и шлифовальную бабку, установите индикатор на неё вместо станины, нагружайте между шлифовальной бабкой и деталью и укажите это у показаний.</translation>
         </message>
         <message>
-            <source>Enter the deflections. Two places tell headstock and tailstock, the third tells whether the readings agree.</source>
+            <source>Enter the deflections. Two places determine headstock and tailstock; the third shows whether the readings agree.</source>
             <translation>Введите отжатия. Два места дают переднюю и заднюю бабки, третье показывает, согласны ли показания.</translation>
         </message>
         <message>
@@ -20365,11 +20365,11 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Даёт станку найденные жёсткости одной правкой, которую можно отменить, отмечает их как откалиброванные, и γ вычисляется по ним</translation>
         </message>
         <message>
-            <source>Inputs of the project are missing or wrong: first mend what the messages name.</source>
+            <source>Inputs of the project are missing or wrong: first correct what the messages name.</source>
             <translation>В проекте не хватает исходных данных или они неверны: сначала исправьте то, что названо в сообщениях.</translation>
         </message>
         <message>
-            <source>Enter the deflections: what they tell stands here at once.</source>
+            <source>Enter the deflections: the result is shown here at once.</source>
             <translation>Введите отжатия: результат сразу появится здесь.</translation>
         </message>
         <message>
@@ -20401,7 +20401,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Жёсткость шлифовальной бабки неизвестна: подставлено %1 Н/мкм; измерьте её, установив индикатор на шлифовальную бабку.</translation>
         </message>
         <message>
-            <source>The compliance given goes; γ then follows from stiffness and shaft.</source>
+            <source>The given compliance is removed; γ then follows from stiffness and shaft.</source>
             <translation>Заданная податливость убирается; γ тогда вычисляется по жёсткости и валу.</translation>
         </message>
         <message>
@@ -20453,7 +20453,7 @@ The size alone gives α and β, that is the compliance with the force together; 
     <context>
         <name>sparkout::TrialPage</name>
         <message>
-            <source>Trials by what they tell</source>
+            <source>Trials, most informative first</source>
             <translation>Опыты по их информативности</translation>
         </message>
         <message>
@@ -20481,7 +20481,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Ход расчёта</translation>
         </message>
         <message>
-            <source>Inputs of the project are missing or wrong: first mend what the messages name.</source>
+            <source>Inputs of the project are missing or wrong: first correct what the messages name.</source>
             <translation>В проекте не хватает исходных данных или они неверны: сначала исправьте то, что названо в сообщениях.</translation>
         </message>
         <message>
@@ -20497,7 +20497,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>%1 %2</translation>
         </message>
         <message>
-            <source>not told</source>
+            <source>unknown</source>
             <translation>не определяется</translation>
         </message>
         <message>
@@ -20525,7 +20525,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Ни один из опытов этого не записывает.</translation>
         </message>
         <message>
-            <source>The trial that tells most:</source>
+            <source>Most informative trial:</source>
             <translation>Самый информативный опыт:</translation>
         </message>
         <message>
@@ -20533,7 +20533,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Выбранный опыт:</translation>
         </message>
         <message>
-            <source>It cannot tell: %1.</source>
+            <source>Undetermined: %1.</source>
             <translation>Он не определяет: %1.</translation>
         </message>
         <message>
@@ -21038,7 +21038,7 @@ s</source>
             <translation>изменено вне программы</translation>
         </message>
         <message>
-            <source>the same as the work of another</source>
+            <source>identical to the work of another student</source>
             <translation>совпадает с работой другого студента</translation>
         </message>
         <message>
@@ -21074,7 +21074,7 @@ s</source>
             <translation>нет имени</translation>
         </message>
         <message>
-            <source>this student stands here twice</source>
+            <source>this student is listed twice</source>
             <translation>этот студент указан дважды</translation>
         </message>
         <message>
@@ -21109,7 +21109,7 @@ s</source>
             <translation>шаг решён заранее</translation>
         </message>
         <message>
-            <source>no cycle of the grid does what is asked</source>
+            <source>no cycle of the grid meets the goal</source>
             <translation>ни один цикл сетки не выполняет задание</translation>
         </message>
         <message>
@@ -21117,7 +21117,7 @@ s</source>
             <translation>лучший ответ меняет закрытые исходные данные</translation>
         </message>
         <message>
-            <source>no value of a free input was found at which a figure is as asked</source>
+            <source>no value of a free input was found that gives the required quantity</source>
             <translation>не найдено значение, дающее заданный показатель</translation>
         </message>
         <message>
@@ -21562,7 +21562,7 @@ s</source>
             <translation>Требуется получить: %1 %2 ± %3.</translation>
         </message>
         <message>
-            <source>To be said before the run: %1.</source>
+            <source>To be predicted before the run: %1.</source>
             <translation>Предскажите до расчёта: %1.</translation>
         </message>
         <message>
@@ -21570,7 +21570,7 @@ s</source>
             <translation>Нарисуйте до расчёта: %1.</translation>
         </message>
         <message>
-            <source>To be said before the run: the order by %1, the largest first.</source>
+            <source>To be predicted before the run: the order by %1, the largest first.</source>
             <translation>Предскажите до расчёта порядок по убыванию: %1.</translation>
         </message>
         <message>
@@ -21941,7 +21941,7 @@ s</source>
             <translation>Ответ к шагу %1</translation>
         </message>
         <message>
-            <source>What came of it:</source>
+            <source>Result:</source>
             <translation>Что получилось:</translation>
         </message>
     </context>
@@ -21952,7 +21952,7 @@ s</source>
             <translation>Верно: %1.</translation>
         </message>
         <message>
-            <source>%1: %2; ± %3 are taken.</source>
+            <source>%1: %2; ± %3 is accepted.</source>
             <translation>%1: %2; принимается ± %3.</translation>
         </message>
         <message>
@@ -22241,7 +22241,7 @@ s</source>
             <translation>%1 (копия)</translation>
         </message>
         <message>
-            <source>The work is not saved: what was handed in is in this window only.</source>
+            <source>The work is not saved: the answers handed in are only in this window.</source>
             <translation>Работа не сохранена: сданное есть только в этом окне.</translation>
         </message>
         <message>
@@ -22289,7 +22289,7 @@ s</source>
             <translation>Вариантов в работе: %1.</translation>
         </message>
         <message>
-            <source>This work was changed outside of the program. Whoever marks it will be told.</source>
+            <source>This work was changed outside the program. The teacher will see it.</source>
             <translation>Файл работы изменён вне программы. Преподаватель это увидит.</translation>
         </message>
         <message>

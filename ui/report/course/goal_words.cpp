@@ -127,7 +127,7 @@ QString GoalWords::asked(const Goal& goal, const Project& project) {
                  printedNumber(goal.figure->value),
                  amountOf(goal.figure->figure, goal.figure->tolerance));
     case GoalKind::prediction:
-        return tr("To be said before the run: %1.")
+        return tr("To be predicted before the run: %1.")
             .arg(Names::inSentence(
                 withUnit(quantity(goal.prediction->figure, project), goal.prediction->figure)));
     case GoalKind::curve:
@@ -135,7 +135,7 @@ QString GoalWords::asked(const Goal& goal, const Project& project) {
             .arg(Names::inSentence(
                 withUnit(quantity(goal.curve->figure, project), goal.curve->figure)));
     case GoalKind::order:
-        return tr("To be said before the run: the order by %1, the largest first.")
+        return tr("To be predicted before the run: the order by %1, the largest first.")
             .arg(Names::inSentence(quantity(goal.order->figure, project)));
     case GoalKind::choice: return tr("One or several answers are right.");
     case GoalKind::text: return tr("The answer is in words; the teacher reads it.");
