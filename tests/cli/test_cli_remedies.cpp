@@ -99,7 +99,7 @@ private slots:
 
     void aCycleThatHoldsGetsNone() {
         const QString file = examplePath("shaft-30h6-factory");
-        QCOMPARE(run({"remedies", file}).out, std::string("everything holds, with room\n"));
+        QCOMPARE(run({"remedies", file}).out, std::string("all requirements are met, with room\n"));
         const json answer = json::parse(run({"remedies", file, "--json"}).out);
         QVERIFY(answer.at("goal") == "none" && answer.at("remedies").empty());
     }
