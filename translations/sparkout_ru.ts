@@ -1622,7 +1622,7 @@
             <translation>Обороты</translation>
         </message>
         <message>
-            <source>How many of them the stage took.</source>
+            <source>Number completed in the stage.</source>
             <translation>Сколько их заняла ступень.</translation>
         </message>
         <message>
@@ -1654,7 +1654,7 @@
             <translation>   среднее</translation>
         </message>
         <message>
-            <source>The specific removal rate at the mean actual feed of all passes of the stage, those that remove nothing included.</source>
+            <source>The specific removal rate at the mean actual feed of all passes of the stage, including those that remove nothing.</source>
             <translation>Удельная интенсивность съёма при средней фактической подаче по всем проходам ступени, включая проходы без съёма.</translation>
         </message>
         <message>
@@ -1770,7 +1770,7 @@
             <translation>Среднее, 95 %</translation>
         </message>
         <message>
-            <source>Student&apos;s interval: the mean of endlessly many such parts lies in it with 95 %</source>
+            <source>Student&apos;s interval: with 95 % confidence it contains the mean of an unlimited number of such parts</source>
             <translation>Интервал Стьюдента: среднее сколь угодно большого числа таких деталей лежит в нём с вероятностью 95 %</translation>
         </message>
         <message>
@@ -1794,7 +1794,7 @@
             <translation>Pp</translation>
         </message>
         <message>
-            <source>Width of the field over 6 s, with 95 % bounds; s is that of all parts, with whatever drifts over the batch. Where nothing drifts it is Cp</source>
+            <source>Width of the field over 6 s, with 95 % bounds; s is that of all parts and includes any drift over the batch. Without drift Pp equals Cp</source>
             <translation>Ширина поля допуска, делённая на 6 s, с 95%-ными границами; s — по всем деталям, вместе с тем, что изменяется по ходу партии. Если ничто не изменяется, это Cp</translation>
         </message>
         <message>
@@ -1802,7 +1802,7 @@
             <translation>Ppk</translation>
         </message>
         <message>
-            <source>Distance from the mean to the nearer limit over 3 s, with 95 % bounds; it says what it says of a normal quantity. A dash: no size or form of the part, or one that hardly scatters beside its field</source>
+            <source>Distance from the mean to the nearer limit over 3 s, with 95 % bounds; it is meaningful for a normal quantity. A dash: not a size or form of the part, or one that hardly scatters beside its field</source>
             <translation>Расстояние от среднего до ближнего предела, делённое на 3 s, с 95%-ными границами; полный смысл имеет при нормальном распределении. Прочерк: не размер и не форма детали, или рассеяние ничтожно по сравнению с полем</translation>
         </message>
         <message>
@@ -1890,7 +1890,7 @@
             <translation>Предел бесступенчатого цикла</translation>
         </message>
         <message>
-            <source>Gap to the stepless limit</source>
+            <source>Excess over the limit</source>
             <translation>Превышение предела бесступенчатого цикла</translation>
         </message>
         <message>
@@ -1930,7 +1930,7 @@
             <translation>Число измеренных деталей</translation>
         </message>
         <message>
-            <source>Mean of the measured parts with Student&apos;s interval: the mean of endlessly many such parts lies in it with 95 %</source>
+            <source>Mean of the measured parts with Student&apos;s interval: with 95 % confidence it contains the mean of an unlimited number of such parts</source>
             <translation>Среднее измеренных деталей с интервалом Стьюдента: в нём с вероятностью 95 % лежит среднее бесконечно многих таких деталей</translation>
         </message>
         <message>
@@ -1942,7 +1942,7 @@
             <translation>Прогноз от</translation>
         </message>
         <message>
-            <source>Range that 95 % of the parts of the batch lie in; of corners, all of them</source>
+            <source>Range that contains 95 % of the parts of the batch; of corners, all of them</source>
             <translation>Диапазон, в котором лежат 95 % деталей партии; у крайних сочетаний — все</translation>
         </message>
         <message>
@@ -1958,7 +1958,7 @@
             <translation>F</translation>
         </message>
         <message>
-            <source>Variance of the measured parts over that of the batch, with what it stays between by chance with 95 %: Fisher&apos;s test</source>
+            <source>Variance of the measured parts over that of the batch, with the limits that chance leaves it within in 95 % of cases: Fisher&apos;s test</source>
             <translation>Дисперсия измеренных деталей к дисперсии партии и границы, в которых отношение с вероятностью 95 % бывает случайно: критерий Фишера</translation>
         </message>
         <message>
@@ -1994,7 +1994,7 @@
             <translation>Предел смещения</translation>
         </message>
         <message>
-            <source>Up to it the two means count as the same</source>
+            <source>Largest difference at which the two means count as the same</source>
             <translation>До него оба средних считаются одинаковыми</translation>
         </message>
     </context>
@@ -4090,7 +4090,7 @@ With another name both versions stay as they are.</source>
             <translation>Годен для</translation>
         </message>
         <message>
-            <source>The parts the cycle must hold the drawing for.</source>
+            <source>The parts for which the cycle must meet the drawing.</source>
             <translation>Для каких деталей цикл должен обеспечить чертёж.</translation>
         </message>
         <message>
@@ -4130,7 +4130,7 @@ With another name both versions stay as they are.</source>
             <translation>Непрерывная подача по ступеням</translation>
         </message>
         <message>
-            <source>Minimum and maximum of the first stage, of the second and so on, where they are fed so; twice the same fixes it.</source>
+            <source>Minimum and maximum for each stage in order, where it is fed continuously; equal values fix it.</source>
             <translation>Наименьшее и наибольшее значения для первой ступени, для второй и так далее, если они подаются так; два одинаковых задают его.</translation>
         </message>
         <message>
@@ -4142,7 +4142,7 @@ With another name both versions stay as they are.</source>
             <translation>Имя</translation>
         </message>
         <message>
-            <source>What the run is called.</source>
+            <source>Name of the run.</source>
             <translation>Как назван расчёт.</translation>
         </message>
         <message>
@@ -4358,7 +4358,7 @@ With another name both versions stay as they are.</source>
             <translation>Износ после последней компенсации</translation>
         </message>
         <message>
-            <source>By how much the wheel&apos;s radius is smaller than the position control takes it to be. Each dressing compensates it: the control is set to the new radius. In a set-up the wear of the wheel adds to it.</source>
+            <source>Wheel radius assumed by the position control minus the actual wheel radius. Each dressing compensates it: the control is set to the new radius. In a set-up the wear of the wheel adds to it.</source>
             <translation>Насколько радиус круга меньше того, который учитывает управление по положению. Каждая правка компенсирует износ: системе управления задаётся новый радиус. В установе к нему прибавляется износ круга.</translation>
         </message>
         <message>
@@ -4466,7 +4466,7 @@ With another name both versions stay as they are.</source>
             <translation>Запаздывание смены подачи</translation>
         </message>
         <message>
-            <source>Time from the gauge&apos;s command to the feed of the next stage: one that the gauge ends goes on for as many steps. The last command only draws the wheel back, undelayed.</source>
+            <source>Time from the gauge&apos;s command to the feed of the next stage: a stage that the gauge ends continues for this time in whole steps. The last command only draws the wheel back, without delay.</source>
             <translation>Время от команды прибора до подачи следующей ступени: ступень, которую заканчивает прибор, продолжается на столько целых двойных ходов или оборотов, сколько оно длится. Последняя команда только отводит круг и не запаздывает.</translation>
         </message>
         <message>
@@ -4518,7 +4518,7 @@ With another name both versions stay as they are.</source>
             <translation>Непр. подача</translation>
         </message>
         <message>
-            <source>Radial infeed that goes on all the time while the table travels and dwells, beside the radial feed at the reversals, which may then be 0.</source>
+            <source>Radial infeed that continues while the table travels and dwells, in addition to the radial feed at the reversals, which may then be 0.</source>
             <translation>Радиальная подача, которая идёт всё время, при ходах стола и на выстоях, дополнительно к подаче на реверсах, которая тогда может быть равна 0.</translation>
         </message>
         <message>
@@ -4534,7 +4534,7 @@ With another name both versions stay as they are.</source>
             <translation>Радиальная подача</translation>
         </message>
         <message>
-            <source>Radial stock of the stage. It ends when what remains to size is the later stages&apos; stock.</source>
+            <source>Radial stock of the stage. The stage ends when only the stock of the later stages remains.</source>
             <translation>Припуск ступени на сторону. Ступень кончается, когда до размера остаётся припуск следующих ступеней.</translation>
         </message>
         <message>
@@ -4626,7 +4626,7 @@ With another name both versions stay as they are.</source>
             <translation>Запаздывание прибора</translation>
         </message>
         <message>
-            <source>Time from the gauge&apos;s reading to its command. Every stage that the gauge ends goes on for the whole double strokes or revolutions that it lasts, the last one too.</source>
+            <source>Time from the gauge&apos;s reading to its command. Every stage that the gauge ends, also the last one, continues for this time in whole double strokes or revolutions.</source>
             <translation>Время от показания прибора до его команды. Каждая ступень, которую заканчивает прибор, продолжается на столько целых двойных ходов или оборотов, сколько оно длится, и последняя тоже.</translation>
         </message>
         <message>
@@ -4706,7 +4706,7 @@ With another name both versions stay as they are.</source>
             <translation>Поправка шероховатости</translation>
         </message>
         <message>
-            <source>Measured Ra over computed Ra; at 1 it is not known, and Ra is a range. A measured Ra sets it.</source>
+            <source>Measured Ra divided by computed Ra. At 1 it is not known, and Ra is given as a range. A measured Ra sets it.</source>
             <translation>Отношение измеренной Ra к расчётной; при 1 оно не известно, и Ra — диапазон. Задаётся измеренной Ra.</translation>
         </message>
         <message>
@@ -4726,7 +4726,7 @@ With another name both versions stay as they are.</source>
             <translation>последняя подача цикла</translation>
         </message>
         <message>
-            <source>By a revolution of the part in a plunge, else by a double stroke, at the speeds and diameters stated.</source>
+            <source>Per revolution of the part in a plunge, otherwise per double stroke, at the speeds and diameters stated.</source>
             <translation>На оборот детали при врезном шлифовании, иначе на двойной ход, при заданных скоростях и диаметрах.</translation>
         </message>
         <message>
@@ -4738,7 +4738,7 @@ With another name both versions stay as they are.</source>
             <translation>сколько в цикле</translation>
         </message>
         <message>
-            <source>Revolutions in a plunge, else double strokes, after that infeed.</source>
+            <source>Revolutions in a plunge, otherwise double strokes, after that infeed.</source>
             <translation>Обороты при врезном шлифовании, иначе двойные ходы после этой подачи.</translation>
         </message>
         <message>
@@ -5002,7 +5002,7 @@ With another name both versions stay as they are.</source>
             <translation>Припуск на сторону</translation>
         </message>
         <message>
-            <source>Minimum radial stock: what the minimum radius of the blank stands above the target radius.</source>
+            <source>Minimum radial stock: minimum radius of the blank minus the target radius.</source>
             <translation>Наименьший припуск на сторону: на сколько наименьший радиус заготовки больше целевого.</translation>
         </message>
         <message>
@@ -5110,7 +5110,7 @@ With another name both versions stay as they are.</source>
             <translation>Тепловое расширение</translation>
         </message>
         <message>
-            <source>By how much a metre of the part grows with each kelvin: what the gauge reads too large on a warm part.</source>
+            <source>Growth of one metre of the part per kelvin: it makes the gauge read a warm part too large.</source>
             <translation>На сколько метр детали удлиняется с каждым кельвином: на столько больше показывает прибор по тёплой детали.</translation>
         </message>
         <message>
@@ -5118,7 +5118,7 @@ With another name both versions stay as they are.</source>
             <translation>Погрешность прибора</translation>
         </message>
         <message>
-            <source>What the gauge reads too large on the diameter. Under gauge control the part, and a bore too, ends smaller by as much. In a batch its random part and its drift are factors.</source>
+            <source>Amount by which the gauge reads the diameter too large. Under gauge control the part, also a bore, ends smaller by this amount. In a batch its random part and its drift are factors.</source>
             <translation>На сколько прибор показывает диаметр больше. При управлении от ПАК деталь, и отверстие тоже, выходит меньше на столько же. В партии её случайная часть и дрейф — факторы.</translation>
         </message>
         <message>
@@ -5126,7 +5126,7 @@ With another name both versions stay as they are.</source>
             <translation>Деталь теплее у прибора</translation>
         </message>
         <message>
-            <source>How much warmer the part is at the gauge than the gauge is set for. It cools to a size smaller by α·d·ΔT. How warm grinding makes it is not computed.</source>
+            <source>Temperature of the part at the gauge above the temperature that the gauge is set for. As the part cools, it shrinks by α·d·ΔT. The heating by grinding is not computed.</source>
             <translation>На сколько деталь у прибора теплее, чем при его настройке. Остыв, она меньше на α·d·ΔT. Нагрев шлифованием не рассчитывается.</translation>
         </message>
         <message>
@@ -5142,7 +5142,7 @@ With another name both versions stay as they are.</source>
             <translation>Повторяемость прибора</translation>
         </message>
         <message>
-            <source>Standard deviation of the in-process gauge's reading of a diameter. A batch with the factor of the gauge's error scatters by it.</source>
+            <source>Standard deviation of the in-process gauge's reading of a diameter. A batch with the gauge's error as a factor scatters by it.</source>
             <translation>Среднее квадратическое отклонение отсчёта диаметра прибором активного контроля. По ней рассеивается партия с фактором погрешности прибора.</translation>
         </message>
         <message>
@@ -5150,7 +5150,7 @@ With another name both versions stay as they are.</source>
             <translation>Дрейф прибора</translation>
         </message>
         <message>
-            <source>By how much more the in-process gauge reads with each hour since it was set. A batch with the factor of that time drifts by it.</source>
+            <source>Increase of the reading of the in-process gauge per hour since it was set. A batch with that time as a factor drifts by it.</source>
             <translation>На сколько больше показывает прибор активного контроля с каждым часом после настройки. По нему смещается партия с фактором этого времени.</translation>
         </message>
         <message>
@@ -5158,7 +5158,7 @@ With another name both versions stay as they are.</source>
             <translation>Случайная погрешность прибора</translation>
         </message>
         <message>
-            <source>In standard deviations: it multiplies the machine's gauge repeatability. Normal with the mean 0 and the deviation 1 is the gauge as the machine has it.</source>
+            <source>In standard deviations: it multiplies the machine's gauge repeatability. A normal law with mean 0 and deviation 1 is the gauge of the machine as given.</source>
             <translation>В средних квадратических отклонениях: умножает повторяемость прибора станка. Нормальный закон со средним 0 и отклонением 1 — прибор, каков он у станка.</translation>
         </message>
         <message>
@@ -5174,7 +5174,7 @@ With another name both versions stay as they are.</source>
             <translation>Умножает дрейф прибора станка. Растёт от детали к детали с 0: каждая деталь шлифуется на штучное время позже предыдущей; деталей между правками — столько, сколько от настройки прибора до следующей.</translation>
         </message>
         <message>
-            <source>By how much more than the gauge is set for: the part cools to a size smaller by α·d·ΔT.</source>
+            <source>Difference from the temperature that the gauge is set for: as the part cools, it shrinks by α·d·ΔT.</source>
             <translation>На сколько теплее, чем при настройке прибора: остыв, деталь меньше на α·d·ΔT.</translation>
         </message>
         <message>
@@ -5330,7 +5330,7 @@ With another name both versions stay as they are.</source>
             <translation>Жёсткость</translation>
         </message>
         <message>
-            <source>What the entry is looked up by.</source>
+            <source>Name to search by.</source>
             <translation>Название для поиска.</translation>
         </message>
         <message>
@@ -5338,7 +5338,7 @@ With another name both versions stay as they are.</source>
             <translation>Примечание</translation>
         </message>
         <message>
-            <source>What it is used for, or under which conditions it holds.</source>
+            <source>Use of the entry, or the conditions for which it is valid.</source>
             <translation>Для чего применяется или при каких условиях верно.</translation>
         </message>
         <message>
@@ -5386,7 +5386,7 @@ With another name both versions stay as they are.</source>
             <translation>Температура</translation>
         </message>
         <message>
-            <source>At which the entry&apos;s conductivity and diffusivity are taken.</source>
+            <source>Temperature for which the entry&apos;s conductivity and diffusivity are given.</source>
             <translation>При которой взяты теплопроводность и температуропроводность записи.</translation>
         </message>
         <message>
@@ -5430,7 +5430,7 @@ With another name both versions stay as they are.</source>
             <translation>Коэф. перекрытия ступени, не менее</translation>
         </message>
         <message>
-            <source>Wheel widths to the table&apos;s advance in one revolution, at least; usually 1.05. Below 1 strips stay uncut.</source>
+            <source>Minimum ratio of the wheel width to the table&apos;s advance in one revolution; usually 1.05. Below 1 strips stay uncut.</source>
             <translation>Наименьший коэффициент перекрытия — отношение высоты круга к перемещению стола за оборот заготовки; обычно 1,05. При значении ниже 1 остаются непрошлифованные полосы.</translation>
         </message>
         <message>
@@ -5450,7 +5450,7 @@ With another name both versions stay as they are.</source>
             <translation>Двойных ходов (оборотов) ступени, не менее</translation>
         </message>
         <message>
-            <source>Double strokes (usually 2) or revolutions (usually 3) that each stage with stock makes at least; a spark-out by number is not counted.</source>
+            <source>Minimum number of double strokes (usually 2) or revolutions (usually 3) of each stage with stock; a spark-out by number is not counted.</source>
             <translation>Наименьшее число двойных ходов (обычно 2) или оборотов (обычно 3) ступени с припуском; выхаживание по числу не считается.</translation>
         </message>
         <message>
@@ -5470,7 +5470,7 @@ With another name both versions stay as they are.</source>
             <translation>от касания</translation>
         </message>
         <message>
-            <source>How far from the target radius the wheel head&apos;s feed starts. In a batch it is where the wheel touches the nominal blank: a larger blank is cut deeper at once, a smaller one later.</source>
+            <source>Distance from the target radius at which the wheel head&apos;s feed starts. In a batch the wheel touches the nominal blank there: a larger blank is cut deeper at once, a smaller one later.</source>
             <translation>Расстояние от целевого радиуса, с которого начинается подача шлифовальной бабки. В партии — от касания номинальной заготовки: с большей заготовки сразу снимается больше, меньшей круг касается позже.</translation>
         </message>
         <message>
@@ -5706,7 +5706,7 @@ With another name both versions stay as they are.</source>
             <translation>Радиальная подача по ступеням</translation>
         </message>
         <message>
-            <source>Minimum and maximum of the first stage, of the second and so on; twice the same fixes it.</source>
+            <source>Minimum and maximum for each stage in order; equal values fix it.</source>
             <translation>Наименьшее и наибольшее для первой ступени, для второй и так далее; два одинаковых числа закрепляют значение.</translation>
         </message>
         <message>
@@ -5754,7 +5754,7 @@ With another name both versions stay as they are.</source>
             <translation>Подвод</translation>
         </message>
         <message>
-            <source>Of the wheel to a surface, for each of them.</source>
+            <source>Time of the wheel's approach to a surface, for each surface.</source>
             <translation>Время подвода круга к поверхности, для каждой из них.</translation>
         </message>
         <message>
@@ -5762,7 +5762,7 @@ With another name both versions stay as they are.</source>
             <translation>Отвод</translation>
         </message>
         <message>
-            <source>Of the wheel from a surface, for each of them.</source>
+            <source>Time of the wheel's retreat from a surface, for each surface.</source>
             <translation>Время отвода круга от поверхности, для каждой из них.</translation>
         </message>
         <message>
@@ -5770,7 +5770,7 @@ With another name both versions stay as they are.</source>
             <translation>Измерение</translation>
         </message>
         <message>
-            <source>Of a surface after its cycle, for each of them.</source>
+            <source>Time of gauging a surface after its cycle, for each surface.</source>
             <translation>Время измерения поверхности после её цикла, для каждой из них.</translation>
         </message>
         <message>
@@ -5778,7 +5778,7 @@ With another name both versions stay as they are.</source>
             <translation>Перемещение стола</translation>
         </message>
         <message>
-            <source>Of the table from one surface to the next.</source>
+            <source>Time of moving the table from one surface to the next.</source>
             <translation>Время перемещения стола от одной поверхности к следующей.</translation>
         </message>
         <message>
@@ -5854,7 +5854,7 @@ With another name both versions stay as they are.</source>
             <translation>острота круга не меняется</translation>
         </message>
         <message>
-            <source>By how much the dullness grows for each mm³ that a millimetre of the wheel's width has removed.</source>
+            <source>Growth of the dullness per mm³ removed by each millimetre of the wheel's width.</source>
             <translation>На сколько растёт степень затупления с каждым мм³, снятым одним миллиметром высоты круга.</translation>
         </message>
         <message>
@@ -5946,7 +5946,7 @@ With another name both versions stay as they are.</source>
             <translation>Прибор перекрывает пазы</translation>
         </message>
         <message>
-            <source>A gauge for interrupted surfaces, with wide contacts or a reading held over the gaps. Any other drops into them, so that only the maximum diameter (in a bore the smallest) is of use.</source>
+            <source>A gauge for interrupted surfaces, with wide contacts or a reading held over the gaps. Any other gauge drops into the gaps, so that only its maximum diameter (in a bore the minimum) can be used.</source>
             <translation>Прибор для прерывистых поверхностей: с широкими наконечниками или с удержанием показания над пазами. Любой другой проваливается в пазы, и пригоден только наибольший диаметр (в отверстии — наименьший).</translation>
         </message>
         <message>
@@ -6050,11 +6050,11 @@ With another name both versions stay as they are.</source>
             <translation>Мощность на единицу тока</translation>
         </message>
         <message>
-            <source>not known, or the trace is no current</source>
+            <source>not known, or the trace is not a current</source>
             <translation>не известно, или запись не является током</translation>
         </message>
         <message>
-            <source>Power of the wheel spindle to one ampere of its current.</source>
+            <source>Power of the wheel spindle per ampere of its current.</source>
             <translation>Мощность шпинделя круга на один ампер его тока.</translation>
         </message>
         <message>
@@ -6074,7 +6074,7 @@ With another name both versions stay as they are.</source>
             <translation>Моменты времени</translation>
         </message>
         <message>
-            <source>Times of the samples, none before the one ahead of it; at most 20,000.</source>
+            <source>Times of the samples in order, none earlier than the one before it; at most 20,000.</source>
             <translation>Моменты отсчётов, каждый не раньше предыдущего; не более 20 000.</translation>
         </message>
         <message>
@@ -6106,11 +6106,11 @@ With another name both versions stay as they are.</source>
             <translation>Отсчётов в источнике</translation>
         </message>
         <message>
-            <source>How many samples that file has; more than are kept were thinned out to means.</source>
+            <source>Number of samples in that file; where there were more than are kept, they were reduced to means.</source>
             <translation>Сколько отсчётов в этом файле; лишние сведены в средние.</translation>
         </message>
         <message>
-            <source>What the statistics are of.</source>
+            <source>Quantity that the statistics describe.</source>
             <translation>К чему относится статистика.</translation>
         </message>
         <message>
@@ -6134,7 +6134,7 @@ With another name both versions stay as they are.</source>
             <translation>Полуширина интервала</translation>
         </message>
         <message>
-            <source>Half the width of the confidence interval of the mean: what stands behind ±.</source>
+            <source>Half the width of the confidence interval of the mean: the value after ±.</source>
             <translation>Половина ширины доверительного интервала среднего: то, что стоит после ±.</translation>
         </message>
         <message>
@@ -6262,7 +6262,7 @@ With another name both versions stay as they are.</source>
             <translation>ничего не измерено</translation>
         </message>
         <message>
-            <source>Measured parts and traces to hold the prediction against, and what was calibrated on them.</source>
+            <source>Measured parts and traces to compare with the prediction, and what was calibrated on them.</source>
             <translation>Измеренные детали и записи, с которыми сравнивается прогноз, и то, что по ним откалибровано.</translation>
         </message>
         <message>
@@ -6294,7 +6294,7 @@ With another name both versions stay as they are.</source>
             <translation>Уровни уточняются по ответу</translation>
         </message>
         <message>
-            <source>Levels of the feeds are added around the answer, and beyond it where it stands at the edge of its grid and the machine lets it pass; then the grid is searched again.</source>
+            <source>Levels of the feeds are added around the answer, and beyond the edge of the grid where the answer lies there and the machine allows it; then the grid is searched again.</source>
             <translation>Уровни подач добавляются вокруг ответа, а если он стоит на краю сетки и станок допускает больше, то и за краем; затем поиск повторяется.</translation>
         </message>
         <message>
@@ -6330,7 +6330,7 @@ With another name both versions stay as they are.</source>
             <translation>срезы вместе — снятый металл</translation>
         </message>
         <message>
-            <source>Width of the cut of one grain. Where it is not given, it is such that the chips together are the metal removed.</source>
+            <source>Width of the cut of one grain. Where it is not given, it is chosen so that the chips add up to the metal removed.</source>
             <translation>Ширина среза одним зерном. Если не задана, она такова, что срезы зёрен вместе составляют снятый металл.</translation>
         </message>
         <message>
@@ -6362,7 +6362,7 @@ With another name both versions stay as they are.</source>
             <translation>Операционная карта</translation>
         </message>
         <message>
-            <source>What the head of the operation card has beside the inputs of the cycle.</source>
+            <source>Entries in the head of the operation card in addition to the inputs of the cycle.</source>
             <translation>Что стоит в заголовке операционной карты помимо исходных данных цикла.</translation>
         </message>
         <message>
@@ -6454,11 +6454,11 @@ With another name both versions stay as they are.</source>
             <translation>везде 1</translation>
         </message>
         <message>
-            <source>By how much the stock per side of each zone or section, in their order, is above that of the part, or below it.</source>
+            <source>Difference of the stock per side of each zone or section, in their order, from that of the part.</source>
             <translation>На сколько припуск на сторону каждой зоны или сечения, по порядку, больше припуска детали или меньше его.</translation>
         </message>
         <message>
-            <source>By how much the initial runout of each zone or section, in their order, is above that of the part, or below it.</source>
+            <source>Difference of the initial runout of each zone or section, in their order, from that of the part.</source>
             <translation>На сколько исходное биение каждой зоны или сечения, по порядку, больше биения детали или меньше его.</translation>
         </message>
         <message>
@@ -6494,11 +6494,11 @@ With another name both versions stay as they are.</source>
             <translation>ищется наименьшее время</translation>
         </message>
         <message>
-            <source>The search then answers the cycle farthest from its limits whose machining time is at most that: the one with the largest minimum margin of all requirements, each as a share of its limit.</source>
+            <source>The search then returns the cycle farthest from its limits within this machining time: the one with the largest minimum margin of all requirements, each as a share of its limit.</source>
             <translation>Тогда поиск находит цикл с основным временем не больше заданного, который дальше всех от пределов: его наименьший запас по всем требованиям, каждый в долях своего предела, наибольший.</translation>
         </message>
         <message>
-            <source>For the minimum cost with a wheel that wears the search finds it, and this is the most it may be.</source>
+            <source>For the minimum cost with a wheel that wears, the search finds this number, and the value given is its maximum.</source>
             <translation>При поиске наименьшей стоимости с изнашивающимся кругом его находит поиск, а это — наибольшее допустимое.</translation>
         </message>
         <message>
@@ -6666,7 +6666,7 @@ With another name both versions stay as they are.</source>
             <translation>следует из доказанного лучшего времени варианта</translation>
         </message>
         <message>
-            <source>Within so much of the best</source>
+            <source>Maximum excess over the best</source>
             <translation>Превышение лучшего, не более</translation>
         </message>
         <message>
@@ -6678,7 +6678,7 @@ With another name both versions stay as they are.</source>
             <translation>От самого быстрого цикла на сетке проекта, выполняющего все требования: его доказывает поиск для каждого варианта.</translation>
         </message>
         <message>
-            <source>Every requirement holds as well</source>
+            <source>Every requirement must be met too</source>
             <translation>И все требования выполняются</translation>
         </message>
         <message>
@@ -6694,11 +6694,11 @@ With another name both versions stay as they are.</source>
             <translation>Допуск</translation>
         </message>
         <message>
-            <source>Either way.</source>
+            <source>In both directions (±).</source>
             <translation>±.</translation>
         </message>
         <message>
-            <source>Either way, in the unit of the figure.</source>
+            <source>±, in the quantity's unit.</source>
             <translation>±, в единице показателя.</translation>
         </message>
         <message>
@@ -6706,7 +6706,7 @@ With another name both versions stay as they are.</source>
             <translation>Допуск относительный</translation>
         </message>
         <message>
-            <source>Of the engine&apos;s value. The greater of both tolerances holds.</source>
+            <source>Relative to the engine&apos;s value. The larger of the two tolerances applies.</source>
             <translation>От рассчитанного значения. Действует больший из двух допусков.</translation>
         </message>
         <message>
@@ -6714,7 +6714,7 @@ With another name both versions stay as they are.</source>
             <translation>Читается по результату</translation>
         </message>
         <message>
-            <source>Else it is said before the run, and nothing is shown until then.</source>
+            <source>Otherwise it is predicted before the run, and nothing is shown until then.</source>
             <translation>Иначе предсказывается до расчёта, и до тех пор ничего не показано.</translation>
         </message>
         <message>
@@ -6906,7 +6906,7 @@ With another name both versions stay as they are.</source>
             <translation>Ответ</translation>
         </message>
         <message>
-            <source>What students often get wrong, and what to say to it.</source>
+            <source>What students often get wrong, and how to respond to it.</source>
             <translation>В чём студенты часто ошибаются и что на это сказать.</translation>
         </message>
         <message>
@@ -6942,7 +6942,7 @@ With another name both versions stay as they are.</source>
         <translation>Как называется запись каталога.</translation>
     </message>
     <message>
-        <source>They stand in the lesson itself: a catalogue that changes later changes no variant.</source>
+        <source>They are stored in the lesson itself: later changes of a catalogue change no variant.</source>
         <translation>Хранятся в самой работе: если каталог потом изменится, варианты останутся прежними.</translation>
     </message>
     <message>
@@ -7170,7 +7170,7 @@ With another name both versions stay as they are.</source>
             <translation>Множитель отклонения от круглости и биения от станка, во всех зонах или сечениях; без формы — его геометрического биения.</translation>
         </message>
         <message>
-            <source>Uniform from 0 to 360° where parts are clamped as it comes.</source>
+            <source>Uniform from 0 to 360° where parts are clamped at random angles.</source>
             <translation>Равномерно от 0 до 360°, если детали устанавливают как придётся.</translation>
         </message>
     </context>
