@@ -134,15 +134,15 @@
             <translation>p (%1)</translation>
         </message>
         <message>
-            <source>conforms to the drawing</source>
+            <source>is fit</source>
             <translation>годен</translation>
         </message>
         <message>
-            <source>conforms conditionally to the drawing</source>
+            <source>is conditionally fit</source>
             <translation>условно годен</translation>
         </message>
         <message>
-            <source>does not conform to the drawing</source>
+            <source>is unfit</source>
             <translation>не годен</translation>
         </message>
         <message>
@@ -8695,11 +8695,11 @@ With another name both versions stay as they are.</source>
             <translation>Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
         </message>
         <message>
-            <source>The cycle conforms when every stock within one infeed, where that is decided, and every part that was run reach size and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it conforms conditionally when no more parts fail than the share allowed, or when a requirement, the capability or the expected share outside is not decided or falls short. %2</source>
+            <source>The cycle is fit when every stock within one infeed, where that is decided, and every part that was run reach size and meet every requirement, and the lower 95 % bounds of all Ppk reach %1; it is conditionally fit when no more parts are rejected than the share allowed, or when a requirement, the capability or the expected share outside is not decided or falls short. %2</source>
             <translation>Цикл годен, если при каждом припуске в пределах подачи на шаг, где это решается, и у каждой рассчитанной детали партии достигнут размер и выполнены все требования, а нижние 95%-ные границы всех Ppk не меньше %1; он условно годен, если доля негодных деталей не больше допущенной либо если требование, пригодность процесса или ожидаемая доля вне допуска не определены или недостаточны. %2</translation>
         </message>
         <message>
-            <source>Without a batch the cycle conforms conditionally when every stock within one infeed, where that is decided, reaches size and holds every requirement. %1</source>
+            <source>Without a batch the cycle is conditionally fit when every stock within one infeed, where that is decided, reaches size and meets every requirement. %1</source>
             <translation>Без партии цикл условно годен, если при каждом припуске в пределах подачи на шаг, где это решается, достигнут размер и выполнены все требования. %1</translation>
         </message>
     </context>

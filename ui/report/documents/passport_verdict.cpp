@@ -106,15 +106,14 @@ std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
     }
     blocks.push_back(Paragraph{
         subject.batch
-            ? tr("The cycle conforms when every stock within one infeed, where that is decided, "
-                 "and "
-                 "every part that was run reach size and hold every requirement, and the lower "
-                 "95 % bounds of all Ppk reach %1; it conforms conditionally when no more parts "
-                 "fail than the share allowed, or when a requirement, the capability or the "
+            ? tr("The cycle is fit when every stock within one infeed, where that is decided, and "
+                 "every part that was run reach size and meet every requirement, and the lower 95 "
+                 "% bounds of all Ppk reach %1; it is conditionally fit when no more parts are "
+                 "rejected than the share allowed, or when a requirement, the capability or the "
                  "expected share outside is not decided or falls short. %2")
                   .arg(Names::significant(subject.batch->result.project.batch->least_ppk), caution)
-            : tr("Without a batch the cycle conforms conditionally when every stock within one "
-                 "infeed, where that is decided, reaches size and holds every requirement. %1")
+            : tr("Without a batch the cycle is conditionally fit when every stock within one "
+                 "infeed, where that is decided, reaches size and meets every requirement. %1")
                   .arg(caution)});
     return blocks;
 }

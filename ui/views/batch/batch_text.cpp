@@ -156,9 +156,9 @@ QString BatchText::shortNormalityName(const BatchSummary& summary) {
 
 QString BatchText::fitness(Fitness fitness) {
     switch (fitness) {
-    case Fitness::fit: return tr("conforms to the drawing");
-    case Fitness::conditional: return tr("conforms conditionally to the drawing");
-    case Fitness::unfit: return tr("does not conform to the drawing");
+    case Fitness::fit: return tr("is fit");
+    case Fitness::conditional: return tr("is conditionally fit");
+    case Fitness::unfit: return tr("is unfit");
     }
     return {};
 }
