@@ -6774,7 +6774,7 @@ With another name both versions stay as they are.</source>
             <translation>не спрашивается</translation>
         </message>
         <message>
-            <source>The cycle ends by itself and every requirement holds.</source>
+            <source>The cycle ends by itself and every requirement is met.</source>
             <translation>Цикл заканчивается сам, и все требования выполняются.</translation>
         </message>
         <message>
@@ -8397,7 +8397,7 @@ With another name both versions stay as they are.</source>
             <translation>Наименьший запас, от предела</translation>
         </message>
         <message>
-            <source>%1: holds</source>
+            <source>%1: met</source>
             <comment>a requirement</comment>
             <translation>%1: выполнено</translation>
         </message>
@@ -10762,11 +10762,11 @@ With another name both versions stay as they are.</source>
             <translation>не достигает размера</translation>
         </message>
         <message>
-            <source>holds</source>
+            <source>fit</source>
             <translation>выполнено</translation>
         </message>
         <message>
-            <source>does not hold</source>
+            <source>unfit</source>
             <translation>не выполнено</translation>
         </message>
         <message>
@@ -21538,23 +21538,23 @@ s</source>
             <translation>%1 с запасом не менее %2 %.</translation>
         </message>
         <message>
-            <source>Every requirement is to hold for every stock</source>
+            <source>Every requirement must be met for every stock</source>
             <translation>Требуется выполнить все требования для всех припусков</translation>
         </message>
         <message>
-            <source>Every requirement is to hold</source>
+            <source>Every requirement must be met</source>
             <translation>Требуется выполнить все требования</translation>
         </message>
         <message>
-            <source>The cycle is to take at most %1 min.</source>
+            <source>The cycle must take at most %1 min.</source>
             <translation>Время цикла — не более %1 мин.</translation>
         </message>
         <message>
-            <source>The cycle is to take at most %1 % more than the best one.</source>
+            <source>The cycle must take at most %1 % more than the best one.</source>
             <translation>Время цикла — не более чем на %1 % больше наименьшего возможного.</translation>
         </message>
         <message>
-            <source>The cycle is to be quick.</source>
+            <source>The cycle must be quick.</source>
             <translation>Требуется быстрый цикл.</translation>
         </message>
         <message>
@@ -22443,23 +22443,23 @@ s</source>
             <translation>Сечение</translation>
         </message>
         <message>
-            <source>To pass: every requirement holds, with a margin of at least %1 %.</source>
+            <source>To pass: every requirement is met, with a margin of at least %1 %.</source>
             <translation>Требуется: выполнены все требования, запас не менее %1 %.</translation>
         </message>
         <message>
-            <source>To pass: every requirement holds.</source>
+            <source>To pass: every requirement is met.</source>
             <translation>Требуется: выполнены все требования.</translation>
         </message>
         <message>
-            <source>To pass: every requirement holds for every stock, with a margin of at least %1 %.</source>
+            <source>To pass: every requirement is met for every stock, with a margin of at least %1 %.</source>
             <translation>Требуется: все требования выполнены для всех припусков, запас не менее %1 %.</translation>
         </message>
         <message>
-            <source>To pass: every requirement holds for every stock.</source>
+            <source>To pass: every requirement is met for every stock.</source>
             <translation>Требуется: все требования выполнены для всех припусков.</translation>
         </message>
         <message>
-            <source>To pass: cycle time at most %1 min, every requirement holds.</source>
+            <source>To pass: cycle time at most %1 min, every requirement is met.</source>
             <translation>Требуется: время цикла не более %1 мин, выполнены все требования.</translation>
         </message>
         <message>
@@ -22491,11 +22491,11 @@ s</source>
             <translation>в допуске %1 % точек, требуется %2 %</translation>
         </message>
         <message>
-            <source>fails for %1 % of stocks</source>
+            <source>unfit for %1 % of stocks</source>
             <translation>не выполнено для %1 % припусков</translation>
         </message>
         <message>
-            <source>fails: %1</source>
+            <source>not met: %1</source>
             <translation>не выполнено: %1</translation>
         </message>
         <message>

@@ -234,7 +234,7 @@ const StructInfo& tableOf<Goal>() {
         SPARKOUT_FIELD(Goal, requirements, .label = SPARKOUT_NOOP("Input", "Requirements hold"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
                        .hint = SPARKOUT_NOOP(
-                           "Input", "The cycle ends by itself and every requirement holds.")),
+                           "Input", "The cycle ends by itself and every requirement is met.")),
         SPARKOUT_FIELD(Goal, time, .label = SPARKOUT_NOOP("Input", "Quick enough"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
                        .hint = SPARKOUT_NOOP("Input", "The cycle takes less than a time.")),

@@ -101,7 +101,7 @@ QString SweepText::status(const SweepPoint& point) {
     case SweepStatus::notReached: return tr("does not reach size");
     case SweepStatus::done: break;
     }
-    return point.good ? tr("holds") : tr("does not hold");
+    return point.good ? tr("fit") : tr("unfit");
 }
 
 QString SweepText::progress(qint64 done, qint64 points, double left_s) {
