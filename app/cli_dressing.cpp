@@ -36,7 +36,7 @@ std::string endText(const Setup& setup, const WornFailure& end) {
 
 std::string partsText(const DressingInterval& interval) {
     if (interval.isEndless) {
-        return "any number: the wheel gets no duller, and every part holds";
+        return "any number: the wheel does not get duller, and every part is good";
     }
     const std::string parts = std::to_string(interval.parts);
     return interval.end ? parts : "at least " + parts;

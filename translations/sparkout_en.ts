@@ -183,10 +183,10 @@
     <context>
         <name>sparkout::MainWindow</name>
         <message numerus="yes">
-            <source>Saved; %n fields hold a refused text, their last good values were saved.</source>
+            <source>Saved. %n fields contain invalid entries; their last valid values were saved.</source>
             <translation>
-                <numerusform>Saved; %n field holds a refused text, its last good value was saved.</numerusform>
-                <numerusform>Saved; %n fields hold a refused text, their last good values were saved.</numerusform>
+                <numerusform>Saved. %n field contains an invalid entry; its last valid value was saved.</numerusform>
+                <numerusform>Saved. %n fields contain invalid entries; their last valid values were saved.</numerusform>
             </translation>
         </message>
     </context>
@@ -210,10 +210,10 @@
     <context>
         <name>sparkout::NumbersEditor</name>
         <message numerus="yes">
-            <source>%n number(s) with semicolons between them</source>
+            <source>%n number(s) separated by semicolons</source>
             <translation>
                 <numerusform>%n number</numerusform>
-                <numerusform>%n numbers with semicolons between them</numerusform>
+                <numerusform>%n numbers separated by semicolons</numerusform>
             </translation>
         </message>
     </context>
@@ -250,10 +250,10 @@
     <context>
         <name>sparkout::RowsEditor</name>
         <message numerus="yes">
-            <source>rows of %n number(s), a semicolon between them, as in 0 50; 200 80</source>
+            <source>rows of %n number(s) separated by semicolons, as in 0 50; 200 80</source>
             <translation>
-                <numerusform>rows of one number, a semicolon between them, as in 50; 80</numerusform>
-                <numerusform>rows of %n numbers, a semicolon between them, as in 0 50; 200 80</numerusform>
+                <numerusform>rows of one number separated by semicolons, as in 50; 80</numerusform>
+                <numerusform>rows of %n numbers separated by semicolons, as in 0 50; 200 80</numerusform>
             </translation>
         </message>
     </context>
@@ -297,10 +297,10 @@
     <context>
         <name>sparkout::VerdictPanel</name>
         <message numerus="yes">
-            <source>%n fields hold a refused text; the verdict is of the values before it.</source>
+            <source>%n fields contain invalid entries; the verdict is based on their last valid values.</source>
             <translation>
-                <numerusform>%n field holds a refused text; the verdict is of the value before it.</numerusform>
-                <numerusform>%n fields hold a refused text; the verdict is of the values before it.</numerusform>
+                <numerusform>%n field contains an invalid entry; the verdict is based on its last valid value.</numerusform>
+                <numerusform>%n fields contain invalid entries; the verdict is based on their last valid values.</numerusform>
             </translation>
         </message>
     </context>

@@ -12,11 +12,11 @@
             <translation>Квантиль %1 %</translation>
         </message>
         <message>
-            <source>Below it lie %1 % of the parts, as below mean − 3 s of a normal quantity; given from 741 parts on</source>
+            <source>%1 % of the parts lie below this value, as below mean − 3 s of a normal quantity; given for 741 parts or more</source>
             <translation>Ниже него %1 % деталей, как ниже среднего − 3 s у нормальной величины; указывается от 741 детали</translation>
         </message>
         <message>
-            <source>Above it lie %1 % of the parts, as above mean + 3 s of a normal quantity; given from 741 parts on</source>
+            <source>%1 % of the parts lie above this value, as above mean + 3 s of a normal quantity; given for 741 parts or more</source>
             <translation>Выше него %1 % деталей, как выше среднего + 3 s у нормальной величины; указывается от 741 детали</translation>
         </message>
         <message>
@@ -63,7 +63,7 @@
             <translation>%1, не норм.</translation>
         </message>
         <message>
-            <source>The nominal part alone: nothing scatters.</source>
+            <source>Only the nominal part was run: no factor scatters.</source>
             <translation>Только номинальная деталь: ничего не рассеивается.</translation>
         </message>
         <message numerus="yes">
@@ -134,15 +134,15 @@
             <translation>p (%1)</translation>
         </message>
         <message>
-            <source>conforms to the drawing</source>
+            <source>is fit</source>
             <translation>годен</translation>
         </message>
         <message>
-            <source>conforms conditionally to the drawing</source>
+            <source>is conditionally fit</source>
             <translation>условно годен</translation>
         </message>
         <message>
-            <source>does not conform to the drawing</source>
+            <source>is unfit</source>
             <translation>не годен</translation>
         </message>
         <message>
@@ -1038,7 +1038,7 @@
     <context>
         <name>CouplingCurves</name>
         <message>
-            <source>Coupled less independent at most %1 µm of diameter, at %2 mm. Spread over the length: independent %3 µm, coupled %4 µm. Time %5 and %6.</source>
+            <source>Coupling changes the diameter most at %2 mm, by %1 µm. Spread over the length: independent %3 µm, coupled %4 µm. Time: %5 and %6.</source>
             <translation>Разность связанных и независимых не более %1 мкм по диаметру, на %2 мм. Разброс по длине: независимые %3 мкм, связанные %4 мкм. Время %5 и %6.</translation>
         </message>
         <message>
@@ -1167,7 +1167,7 @@
             <translation>среднее отличается от прогноза, и рассеяние деталей тоже</translation>
         </message>
         <message>
-            <source>too few parts to tell</source>
+            <source>too few parts for a conclusion</source>
             <translation>деталей слишком мало, чтобы судить</translation>
         </message>
         <message>
@@ -1179,7 +1179,7 @@
             <translation>найдено</translation>
         </message>
         <message>
-            <source>the data cannot tell some parameters</source>
+            <source>the data leave some parameters undetermined</source>
             <translation>некоторые параметры по данным определить нельзя</translation>
         </message>
         <message>
@@ -1199,7 +1199,7 @@
             <translation>наилучшие значения не найдены</translation>
         </message>
         <message>
-            <source>the model does not fit: more is left than chance leaves, a factor is beyond what is searched, or an input would be refused</source>
+            <source>the model does not fit: the residuals exceed the noise, a factor lies outside the searched range, or an input would be refused</source>
             <translation>модель не подходит: остаётся больше случайного, множитель вне пределов поиска или исходные данные с ним недопустимы</translation>
         </message>
         <message>
@@ -1279,11 +1279,11 @@
             <translation>начало цикла в записи</translation>
         </message>
         <message>
-            <source>the difference grows with time, as of a gauge or a sensor that drifts</source>
+            <source>the difference grows with time, as when a gauge or a sensor drifts</source>
             <translation>разность растёт со временем, как при дрейфе прибора или датчика</translation>
         </message>
         <message>
-            <source>the trace lags behind where it changes fast, as of a damped gauge or a filter</source>
+            <source>the trace lags where it changes fast, as with a damped gauge or a filter</source>
             <translation>запись запаздывает там, где быстро меняется, как у демпфированного прибора или после фильтра</translation>
         </message>
         <message>
@@ -1291,11 +1291,11 @@
             <translation>разность приходится на одну ступень: та ли у неё подача, что при записи?</translation>
         </message>
         <message>
-            <source>the difference lies in a few values far off: let outliers weigh less, or leave them out</source>
+            <source>the difference lies in a few outliers: give them less weight, or leave them out</source>
             <translation>разность создают несколько выпавших значений: уменьшите вес выбросов или исключите их</translation>
         </message>
         <message>
-            <source>something else than these parameters differs between the project and the recording</source>
+            <source>the project and the recording differ in something other than these parameters</source>
             <translation>проект и запись различаются чем-то кроме этих параметров</translation>
         </message>
         <message>
@@ -1622,7 +1622,7 @@
             <translation>Обороты</translation>
         </message>
         <message>
-            <source>How many of them the stage took.</source>
+            <source>Number completed in the stage.</source>
             <translation>Сколько их заняла ступень.</translation>
         </message>
         <message>
@@ -1654,7 +1654,7 @@
             <translation>   среднее</translation>
         </message>
         <message>
-            <source>The specific removal rate at the mean actual feed of all passes of the stage, those that remove nothing included.</source>
+            <source>The specific removal rate at the mean actual feed of all passes of the stage, including those that remove nothing.</source>
             <translation>Удельная интенсивность съёма при средней фактической подаче по всем проходам ступени, включая проходы без съёма.</translation>
         </message>
         <message>
@@ -1770,7 +1770,7 @@
             <translation>Среднее, 95 %</translation>
         </message>
         <message>
-            <source>Student&apos;s interval: the mean of endlessly many such parts lies in it with 95 %</source>
+            <source>Student&apos;s interval: with 95 % confidence it contains the mean of an unlimited number of such parts</source>
             <translation>Интервал Стьюдента: среднее сколь угодно большого числа таких деталей лежит в нём с вероятностью 95 %</translation>
         </message>
         <message>
@@ -1794,7 +1794,7 @@
             <translation>Pp</translation>
         </message>
         <message>
-            <source>Width of the field over 6 s, with 95 % bounds; s is that of all parts, with whatever drifts over the batch. Where nothing drifts it is Cp</source>
+            <source>Width of the field over 6 s, with 95 % bounds; s is that of all parts and includes any drift over the batch. Without drift Pp equals Cp</source>
             <translation>Ширина поля допуска, делённая на 6 s, с 95%-ными границами; s — по всем деталям, вместе с тем, что изменяется по ходу партии. Если ничто не изменяется, это Cp</translation>
         </message>
         <message>
@@ -1802,7 +1802,7 @@
             <translation>Ppk</translation>
         </message>
         <message>
-            <source>Distance from the mean to the nearer limit over 3 s, with 95 % bounds; it says what it says of a normal quantity. A dash: no size or form of the part, or one that hardly scatters beside its field</source>
+            <source>Distance from the mean to the nearer limit over 3 s, with 95 % bounds; it is meaningful for a normal quantity. A dash: not a size or form of the part, or one that hardly scatters beside its field</source>
             <translation>Расстояние от среднего до ближнего предела, делённое на 3 s, с 95%-ными границами; полный смысл имеет при нормальном распределении. Прочерк: не размер и не форма детали, или рассеяние ничтожно по сравнению с полем</translation>
         </message>
         <message>
@@ -1890,7 +1890,7 @@
             <translation>Предел бесступенчатого цикла</translation>
         </message>
         <message>
-            <source>Gap to the stepless limit</source>
+            <source>Excess over the limit</source>
             <translation>Превышение предела бесступенчатого цикла</translation>
         </message>
         <message>
@@ -1930,7 +1930,7 @@
             <translation>Число измеренных деталей</translation>
         </message>
         <message>
-            <source>Mean of the measured parts with Student&apos;s interval: the mean of endlessly many such parts lies in it with 95 %</source>
+            <source>Mean of the measured parts with Student&apos;s interval: with 95 % confidence it contains the mean of an unlimited number of such parts</source>
             <translation>Среднее измеренных деталей с интервалом Стьюдента: в нём с вероятностью 95 % лежит среднее бесконечно многих таких деталей</translation>
         </message>
         <message>
@@ -1942,7 +1942,7 @@
             <translation>Прогноз от</translation>
         </message>
         <message>
-            <source>Range that 95 % of the parts of the batch lie in; of corners, all of them</source>
+            <source>Range that contains 95 % of the parts of the batch; of corners, all of them</source>
             <translation>Диапазон, в котором лежат 95 % деталей партии; у крайних сочетаний — все</translation>
         </message>
         <message>
@@ -1958,7 +1958,7 @@
             <translation>F</translation>
         </message>
         <message>
-            <source>Variance of the measured parts over that of the batch, with what it stays between by chance with 95 %: Fisher&apos;s test</source>
+            <source>Variance of the measured parts over that of the batch, with the limits that chance leaves it within in 95 % of cases: Fisher&apos;s test</source>
             <translation>Дисперсия измеренных деталей к дисперсии партии и границы, в которых отношение с вероятностью 95 % бывает случайно: критерий Фишера</translation>
         </message>
         <message>
@@ -1994,7 +1994,7 @@
             <translation>Предел смещения</translation>
         </message>
         <message>
-            <source>Up to it the two means count as the same</source>
+            <source>Largest difference at which the two means count as the same</source>
             <translation>До него оба средних считаются одинаковыми</translation>
         </message>
     </context>
@@ -2568,7 +2568,7 @@ axial feed, mm/min</source>
     <context>
         <name>ExerciseSheet</name>
         <message>
-            <source>Computed by the engine: it has run the whole cycle with that one input changed.</source>
+            <source>Computed by the engine, which ran the whole cycle with only that input changed.</source>
             <translation>Ответы вычислены программой: весь цикл просчитан с одной изменённой исходной величиной.</translation>
         </message>
         <message>
@@ -2954,7 +2954,7 @@ axial feed, mm/min</source>
             <translation>Добавить партию</translation>
         </message>
         <message>
-            <source>Keep the present run</source>
+            <source>Keep the current run</source>
             <translation>Запомнить текущий расчёт</translation>
         </message>
         <message>
@@ -3354,7 +3354,7 @@ axial feed, mm/min</source>
             <translation>Файлы JSON (*.json)</translation>
         </message>
         <message>
-            <source>There is no trace: of a run of %1 rows only the results are kept; a trace has %2 at most.</source>
+            <source>There is no trace: the run has %1 rows and a trace at most %2, so only the results are kept.</source>
             <translation>Трассы нет: в ней было бы %1 строк, а записывается не больше %2. Результаты сохранены полностью.</translation>
         </message>
     </context>
@@ -3512,11 +3512,11 @@ axial feed, mm/min</source>
     <context>
         <name>FileError</name>
         <message>
-            <source>the path cannot be reached</source>
+            <source>the file or folder is not accessible</source>
             <translation>файл или папка недоступны</translation>
         </message>
         <message>
-            <source>what stands there is not a file</source>
+            <source>the path does not name a file</source>
             <translation>по этому пути находится не файл</translation>
         </message>
         <message>
@@ -3536,7 +3536,7 @@ axial feed, mm/min</source>
             <translation>не удаётся задать права доступа</translation>
         </message>
         <message>
-            <source>the disk did not take the data</source>
+            <source>the data could not be written</source>
             <translation>данные не удалось записать</translation>
         </message>
         <message>
@@ -3548,7 +3548,7 @@ axial feed, mm/min</source>
             <translation>не удаётся поставить новый файл на место</translation>
         </message>
         <message>
-            <source>the disk gave back other data than written</source>
+            <source>the data read back from the disk differ from the data written</source>
             <translation>диск вернул не те данные, что были записаны</translation>
         </message>
         <message>
@@ -3560,11 +3560,11 @@ axial feed, mm/min</source>
             <translation>файл слишком велик</translation>
         </message>
         <message>
-            <source>another program has changed it meanwhile</source>
+            <source>another program has changed it in the meantime</source>
             <translation>за это время его изменила другая программа</translation>
         </message>
         <message>
-            <source>this program could not read the content again</source>
+            <source>this program could not read the saved content back</source>
             <translation>такое содержимое эта программа не смогла бы прочитать снова</translation>
         </message>
         <message>
@@ -3651,7 +3651,7 @@ axial feed, mm/min</source>
             <translation>&amp;Не сохранять</translation>
         </message>
         <message>
-            <source>The lock file beside it cannot be understood; it belongs to the user %1 and is of %2.</source>
+            <source>The lock file beside it cannot be read; it belongs to the user %1 and dates from %2.</source>
             <translation>Файл блокировки рядом с ним не читается; его владелец — %1, время — %2.</translation>
         </message>
         <message>
@@ -3673,7 +3673,7 @@ Since: %5</source>
             <translation>«%1», по-видимому, уже открыт.</translation>
         </message>
         <message>
-            <source>Take it over only if nobody works in it any more.</source>
+            <source>Open it anyway only if nobody is working in it any more.</source>
             <translation>Открывайте его, только если с ним больше никто не работает.</translation>
         </message>
         <message>
@@ -3689,7 +3689,7 @@ Since: %5</source>
             <translation>Открыть &amp;копию</translation>
         </message>
         <message>
-            <source>&amp;Take over</source>
+            <source>&amp;Open anyway</source>
             <translation>&amp;Всё равно открыть</translation>
         </message>
         <message>
@@ -3711,7 +3711,7 @@ Reloading takes that version; your changes stay in Undo.</source>
 Перезагрузка возьмёт ту версию; ваши изменения останутся в «Отменить».</translation>
         </message>
         <message>
-            <source>The file is not locked against other users: “%1” stands where its lock belongs and is not a lock file. It was left as it is.</source>
+            <source>The file is not locked against other users: “%1” has the name of its lock file but is not one. It was left unchanged.</source>
             <translation>Файл не заблокирован для других пользователей: на месте его файла блокировки стоит «%1», а это не файл блокировки. Он оставлен как есть.</translation>
         </message>
         <message>
@@ -3765,15 +3765,15 @@ With another name both versions stay as they are.</source>
             <translation>&amp;Повторить</translation>
         </message>
         <message>
-            <source>Refused texts, which no file will hold:</source>
+            <source>Invalid entries (not saved):</source>
             <translation>Неверные значения (не сохранены):</translation>
         </message>
         <message>
-            <source>Refused texts</source>
+            <source>Invalid entries</source>
             <translation>Непринятый текст</translation>
         </message>
         <message>
-            <source>Everything else is saved, but what was refused is in no file. Go on without it?</source>
+            <source>Everything else is saved, but the invalid entries are not. Continue without them?</source>
             <translation>Всё остальное сохранено, но непринятого текста нет ни в одном файле. Продолжить без него?</translation>
         </message>
         <message>
@@ -3781,7 +3781,7 @@ With another name both versions stay as they are.</source>
             <translation>Не принято:</translation>
         </message>
         <message>
-            <source>&amp;Go on</source>
+            <source>&amp;Continue</source>
             <translation>&amp;Продолжить</translation>
         </message>
         <message>
@@ -3890,7 +3890,7 @@ With another name both versions stay as they are.</source>
             <translation>лучшее место</translation>
         </message>
         <message>
-            <source>present place</source>
+            <source>current place</source>
             <translation>текущее место</translation>
         </message>
         <message>
@@ -4090,7 +4090,7 @@ With another name both versions stay as they are.</source>
             <translation>Годен для</translation>
         </message>
         <message>
-            <source>The parts the cycle must hold the drawing for.</source>
+            <source>The parts for which the cycle must meet the drawing.</source>
             <translation>Для каких деталей цикл должен обеспечить чертёж.</translation>
         </message>
         <message>
@@ -4130,7 +4130,7 @@ With another name both versions stay as they are.</source>
             <translation>Непрерывная подача по ступеням</translation>
         </message>
         <message>
-            <source>Minimum and maximum of the first stage, of the second and so on, where they are fed so; twice the same fixes it.</source>
+            <source>Minimum and maximum for each stage in order, where it is fed continuously; equal values fix it.</source>
             <translation>Наименьшее и наибольшее значения для первой ступени, для второй и так далее, если они подаются так; два одинаковых задают его.</translation>
         </message>
         <message>
@@ -4142,7 +4142,7 @@ With another name both versions stay as they are.</source>
             <translation>Имя</translation>
         </message>
         <message>
-            <source>What the run is called.</source>
+            <source>Name of the run.</source>
             <translation>Как назван расчёт.</translation>
         </message>
         <message>
@@ -4358,7 +4358,7 @@ With another name both versions stay as they are.</source>
             <translation>Износ после последней компенсации</translation>
         </message>
         <message>
-            <source>By how much the wheel&apos;s radius is smaller than the position control takes it to be. Each dressing compensates it: the control is set to the new radius. In a set-up the wear of the wheel adds to it.</source>
+            <source>Wheel radius assumed by the position control minus the actual wheel radius. Each dressing compensates it: the control is set to the new radius. In a set-up the wear of the wheel adds to it.</source>
             <translation>Насколько радиус круга меньше того, который учитывает управление по положению. Каждая правка компенсирует износ: системе управления задаётся новый радиус. В установе к нему прибавляется износ круга.</translation>
         </message>
         <message>
@@ -4466,7 +4466,7 @@ With another name both versions stay as they are.</source>
             <translation>Запаздывание смены подачи</translation>
         </message>
         <message>
-            <source>Time from the gauge&apos;s command to the feed of the next stage: one that the gauge ends goes on for as many steps. The last command only draws the wheel back, undelayed.</source>
+            <source>Time from the gauge&apos;s command to the feed of the next stage: a stage that the gauge ends continues for this time in whole steps. The last command only draws the wheel back, without delay.</source>
             <translation>Время от команды прибора до подачи следующей ступени: ступень, которую заканчивает прибор, продолжается на столько целых двойных ходов или оборотов, сколько оно длится. Последняя команда только отводит круг и не запаздывает.</translation>
         </message>
         <message>
@@ -4518,7 +4518,7 @@ With another name both versions stay as they are.</source>
             <translation>Непр. подача</translation>
         </message>
         <message>
-            <source>Radial infeed that goes on all the time while the table travels and dwells, beside the radial feed at the reversals, which may then be 0.</source>
+            <source>Radial infeed that continues while the table travels and dwells, in addition to the radial feed at the reversals, which may then be 0.</source>
             <translation>Радиальная подача, которая идёт всё время, при ходах стола и на выстоях, дополнительно к подаче на реверсах, которая тогда может быть равна 0.</translation>
         </message>
         <message>
@@ -4534,7 +4534,7 @@ With another name both versions stay as they are.</source>
             <translation>Радиальная подача</translation>
         </message>
         <message>
-            <source>Radial stock of the stage. It ends when what remains to size is the later stages&apos; stock.</source>
+            <source>Radial stock of the stage. The stage ends when only the stock of the later stages remains.</source>
             <translation>Припуск ступени на сторону. Ступень кончается, когда до размера остаётся припуск следующих ступеней.</translation>
         </message>
         <message>
@@ -4626,7 +4626,7 @@ With another name both versions stay as they are.</source>
             <translation>Запаздывание прибора</translation>
         </message>
         <message>
-            <source>Time from the gauge&apos;s reading to its command. Every stage that the gauge ends goes on for the whole double strokes or revolutions that it lasts, the last one too.</source>
+            <source>Time from the gauge&apos;s reading to its command. Every stage that the gauge ends, also the last one, continues for this time in whole double strokes or revolutions.</source>
             <translation>Время от показания прибора до его команды. Каждая ступень, которую заканчивает прибор, продолжается на столько целых двойных ходов или оборотов, сколько оно длится, и последняя тоже.</translation>
         </message>
         <message>
@@ -4706,7 +4706,7 @@ With another name both versions stay as they are.</source>
             <translation>Поправка шероховатости</translation>
         </message>
         <message>
-            <source>Measured Ra over computed Ra; at 1 it is not known, and Ra is a range. A measured Ra sets it.</source>
+            <source>Measured Ra divided by computed Ra. At 1 it is not known, and Ra is given as a range. A measured Ra sets it.</source>
             <translation>Отношение измеренной Ra к расчётной; при 1 оно не известно, и Ra — диапазон. Задаётся измеренной Ra.</translation>
         </message>
         <message>
@@ -4726,7 +4726,7 @@ With another name both versions stay as they are.</source>
             <translation>последняя подача цикла</translation>
         </message>
         <message>
-            <source>By a revolution of the part in a plunge, else by a double stroke, at the speeds and diameters stated.</source>
+            <source>Per revolution of the part in a plunge, otherwise per double stroke, at the speeds and diameters stated.</source>
             <translation>На оборот детали при врезном шлифовании, иначе на двойной ход, при заданных скоростях и диаметрах.</translation>
         </message>
         <message>
@@ -4738,7 +4738,7 @@ With another name both versions stay as they are.</source>
             <translation>сколько в цикле</translation>
         </message>
         <message>
-            <source>Revolutions in a plunge, else double strokes, after that infeed.</source>
+            <source>Revolutions in a plunge, otherwise double strokes, after that infeed.</source>
             <translation>Обороты при врезном шлифовании, иначе двойные ходы после этой подачи.</translation>
         </message>
         <message>
@@ -5002,7 +5002,7 @@ With another name both versions stay as they are.</source>
             <translation>Припуск на сторону</translation>
         </message>
         <message>
-            <source>Minimum radial stock: what the minimum radius of the blank stands above the target radius.</source>
+            <source>Minimum radial stock: minimum radius of the blank minus the target radius.</source>
             <translation>Наименьший припуск на сторону: на сколько наименьший радиус заготовки больше целевого.</translation>
         </message>
         <message>
@@ -5110,7 +5110,7 @@ With another name both versions stay as they are.</source>
             <translation>Тепловое расширение</translation>
         </message>
         <message>
-            <source>By how much a metre of the part grows with each kelvin: what the gauge reads too large on a warm part.</source>
+            <source>Growth of one metre of the part per kelvin: it makes the gauge read a warm part too large.</source>
             <translation>На сколько метр детали удлиняется с каждым кельвином: на столько больше показывает прибор по тёплой детали.</translation>
         </message>
         <message>
@@ -5118,7 +5118,7 @@ With another name both versions stay as they are.</source>
             <translation>Погрешность прибора</translation>
         </message>
         <message>
-            <source>What the gauge reads too large on the diameter. Under gauge control the part, and a bore too, ends smaller by as much. In a batch its random part and its drift are factors.</source>
+            <source>Amount by which the gauge reads the diameter too large. Under gauge control the part, also a bore, ends smaller by this amount. In a batch its random part and its drift are factors.</source>
             <translation>На сколько прибор показывает диаметр больше. При управлении от ПАК деталь, и отверстие тоже, выходит меньше на столько же. В партии её случайная часть и дрейф — факторы.</translation>
         </message>
         <message>
@@ -5126,7 +5126,7 @@ With another name both versions stay as they are.</source>
             <translation>Деталь теплее у прибора</translation>
         </message>
         <message>
-            <source>How much warmer the part is at the gauge than the gauge is set for. It cools to a size smaller by α·d·ΔT. How warm grinding makes it is not computed.</source>
+            <source>Temperature of the part at the gauge above the temperature that the gauge is set for. As the part cools, it shrinks by α·d·ΔT. The heating by grinding is not computed.</source>
             <translation>На сколько деталь у прибора теплее, чем при его настройке. Остыв, она меньше на α·d·ΔT. Нагрев шлифованием не рассчитывается.</translation>
         </message>
         <message>
@@ -5142,7 +5142,7 @@ With another name both versions stay as they are.</source>
             <translation>Повторяемость прибора</translation>
         </message>
         <message>
-            <source>Standard deviation of the in-process gauge's reading of a diameter. A batch with the factor of the gauge's error scatters by it.</source>
+            <source>Standard deviation of the in-process gauge's reading of a diameter. A batch with the gauge's error as a factor scatters by it.</source>
             <translation>Среднее квадратическое отклонение отсчёта диаметра прибором активного контроля. По ней рассеивается партия с фактором погрешности прибора.</translation>
         </message>
         <message>
@@ -5150,7 +5150,7 @@ With another name both versions stay as they are.</source>
             <translation>Дрейф прибора</translation>
         </message>
         <message>
-            <source>By how much more the in-process gauge reads with each hour since it was set. A batch with the factor of that time drifts by it.</source>
+            <source>Increase of the reading of the in-process gauge per hour since it was set. A batch with that time as a factor drifts by it.</source>
             <translation>На сколько больше показывает прибор активного контроля с каждым часом после настройки. По нему смещается партия с фактором этого времени.</translation>
         </message>
         <message>
@@ -5158,7 +5158,7 @@ With another name both versions stay as they are.</source>
             <translation>Случайная погрешность прибора</translation>
         </message>
         <message>
-            <source>In standard deviations: it multiplies the machine's gauge repeatability. Normal with the mean 0 and the deviation 1 is the gauge as the machine has it.</source>
+            <source>In standard deviations: it multiplies the machine's gauge repeatability. A normal law with mean 0 and deviation 1 is the gauge of the machine as given.</source>
             <translation>В средних квадратических отклонениях: умножает повторяемость прибора станка. Нормальный закон со средним 0 и отклонением 1 — прибор, каков он у станка.</translation>
         </message>
         <message>
@@ -5174,7 +5174,7 @@ With another name both versions stay as they are.</source>
             <translation>Умножает дрейф прибора станка. Растёт от детали к детали с 0: каждая деталь шлифуется на штучное время позже предыдущей; деталей между правками — столько, сколько от настройки прибора до следующей.</translation>
         </message>
         <message>
-            <source>By how much more than the gauge is set for: the part cools to a size smaller by α·d·ΔT.</source>
+            <source>Difference from the temperature that the gauge is set for: as the part cools, it shrinks by α·d·ΔT.</source>
             <translation>На сколько теплее, чем при настройке прибора: остыв, деталь меньше на α·d·ΔT.</translation>
         </message>
         <message>
@@ -5330,7 +5330,7 @@ With another name both versions stay as they are.</source>
             <translation>Жёсткость</translation>
         </message>
         <message>
-            <source>What the entry is looked up by.</source>
+            <source>Name to search by.</source>
             <translation>Название для поиска.</translation>
         </message>
         <message>
@@ -5338,7 +5338,7 @@ With another name both versions stay as they are.</source>
             <translation>Примечание</translation>
         </message>
         <message>
-            <source>What it is used for, or under which conditions it holds.</source>
+            <source>Use of the entry, or the conditions for which it is valid.</source>
             <translation>Для чего применяется или при каких условиях верно.</translation>
         </message>
         <message>
@@ -5386,7 +5386,7 @@ With another name both versions stay as they are.</source>
             <translation>Температура</translation>
         </message>
         <message>
-            <source>At which the entry&apos;s conductivity and diffusivity are taken.</source>
+            <source>Temperature for which the entry&apos;s conductivity and diffusivity are given.</source>
             <translation>При которой взяты теплопроводность и температуропроводность записи.</translation>
         </message>
         <message>
@@ -5430,7 +5430,7 @@ With another name both versions stay as they are.</source>
             <translation>Коэф. перекрытия ступени, не менее</translation>
         </message>
         <message>
-            <source>Wheel widths to the table&apos;s advance in one revolution, at least; usually 1.05. Below 1 strips stay uncut.</source>
+            <source>Minimum ratio of the wheel width to the table&apos;s advance in one revolution; usually 1.05. Below 1 strips stay uncut.</source>
             <translation>Наименьший коэффициент перекрытия — отношение высоты круга к перемещению стола за оборот заготовки; обычно 1,05. При значении ниже 1 остаются непрошлифованные полосы.</translation>
         </message>
         <message>
@@ -5450,7 +5450,7 @@ With another name both versions stay as they are.</source>
             <translation>Двойных ходов (оборотов) ступени, не менее</translation>
         </message>
         <message>
-            <source>Double strokes (usually 2) or revolutions (usually 3) that each stage with stock makes at least; a spark-out by number is not counted.</source>
+            <source>Minimum number of double strokes (usually 2) or revolutions (usually 3) of each stage with stock; a spark-out by number is not counted.</source>
             <translation>Наименьшее число двойных ходов (обычно 2) или оборотов (обычно 3) ступени с припуском; выхаживание по числу не считается.</translation>
         </message>
         <message>
@@ -5470,7 +5470,7 @@ With another name both versions stay as they are.</source>
             <translation>от касания</translation>
         </message>
         <message>
-            <source>How far from the target radius the wheel head&apos;s feed starts. In a batch it is where the wheel touches the nominal blank: a larger blank is cut deeper at once, a smaller one later.</source>
+            <source>Distance from the target radius at which the wheel head&apos;s feed starts. In a batch the wheel touches the nominal blank there: a larger blank is cut deeper at once, a smaller one later.</source>
             <translation>Расстояние от целевого радиуса, с которого начинается подача шлифовальной бабки. В партии — от касания номинальной заготовки: с большей заготовки сразу снимается больше, меньшей круг касается позже.</translation>
         </message>
         <message>
@@ -5706,7 +5706,7 @@ With another name both versions stay as they are.</source>
             <translation>Радиальная подача по ступеням</translation>
         </message>
         <message>
-            <source>Minimum and maximum of the first stage, of the second and so on; twice the same fixes it.</source>
+            <source>Minimum and maximum for each stage in order; equal values fix it.</source>
             <translation>Наименьшее и наибольшее для первой ступени, для второй и так далее; два одинаковых числа закрепляют значение.</translation>
         </message>
         <message>
@@ -5754,7 +5754,7 @@ With another name both versions stay as they are.</source>
             <translation>Подвод</translation>
         </message>
         <message>
-            <source>Of the wheel to a surface, for each of them.</source>
+            <source>Time of the wheel's approach to a surface, for each surface.</source>
             <translation>Время подвода круга к поверхности, для каждой из них.</translation>
         </message>
         <message>
@@ -5762,7 +5762,7 @@ With another name both versions stay as they are.</source>
             <translation>Отвод</translation>
         </message>
         <message>
-            <source>Of the wheel from a surface, for each of them.</source>
+            <source>Time of the wheel's retreat from a surface, for each surface.</source>
             <translation>Время отвода круга от поверхности, для каждой из них.</translation>
         </message>
         <message>
@@ -5770,7 +5770,7 @@ With another name both versions stay as they are.</source>
             <translation>Измерение</translation>
         </message>
         <message>
-            <source>Of a surface after its cycle, for each of them.</source>
+            <source>Time of gauging a surface after its cycle, for each surface.</source>
             <translation>Время измерения поверхности после её цикла, для каждой из них.</translation>
         </message>
         <message>
@@ -5778,7 +5778,7 @@ With another name both versions stay as they are.</source>
             <translation>Перемещение стола</translation>
         </message>
         <message>
-            <source>Of the table from one surface to the next.</source>
+            <source>Time of moving the table from one surface to the next.</source>
             <translation>Время перемещения стола от одной поверхности к следующей.</translation>
         </message>
         <message>
@@ -5854,7 +5854,7 @@ With another name both versions stay as they are.</source>
             <translation>острота круга не меняется</translation>
         </message>
         <message>
-            <source>By how much the dullness grows for each mm³ that a millimetre of the wheel's width has removed.</source>
+            <source>Growth of the dullness per mm³ removed by each millimetre of the wheel's width.</source>
             <translation>На сколько растёт степень затупления с каждым мм³, снятым одним миллиметром высоты круга.</translation>
         </message>
         <message>
@@ -5946,7 +5946,7 @@ With another name both versions stay as they are.</source>
             <translation>Прибор перекрывает пазы</translation>
         </message>
         <message>
-            <source>A gauge for interrupted surfaces, with wide contacts or a reading held over the gaps. Any other drops into them, so that only the maximum diameter (in a bore the smallest) is of use.</source>
+            <source>A gauge for interrupted surfaces, with wide contacts or a reading held over the gaps. Any other gauge drops into the gaps, so that only its maximum diameter (in a bore the minimum) can be used.</source>
             <translation>Прибор для прерывистых поверхностей: с широкими наконечниками или с удержанием показания над пазами. Любой другой проваливается в пазы, и пригоден только наибольший диаметр (в отверстии — наименьший).</translation>
         </message>
         <message>
@@ -6050,11 +6050,11 @@ With another name both versions stay as they are.</source>
             <translation>Мощность на единицу тока</translation>
         </message>
         <message>
-            <source>not known, or the trace is no current</source>
+            <source>not known, or the trace is not a current</source>
             <translation>не известно, или запись не является током</translation>
         </message>
         <message>
-            <source>Power of the wheel spindle to one ampere of its current.</source>
+            <source>Power of the wheel spindle per ampere of its current.</source>
             <translation>Мощность шпинделя круга на один ампер его тока.</translation>
         </message>
         <message>
@@ -6074,7 +6074,7 @@ With another name both versions stay as they are.</source>
             <translation>Моменты времени</translation>
         </message>
         <message>
-            <source>Times of the samples, none before the one ahead of it; at most 20,000.</source>
+            <source>Times of the samples in order, none earlier than the one before it; at most 20,000.</source>
             <translation>Моменты отсчётов, каждый не раньше предыдущего; не более 20 000.</translation>
         </message>
         <message>
@@ -6106,11 +6106,11 @@ With another name both versions stay as they are.</source>
             <translation>Отсчётов в источнике</translation>
         </message>
         <message>
-            <source>How many samples that file has; more than are kept were thinned out to means.</source>
+            <source>Number of samples in that file; where there were more than are kept, they were reduced to means.</source>
             <translation>Сколько отсчётов в этом файле; лишние сведены в средние.</translation>
         </message>
         <message>
-            <source>What the statistics are of.</source>
+            <source>Quantity that the statistics describe.</source>
             <translation>К чему относится статистика.</translation>
         </message>
         <message>
@@ -6134,7 +6134,7 @@ With another name both versions stay as they are.</source>
             <translation>Полуширина интервала</translation>
         </message>
         <message>
-            <source>Half the width of the confidence interval of the mean: what stands behind ±.</source>
+            <source>Half the width of the confidence interval of the mean: the value after ±.</source>
             <translation>Половина ширины доверительного интервала среднего: то, что стоит после ±.</translation>
         </message>
         <message>
@@ -6262,7 +6262,7 @@ With another name both versions stay as they are.</source>
             <translation>ничего не измерено</translation>
         </message>
         <message>
-            <source>Measured parts and traces to hold the prediction against, and what was calibrated on them.</source>
+            <source>Measured parts and traces to compare with the prediction, and what was calibrated on them.</source>
             <translation>Измеренные детали и записи, с которыми сравнивается прогноз, и то, что по ним откалибровано.</translation>
         </message>
         <message>
@@ -6294,7 +6294,7 @@ With another name both versions stay as they are.</source>
             <translation>Уровни уточняются по ответу</translation>
         </message>
         <message>
-            <source>Levels of the feeds are added around the answer, and beyond it where it stands at the edge of its grid and the machine lets it pass; then the grid is searched again.</source>
+            <source>Levels of the feeds are added around the answer, and beyond the edge of the grid where the answer lies there and the machine allows it; then the grid is searched again.</source>
             <translation>Уровни подач добавляются вокруг ответа, а если он стоит на краю сетки и станок допускает больше, то и за краем; затем поиск повторяется.</translation>
         </message>
         <message>
@@ -6330,7 +6330,7 @@ With another name both versions stay as they are.</source>
             <translation>срезы вместе — снятый металл</translation>
         </message>
         <message>
-            <source>Width of the cut of one grain. Where it is not given, it is such that the chips together are the metal removed.</source>
+            <source>Width of the cut of one grain. Where it is not given, it is chosen so that the chips add up to the metal removed.</source>
             <translation>Ширина среза одним зерном. Если не задана, она такова, что срезы зёрен вместе составляют снятый металл.</translation>
         </message>
         <message>
@@ -6362,7 +6362,7 @@ With another name both versions stay as they are.</source>
             <translation>Операционная карта</translation>
         </message>
         <message>
-            <source>What the head of the operation card has beside the inputs of the cycle.</source>
+            <source>Entries in the head of the operation card in addition to the inputs of the cycle.</source>
             <translation>Что стоит в заголовке операционной карты помимо исходных данных цикла.</translation>
         </message>
         <message>
@@ -6454,11 +6454,11 @@ With another name both versions stay as they are.</source>
             <translation>везде 1</translation>
         </message>
         <message>
-            <source>By how much the stock per side of each zone or section, in their order, is above that of the part, or below it.</source>
+            <source>Difference of the stock per side of each zone or section, in their order, from that of the part.</source>
             <translation>На сколько припуск на сторону каждой зоны или сечения, по порядку, больше припуска детали или меньше его.</translation>
         </message>
         <message>
-            <source>By how much the initial runout of each zone or section, in their order, is above that of the part, or below it.</source>
+            <source>Difference of the initial runout of each zone or section, in their order, from that of the part.</source>
             <translation>На сколько исходное биение каждой зоны или сечения, по порядку, больше биения детали или меньше его.</translation>
         </message>
         <message>
@@ -6494,11 +6494,11 @@ With another name both versions stay as they are.</source>
             <translation>ищется наименьшее время</translation>
         </message>
         <message>
-            <source>The search then answers the cycle farthest from its limits whose machining time is at most that: the one with the largest minimum margin of all requirements, each as a share of its limit.</source>
+            <source>The search then returns the cycle farthest from its limits within this machining time: the one with the largest minimum margin of all requirements, each as a share of its limit.</source>
             <translation>Тогда поиск находит цикл с основным временем не больше заданного, который дальше всех от пределов: его наименьший запас по всем требованиям, каждый в долях своего предела, наибольший.</translation>
         </message>
         <message>
-            <source>For the minimum cost with a wheel that wears the search finds it, and this is the most it may be.</source>
+            <source>For the minimum cost with a wheel that wears, the search finds this number, and the value given is its maximum.</source>
             <translation>При поиске наименьшей стоимости с изнашивающимся кругом его находит поиск, а это — наибольшее допустимое.</translation>
         </message>
         <message>
@@ -6666,7 +6666,7 @@ With another name both versions stay as they are.</source>
             <translation>следует из доказанного лучшего времени варианта</translation>
         </message>
         <message>
-            <source>Within so much of the best</source>
+            <source>Maximum excess over the best</source>
             <translation>Превышение лучшего, не более</translation>
         </message>
         <message>
@@ -6678,7 +6678,7 @@ With another name both versions stay as they are.</source>
             <translation>От самого быстрого цикла на сетке проекта, выполняющего все требования: его доказывает поиск для каждого варианта.</translation>
         </message>
         <message>
-            <source>Every requirement holds as well</source>
+            <source>Every requirement must be met too</source>
             <translation>И все требования выполняются</translation>
         </message>
         <message>
@@ -6694,11 +6694,11 @@ With another name both versions stay as they are.</source>
             <translation>Допуск</translation>
         </message>
         <message>
-            <source>Either way.</source>
+            <source>In both directions (±).</source>
             <translation>±.</translation>
         </message>
         <message>
-            <source>Either way, in the unit of the figure.</source>
+            <source>±, in the quantity's unit.</source>
             <translation>±, в единице показателя.</translation>
         </message>
         <message>
@@ -6706,7 +6706,7 @@ With another name both versions stay as they are.</source>
             <translation>Допуск относительный</translation>
         </message>
         <message>
-            <source>Of the engine&apos;s value. The greater of both tolerances holds.</source>
+            <source>Relative to the engine&apos;s value. The larger of the two tolerances applies.</source>
             <translation>От рассчитанного значения. Действует больший из двух допусков.</translation>
         </message>
         <message>
@@ -6714,7 +6714,7 @@ With another name both versions stay as they are.</source>
             <translation>Читается по результату</translation>
         </message>
         <message>
-            <source>Else it is said before the run, and nothing is shown until then.</source>
+            <source>Otherwise it is predicted before the run, and nothing is shown until then.</source>
             <translation>Иначе предсказывается до расчёта, и до тех пор ничего не показано.</translation>
         </message>
         <message>
@@ -6774,7 +6774,7 @@ With another name both versions stay as they are.</source>
             <translation>не спрашивается</translation>
         </message>
         <message>
-            <source>The cycle ends by itself and every requirement holds.</source>
+            <source>The cycle ends by itself and every requirement is met.</source>
             <translation>Цикл заканчивается сам, и все требования выполняются.</translation>
         </message>
         <message>
@@ -6906,7 +6906,7 @@ With another name both versions stay as they are.</source>
             <translation>Ответ</translation>
         </message>
         <message>
-            <source>What students often get wrong, and what to say to it.</source>
+            <source>What students often get wrong, and how to respond to it.</source>
             <translation>В чём студенты часто ошибаются и что на это сказать.</translation>
         </message>
         <message>
@@ -6942,7 +6942,7 @@ With another name both versions stay as they are.</source>
         <translation>Как называется запись каталога.</translation>
     </message>
     <message>
-        <source>They stand in the lesson itself: a catalogue that changes later changes no variant.</source>
+        <source>They are stored in the lesson itself: later changes of a catalogue change no variant.</source>
         <translation>Хранятся в самой работе: если каталог потом изменится, варианты останутся прежними.</translation>
     </message>
     <message>
@@ -7170,7 +7170,7 @@ With another name both versions stay as they are.</source>
             <translation>Множитель отклонения от круглости и биения от станка, во всех зонах или сечениях; без формы — его геометрического биения.</translation>
         </message>
         <message>
-            <source>Uniform from 0 to 360° where parts are clamped as it comes.</source>
+            <source>Uniform from 0 to 360° where parts are clamped at random angles.</source>
             <translation>Равномерно от 0 до 360°, если детали устанавливают как придётся.</translation>
         </message>
     </context>
@@ -7209,7 +7209,7 @@ With another name both versions stay as they are.</source>
             <translation>версия {value} записана более новой программой Sparkout; эта читает версии {limit}</translation>
         </message>
         <message>
-            <source>this key stands here twice</source>
+            <source>this key appears here twice</source>
             <translation>этот ключ стоит здесь дважды</translation>
         </message>
         <message>
@@ -7217,7 +7217,7 @@ With another name both versions stay as they are.</source>
             <translation>неизвестный ключ {value}; допускаются: {limit}</translation>
         </message>
         <message>
-            <source>this value is required; allowed: {limit}</source>
+            <source>value missing; allowed: {limit}</source>
             <translation>значение не задано; допускается: {limit}</translation>
         </message>
         <message>
@@ -7245,7 +7245,7 @@ With another name both versions stay as they are.</source>
             <translation>{value} — нечётное число; допускается чётное, {limit}</translation>
         </message>
         <message>
-            <source>{value} radii cannot tell a lobed form from eccentricity; better: {limit}</source>
+            <source>{value} radii do not separate lobing from eccentricity; better: {limit}</source>
             <translation>число радиусов {value} не позволяет отличить огранку от эксцентриситета; лучше: {limit}</translation>
         </message>
         <message>
@@ -7305,15 +7305,15 @@ With another name both versions stay as they are.</source>
             <translation>целевой размер {value} лежит вне поля допуска {limit}</translation>
         </message>
         <message>
-            <source>the part stays {value} above size: a spark-out feeds nothing, and the deflection did not give back its stock of {limit}</source>
+            <source>the part stays {value} above size: a spark-out feeds nothing, and the deflection did not remove its stock of {limit}</source>
             <translation>до размера остаётся {value}: при выхаживании подачи нет, и отжатие не вернуло припуск ступени {limit}</translation>
         </message>
         <message>
-            <source>how a force in one section deflects the others does not follow from compliances as given; needed: {limit}</source>
+            <source>given compliances do not determine how a force in one section deflects the others; needed: {limit}</source>
             <translation>по заданным податливостям не видно, как сила в одном сечении отжимает другие; нужно: {limit}</translation>
         </message>
         <message>
-            <source>{value} says neither where it comes from nor that it is an estimate; needed: its line in {limit}</source>
+            <source>{value} has neither a source nor a mark as an estimate; needed: its line in {limit}</source>
             <translation>для {value} не указан ни источник, ни что это оценка; нужна строка в {limit}</translation>
         </message>
         <message>
@@ -7325,7 +7325,7 @@ With another name both versions stay as they are.</source>
             <translation>сумма припусков ступеней {value}, припуск детали {limit}; первой ступени достаётся то, что оставляют следующие</translation>
         </message>
         <message>
-            <source>{value} is no number that this project reads; needed: {limit}</source>
+            <source>{value} is not a number of the project; needed: {limit}</source>
             <translation>{value} — не число проекта; нужно: {limit}</translation>
         </message>
         <message>
@@ -7349,7 +7349,7 @@ With another name both versions stay as they are.</source>
             <translation>{value} — уже имя поверхности {limit}</translation>
         </message>
         <message>
-            <source>{value} is the same for all surfaces and stands outside them</source>
+            <source>{value} applies to all surfaces and belongs outside them</source>
             <translation>{value} — общее для всех поверхностей и стоит вне их</translation>
         </message>
         <message>
@@ -7357,15 +7357,15 @@ With another name both versions stay as they are.</source>
             <translation>пазы оставляют слишком мало поверхности: вне их радиусов {value}; нужно: {limit}, из них два напротив друг друга</translation>
         </message>
         <message>
-            <source>a gap of {value} lies between two radii, which stand {limit} apart: it leaves nothing out</source>
+            <source>a gap of {value} lies between two radii, which are {limit} apart: it has no effect</source>
             <translation>паз {value} лежит между двумя радиусами, шаг которых {limit}: он ничего не исключает</translation>
         </message>
         <message>
-            <source>a gauge that does not span the gaps drops into them; needed: {limit}</source>
+            <source>this gauge drops into the gaps; needed: {limit}</source>
             <translation>прибор проваливается в пазы; нужно: {limit}</translation>
         </message>
         <message>
-            <source>{value} is no input of this project; needed: {limit}</source>
+            <source>{value} is not an input of this project; needed: {limit}</source>
             <translation>{value} — не исходная величина этого проекта; нужно: {limit}</translation>
         </message>
         <message>
@@ -7873,11 +7873,11 @@ With another name both versions stay as they are.</source>
     <context>
         <name>OperationNotice</name>
         <message>
-            <source>A plunge grinds no more than the wheel covers. With the operation these inputs changed: %1.</source>
+            <source>A plunge grinds only the length that the wheel covers. These inputs changed with the operation: %1.</source>
             <translation>Врезанием шлифуется не больше, чем перекрывает круг. Вместе с операцией изменены: %1.</translation>
         </message>
         <message>
-            <source>With the operation these inputs changed: %1.</source>
+            <source>These inputs changed with the operation: %1.</source>
             <translation>Вместе с операцией изменены: %1.</translation>
         </message>
         <message>
@@ -7952,7 +7952,7 @@ With another name both versions stay as they are.</source>
             <translation>Этот метод — для врезного шлифования; циклы с продольной подачей ищет точный поиск (%1).</translation>
         </message>
         <message>
-            <source>This method looks for the minimum time alone.</source>
+            <source>This method searches only for the minimum time.</source>
             <translation>Этот метод ищет только наименьшее время.</translation>
         </message>
         <message>
@@ -7968,11 +7968,11 @@ With another name both versions stay as they are.</source>
             <translation>Наибольший запас за время ищется только с целью «наименьшее время».</translation>
         </message>
         <message>
-            <source>Cost and wheel life are searched for the part as it stands, without the phases of the stock and the batch.</source>
+            <source>Cost and wheel life are searched for the given part alone, not for other stocks within one infeed or for the batch.</source>
             <translation>Стоимость и стойкость круга ищутся для детали, как она задана: только для её припуска и без партии.</translation>
         </message>
         <message>
-            <source>What is to be searched is not given.</source>
+            <source>The inputs of the search are missing.</source>
             <translation>Не задано, что искать.</translation>
         </message>
         <message>
@@ -8000,11 +8000,11 @@ With another name both versions stay as they are.</source>
             <translation>Припуск нельзя разделить на столько ступеней: возьмите меньший шаг или другие пределы подач и припусков ступеней.</translation>
         </message>
         <message>
-            <source>Stopped before a cycle was found that holds every requirement.</source>
+            <source>Stopped before a cycle that meets every requirement was found.</source>
             <translation>Остановлено раньше, чем нашёлся цикл, который выдерживает все требования.</translation>
         </message>
         <message>
-            <source>No cycle was found that holds in every scenario, and none is quicker than %1; each one tried failed in a further scenario.</source>
+            <source>No cycle was found that is fit in every scenario, and none is quicker than %1; each cycle tried was unfit in a further scenario.</source>
             <translation>Не найдено цикла, годного во всех сценариях, и ни один не короче %1; каждый испытанный не выдержал ещё одного сценария.</translation>
         </message>
         <message>
@@ -8024,15 +8024,15 @@ With another name both versions stay as they are.</source>
             <translation>%1 (%2 раз)</translation>
         </message>
         <message>
-            <source>What cut most: %1.</source>
+            <source>Excluded most often by: %1.</source>
             <translation>Чаще всего мешают: %1.</translation>
         </message>
         <message>
-            <source>What has the minimum margin is not known: the search was stopped before.</source>
+            <source>What has the minimum margin is not known: the search was stopped first.</source>
             <translation>У чего запас наименьший, не известно: поиск был остановлен раньше.</translation>
         </message>
         <message>
-            <source>What keeps it from being quicker is not known: the search was stopped before.</source>
+            <source>What limits the time is not known: the search was stopped first.</source>
             <translation>Что ограничивает время, не известно: поиск был остановлен раньше.</translation>
         </message>
         <message>
@@ -8040,7 +8040,7 @@ With another name both versions stay as they are.</source>
             <translation>Наименьший запас у требования: %1.</translation>
         </message>
         <message>
-            <source>What keeps it from being quicker: %1.</source>
+            <source>Limited by: %1.</source>
             <translation>Время ограничивает: %1.</translation>
         </message>
         <message>
@@ -8088,7 +8088,7 @@ With another name both versions stay as they are.</source>
             <translation>допускается %1.</translation>
         </message>
         <message>
-            <source>smaller ones are allowed.</source>
+            <source>smaller values are allowed.</source>
             <translation>допускаются и меньшие.</translation>
         </message>
         <message>
@@ -8104,15 +8104,15 @@ With another name both versions stay as they are.</source>
             <translation>Запасы по времени ещё ищутся.</translation>
         </message>
         <message>
-            <source>Margins by time over all phases of the stock are searched under gauge control alone.</source>
+            <source>Margins by time for all stocks within one infeed are searched only under gauge control.</source>
             <translation>Запас по времени для всех припусков в пределах подачи на шаг ищется только при управлении от прибора.</translation>
         </message>
         <message>
-            <source>No margins by time: the search was stopped before, or no cycle holds.</source>
+            <source>No margins by time: the search was stopped first, or no cycle is fit.</source>
             <translation>Запаса по времени нет: поиск остановлен раньше или ни один цикл не годен.</translation>
         </message>
         <message>
-            <source>All cycles of the grid of which none is both quicker and farther from its limits: %1.</source>
+            <source>Cycles of the grid that no other cycle beats in both time and distance from its limits: %1.</source>
             <translation>Все циклы сетки, быстрее и дальше от пределов которых одновременно нет ни одного: %1.</translation>
         </message>
         <message>
@@ -8253,7 +8253,7 @@ With another name both versions stay as they are.</source>
             <translation>Наименьший запас, от предела</translation>
         </message>
         <message>
-            <source>%1: holds</source>
+            <source>%1: met</source>
             <comment>a requirement</comment>
             <translation>%1: выполнено</translation>
         </message>
@@ -8353,7 +8353,7 @@ With another name both versions stay as they are.</source>
             <translation>Ожидаемая точность по сравнению с чертежом</translation>
         </message>
         <message>
-            <source>Corners are no sample: they tell extremes and counts, no mean and no capability.</source>
+            <source>Corner parts are not a sample: they give extremes and counts, but no mean and no capability.</source>
             <translation>Крайние сочетания — не выборка: они дают крайние значения и число деталей, но не среднее и не показатели пригодности процесса.</translation>
         </message>
         <message>
@@ -8385,7 +8385,7 @@ With another name both versions stay as they are.</source>
             <translation>Примечания</translation>
         </message>
         <message>
-            <source>–: of so few values it would be the smallest or the largest.</source>
+            <source>–: with so few values it would be the smallest or the largest one.</source>
             <translation>–: при таком числе значений это было бы наименьшее или наибольшее из них.</translation>
         </message>
         <message>
@@ -8507,7 +8507,7 @@ With another name both versions stay as they are.</source>
             <translation>Прогноз</translation>
         </message>
         <message>
-            <source>no requirement fails; no batch is described, so its scatter is not weighed</source>
+            <source>all requirements are met; no batch is described, so scatter is not assessed</source>
             <translation>все проверенные требования выполнены; партия не описана, поэтому рассеяние не учтено</translation>
         </message>
         <message>
@@ -8547,15 +8547,15 @@ With another name both versions stay as they are.</source>
             <translation>Основное время</translation>
         </message>
         <message>
-            <source>This is the prediction of a model, to be confirmed at the machine; it is no assessment of conformity and replaces no measurement.</source>
+            <source>This is the prediction of a model, to be confirmed at the machine; it is not an assessment of conformity and does not replace measurement.</source>
             <translation>Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
         </message>
         <message>
-            <source>The cycle conforms when every stock within one infeed, where that is decided, and every part that was run reach size and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it conforms conditionally when no more parts fail than the share allowed, or when a requirement, the capability or the expected share outside is not decided or falls short. %2</source>
+            <source>The cycle is fit when every stock within one infeed, where that is decided, and every part that was run reach size and meet every requirement, and the lower 95 % bounds of all Ppk reach %1; it is conditionally fit when no more parts are rejected than the share allowed, or when a requirement, the capability or the expected share outside is not decided or falls short. %2</source>
             <translation>Цикл годен, если при каждом припуске в пределах подачи на шаг, где это решается, и у каждой рассчитанной детали партии достигнут размер и выполнены все требования, а нижние 95%-ные границы всех Ppk не меньше %1; он условно годен, если доля негодных деталей не больше допущенной либо если требование, пригодность процесса или ожидаемая доля вне допуска не определены или недостаточны. %2</translation>
         </message>
         <message>
-            <source>Without a batch the cycle conforms conditionally when every stock within one infeed, where that is decided, reaches size and holds every requirement. %1</source>
+            <source>Without a batch the cycle is conditionally fit when every stock within one infeed, where that is decided, reaches size and meets every requirement. %1</source>
             <translation>Без партии цикл условно годен, если при каждом припуске в пределах подачи на шаг, где это решается, достигнут размер и выполнены все требования. %1</translation>
         </message>
     </context>
@@ -8718,7 +8718,7 @@ With another name both versions stay as they are.</source>
             <translation>%1 по всей партии</translation>
         </message>
         <message>
-            <source>This project describes no batch, so the passport tells the nominal part alone: no scatter, no capability, no share out of tolerance.</source>
+            <source>This project describes no batch, so the passport covers only the nominal part: it gives no scatter, no capability and no share out of tolerance.</source>
             <translation>В проекте не описана партия, поэтому паспорт содержит только расчёт номинальной детали: без рассеяния, без показателей пригодности процесса и без доли вне допуска.</translation>
         </message>
         <message>
@@ -8841,7 +8841,7 @@ With another name both versions stay as they are.</source>
     <context>
         <name>CapabilityChart</name>
         <message>
-            <source>Ppk with its 95 % bounds, the least first; dashed: 1 and %1</source>
+            <source>Ppk with its 95 % bounds, the smallest first; dashed: 1 and %1</source>
             <translation>Ppk с 95%-ными границами, начиная с наименьшего; штрихами — 1 и %1</translation>
         </message>
     </context>
@@ -9275,7 +9275,7 @@ With another name both versions stay as they are.</source>
             <translation>Перекрытие витков</translation>
         </message>
         <message>
-            <source>overlap B/s in %1 is %3, below 1: strips stay uncut, so size, form and roughness are not known of the whole surface</source>
+            <source>overlap B/s in %1 is %3, below 1: strips stay uncut, so size, form and roughness are not known for the whole surface</source>
             <translation>коэффициент перекрытия B/s (%1) равен %3, меньше 1: остаются непрошлифованные полосы, поэтому размер, форма и шероховатость всей поверхности неизвестны</translation>
         </message>
         <message>
@@ -9712,7 +9712,7 @@ With another name both versions stay as they are.</source>
     <context>
         <name>SizeField</name>
         <message>
-            <source>Not a size with its tolerance class; write it like 30h6.</source>
+            <source>This is not a size with a tolerance class; write it like 30h6.</source>
             <translation>Это не размер с полем допуска; пишите, например, 30h6.</translation>
         </message>
         <message>
@@ -10515,7 +10515,7 @@ With another name both versions stay as they are.</source>
     <context>
         <name>PhaseText</name>
         <message>
-            <source>Of the parts of the batch %1 fail by their stock alone.</source>
+            <source>Rejected by stock alone: %1.</source>
             <translation>Деталей партии, не годных из-за припуска: %1.</translation>
         </message>
         <message>
@@ -10523,7 +10523,7 @@ With another name both versions stay as they are.</source>
             <translation>У %1 припуск вне диапазона.</translation>
         </message>
         <message>
-            <source>The phases of the stock are being decided</source>
+            <source>The stocks are being checked</source>
             <translation>Проверяются припуски диапазона</translation>
         </message>
         <message>
@@ -10531,11 +10531,11 @@ With another name both versions stay as they are.</source>
             <translation>Участков: %1</translation>
         </message>
         <message>
-            <source>Under position control the phases of the stock cannot be decided: the first step meets the part somewhere within its infeed. Vary the stock in a sweep, or let it scatter in a batch.</source>
+            <source>Under position control the stocks within one infeed cannot be decided: the wheel touches the part at an unknown point within the first infeed. Vary the stock in a sweep, or let it scatter in a batch.</source>
             <translation>При управлении по положению проверить все припуски нельзя: первый шаг встречает деталь где-то в пределах подачи на шаг. Варьируйте припуск или задайте его рассеяние в партии.</translation>
         </message>
         <message>
-            <source>Holds for every stock per side from %1 to %2 mm.</source>
+            <source>The cycle is fit for every stock per side from %1 to %2 mm.</source>
             <translation>Годен при любом припуске на сторону от %1 до %2 мм.</translation>
         </message>
         <message>
@@ -10543,7 +10543,7 @@ With another name both versions stay as they are.</source>
             <translation>от %1 до %2</translation>
         </message>
         <message>
-            <source>Fails for stocks per side %1 mm%2: %3.</source>
+            <source>The cycle is unfit for stocks per side %1 mm%2: %3.</source>
             <translation>Не годен при припусках на сторону %1 мм%2: %3.</translation>
         </message>
         <message>
@@ -10551,19 +10551,19 @@ With another name both versions stay as they are.</source>
             <translation> (ещё диапазонов: %1)</translation>
         </message>
         <message>
-            <source>Other stocks fail by other requirements: see the table of the plot.</source>
+            <source>Other stocks do not meet other requirements: see the table of the plot.</source>
             <translation>При других припусках нарушены другие требования: см. таблицу графика.</translation>
         </message>
         <message>
-            <source>holds</source>
+            <source>fit</source>
             <translation>годен</translation>
         </message>
         <message>
-            <source>holds from %1 to %2 mm, else fails: %3</source>
+            <source>fit from %1 to %2 mm, otherwise unfit: %3</source>
             <translation>годен от %1 до %2 мм, иначе нет: %3</translation>
         </message>
         <message>
-            <source>fails: %1</source>
+            <source>unfit: %1</source>
             <translation>не годен: %1</translation>
         </message>
         <message>
@@ -10575,11 +10575,11 @@ With another name both versions stay as they are.</source>
             <translation>, диаметры %1…%2 мкм от номинала</translation>
         </message>
         <message>
-            <source>every requirement holds</source>
+            <source>all requirements are met</source>
             <translation>выполнены все требования</translation>
         </message>
         <message>
-            <source>The range has more than %1 pieces: type a narrower one.</source>
+            <source>The range has more than %1 pieces: enter a narrower range.</source>
             <translation>В диапазоне больше %1 участков: задайте более узкий.</translation>
         </message>
     </context>
@@ -10626,11 +10626,11 @@ With another name both versions stay as they are.</source>
             <translation>не достигает размера</translation>
         </message>
         <message>
-            <source>holds</source>
+            <source>fit</source>
             <translation>выполнено</translation>
         </message>
         <message>
-            <source>does not hold</source>
+            <source>unfit</source>
             <translation>не выполнено</translation>
         </message>
         <message>
@@ -10654,11 +10654,11 @@ With another name both versions stay as they are.</source>
             <translation>Размер не достигнут: %1.</translation>
         </message>
         <message>
-            <source>every requirement holds</source>
+            <source>all requirements are met</source>
             <translation>выполнены все требования</translation>
         </message>
         <message>
-            <source>does not hold: %1</source>
+            <source>not met: %1</source>
             <translation>не выполнено: %1</translation>
         </message>
         <message>
@@ -10932,7 +10932,7 @@ With another name both versions stay as they are.</source>
             <translation>Слишком много строк</translation>
         </message>
         <message>
-            <source>“%1” would have %2 rows; a sheet of a workbook holds %3, its head included. As CSV it can be saved whole.</source>
+            <source>“%1” would have %2 rows; a worksheet has at most %3, including the head. It can be saved in full as CSV.</source>
             <translation>На листе «%1» было бы %2 строк, а лист книги вмещает %3 вместе с шапкой. В формате CSV таблицу можно сохранить целиком.</translation>
         </message>
         <message>
@@ -10987,11 +10987,11 @@ With another name both versions stay as they are.</source>
             <translation>Что подано и что снято</translation>
         </message>
         <message>
-            <source>Does it hold the drawing?</source>
+            <source>Does it meet the drawing?</source>
             <translation>Выполнен ли чертёж?</translation>
         </message>
         <message>
-            <source>Time of the cycle and every requirement with its margin. A click on a row leads to the place where the value comes about.</source>
+            <source>Time of the cycle and every requirement with its margin. A click on a row leads to the place where the value arises.</source>
             <translation>Время цикла и каждое требование с запасом. Щелчок по строке ведёт туда, где значение возникает.</translation>
         </message>
         <message>
@@ -11340,7 +11340,7 @@ With another name both versions stay as they are.</source>
             <translation>%1 (%2 с)</translation>
         </message>
         <message>
-            <source>%1: the gauge reads %2 mm, %3 µm a side remain</source>
+            <source>%1: the gauge reads %2 mm, %3 µm per side remain</source>
             <translation>%1: показание прибора %2 мм, осталось %3 мкм на сторону</translation>
         </message>
         <message>
@@ -11363,7 +11363,7 @@ With another name both versions stay as they are.</source>
             <translation>Высота круга, умноженная на частоту вращения заготовки и делённая на продольную подачу; значение %1 достигается при %2 мм/мин.</translation>
         </message>
         <message>
-            <source>The fewest that a stage with stock makes; a smaller feed or more stock in stage %1 makes them more.</source>
+            <source>This is the minimum over the stages with stock; a smaller feed or more stock in stage %1 increases it.</source>
             <translation>Наименьшее число среди ступеней с припуском; меньшая подача или больший припуск ступени %1 увеличит его.</translation>
         </message>
         <message>
@@ -11396,7 +11396,7 @@ With another name both versions stay as they are.</source>
             <translation>, больше предела: никакой цикл его не выдержит.</translation>
         </message>
         <message>
-            <source>. More passes without feed take it down, or a smaller last feed.</source>
+            <source>. More passes without feed or a smaller last feed reduce it.</source>
             <translation>. Уменьшат его выхаживание подольше или меньшая последняя подача.</translation>
         </message>
         <message>
@@ -11412,7 +11412,7 @@ With another name both versions stay as they are.</source>
             <translation>%1: хуже всего здесь: %2.</translation>
         </message>
         <message>
-            <source> A smaller feed in stage %1 lowers it, or a sharper wheel.</source>
+            <source> A smaller feed in stage %1 or a sharper wheel lowers it.</source>
             <translation> Снизят её меньшая подача ступени %1 или более острый круг.</translation>
         </message>
         <message>
@@ -11477,7 +11477,7 @@ With another name both versions stay as they are.</source>
             <translation>Sparkout %1</translation>
         </message>
         <message>
-            <source>A workbench for cylindrical grinding cycles: computes a cycle pass by pass and holds it against the drawing.</source>
+            <source>A workbench for cylindrical grinding cycles: it computes a cycle pass by pass and checks it against the drawing.</source>
             <translation>Рабочее место технолога круглого шлифования: рассчитывает цикл проход за проходом и сравнивает результат с чертежом.</translation>
         </message>
         <message>
@@ -11632,7 +11632,7 @@ With another name both versions stay as they are.</source>
             <translation>&amp;О программе Sparkout</translation>
         </message>
         <message>
-            <source>refused text</source>
+            <source>invalid entry</source>
             <translation>непринятый текст</translation>
         </message>
         <message>
@@ -11680,7 +11680,7 @@ With another name both versions stay as they are.</source>
             <translation>&amp;Контрастная</translation>
         </message>
         <message>
-            <source>&amp;Keep the present run</source>
+            <source>&amp;Keep the current run</source>
             <translation>&amp;Запомнить текущий расчёт</translation>
         </message>
         <message>
@@ -11855,11 +11855,11 @@ With another name both versions stay as they are.</source>
             <translation>В этой партии ни один фактор не рассеивается.</translation>
         </message>
         <message>
-            <source>This characteristic or one of the factors does not vary, or the parts are too few to tell which factor matters.</source>
+            <source>This characteristic or one of the factors does not vary, or there are too few parts to show which factor matters.</source>
             <translation>Эта характеристика или один из факторов не меняется, либо деталей слишком мало, чтобы сказать, какой фактор важен.</translation>
         </message>
         <message>
-            <source>Corners are no sample: rank regression takes parts at random.</source>
+            <source>Corner parts are not a sample: rank regression needs parts drawn at random.</source>
             <translation>Крайние сочетания — не выборка: для ранговой регрессии нужны случайные детали.</translation>
         </message>
         <message>
@@ -11867,7 +11867,7 @@ With another name both versions stay as they are.</source>
             <translation>Для коррелированных факторов индексы Соболя не имеют смысла.</translation>
         </message>
         <message>
-            <source>Sobol indices take parts of their own; they are being run.</source>
+            <source>Sobol indices need additional parts; these are being run.</source>
             <translation>Для индексов Соболя нужны собственные детали; они рассчитываются.</translation>
         </message>
         <message>
@@ -11879,7 +11879,7 @@ With another name both versions stay as they are.</source>
             <translation>Расчёт индексов Соболя остановлен. «Рассчитать» запустит его снова.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the batch is that of the last accepted ones.</source>
+            <source>The inputs are refused; the batch is that of the last valid inputs.</source>
             <translation>Исходные данные не приняты; партия — по последним верным.</translation>
         </message>
         <message>
@@ -11951,7 +11951,7 @@ With another name both versions stay as they are.</source>
             <translation>Чем выражен вес фактора</translation>
         </message>
         <message>
-            <source>Rank regression: standardised coefficients, of the parts of the batch; sign and weight as far as the dependence is monotone, which R² says. Sobol indices: share of the variance, of parts of their own.</source>
+            <source>Rank regression: standardised coefficients from the parts of the batch; sign and weight are valid as far as the dependence is monotone, which R² shows. Sobol indices: shares of the variance, from additional parts.</source>
             <translation>Ранговая регрессия: стандартизованные коэффициенты по деталям партии; знак и вес настолько, насколько зависимость монотонна, что показывает R². Индексы Соболя: доля дисперсии, по собственным деталям.</translation>
         </message>
         <message>
@@ -11983,7 +11983,7 @@ With another name both versions stay as they are.</source>
             <translation>Остановить</translation>
         </message>
         <message>
-            <source>End the batch; what was done is kept and shown</source>
+            <source>Stop the batch; the completed parts are kept and shown</source>
             <translation>Остановить расчёт партии; сделанное сохраняется и показывается</translation>
         </message>
         <message>
@@ -11995,11 +11995,11 @@ With another name both versions stay as they are.</source>
             <translation>Добавить типовую партию</translation>
         </message>
         <message>
-            <source>This project describes no batch. A batch is a number of parts whose stock, runout, dullness and other factors scatter: it says which share of them keeps the drawing. Choose the factors on the page Batch of the inputs, or start with usual ones.</source>
+            <source>This project describes no batch. A batch is a number of parts whose stock, runout, dullness and other factors scatter: it shows which share of them meets the drawing. Choose the factors on the page Batch of the inputs, or start with the usual factors.</source>
             <translation>В проекте не описана партия. Партия — это детали, у которых припуск, биение, затупление и другие факторы рассеиваются: она показывает, какая их доля выдерживает чертёж. Выберите факторы на странице «Партия» исходных данных или начните с типовых.</translation>
         </message>
         <message>
-            <source>50 parts whose stock, runout and dullness scatter about the present inputs; can be undone and changed on the page Batch</source>
+            <source>50 parts whose stock, runout and dullness scatter about the current inputs; can be undone and changed on the page Batch</source>
             <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг текущих значений; можно отменить и изменить на странице «Партия»</translation>
         </message>
         <message>
@@ -12015,7 +12015,7 @@ With another name both versions stay as they are.</source>
             <translation>Брак по причинам, сначала самая частая</translation>
         </message>
         <message>
-            <source>Keep the part with the minimum margin as a run beside this project and compare the two; the project stays as it is</source>
+            <source>Keep the part with the minimum margin as a run and compare it with this project, which stays unchanged</source>
             <translation>Запомнить деталь с наименьшим запасом как расчёт рядом с проектом и сравнить их; сам проект не изменится</translation>
         </message>
         <message>
@@ -12023,7 +12023,7 @@ With another name both versions stay as they are.</source>
             <translation>Все детали в CSV</translation>
         </message>
         <message>
-            <source>Run the batch again and save a row for every part: its factors, every quantity, every requirement held or not</source>
+            <source>Run the batch again and save a row for every part: its factors, all quantities, and whether each requirement is met</source>
             <translation>Рассчитать партию ещё раз и сохранить по строке на деталь: её факторы, все показатели и выполнение каждого требования</translation>
         </message>
     </context>
@@ -12042,7 +12042,7 @@ With another name both versions stay as they are.</source>
             <translation>Ход расчёта партии</translation>
         </message>
         <message>
-            <source>End the batch; no report is made</source>
+            <source>Stop the batch; no report is made</source>
             <translation>Прекратить расчёт партии; отчёт не создаётся</translation>
         </message>
     </context>
@@ -12099,7 +12099,7 @@ With another name both versions stay as they are.</source>
     <context>
         <name>sparkout::CatalogueDialog</name>
         <message>
-            <source>Put it a&amp;side and begin a new one</source>
+            <source>Rename it, &amp;start a new one</source>
             <translation>Переименовать, со&amp;здать новый</translation>
         </message>
         <message>
@@ -12341,11 +12341,11 @@ With another name both versions stay as they are.</source>
             <translation>Горизонтальная ось</translation>
         </message>
         <message>
-            <source>Keep the present run</source>
+            <source>Keep the current run</source>
             <translation>Запомнить текущий расчёт</translation>
         </message>
         <message>
-            <source>Present run</source>
+            <source>Current run</source>
             <translation>Текущий расчёт</translation>
         </message>
         <message>
@@ -12357,23 +12357,23 @@ With another name both versions stay as they are.</source>
             <translation>сейчас: %1</translation>
         </message>
         <message>
-            <source>Point at a curve to read its values beside those of the present run.</source>
+            <source>Point at a curve to read its values beside those of the current run.</source>
             <translation>Наведите указатель на кривую: её значения встанут рядом со значениями текущего расчёта.</translation>
         </message>
         <message>
-            <source>No run is kept yet. Keep the present one, change the inputs, and see here what it did: the curves of both, and the inputs and results that differ.</source>
+            <source>No run is kept yet. Keep the current run and change the inputs; the curves of both runs, and the inputs and results that differ, are shown here.</source>
             <translation>Пока не запомнен ни один расчёт. Запомните текущий и измените исходные данные — здесь станет видно, что изменилось.</translation>
         </message>
         <message>
-            <source>Check a run in the list to lay it over the present one.</source>
+            <source>Check a run in the list to draw it over the current run.</source>
             <translation>Отметьте расчёт в списке, чтобы наложить его на текущий.</translation>
         </message>
         <message>
-            <source>The chosen runs have the inputs and results of the present one.</source>
+            <source>The chosen runs have the same inputs and results as the current run.</source>
             <translation>У отмеченных расчётов те же исходные данные и результаты, что у текущего.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the present run is that of the last accepted ones.</source>
+            <source>The inputs are refused; the current run is that of the last valid inputs.</source>
             <translation>Исходные данные не приняты; текущий расчёт — по последним верным.</translation>
         </message>
         <message>
@@ -12397,7 +12397,7 @@ With another name both versions stay as they are.</source>
             </translation>
         </message>
         <message>
-            <source>“%1” was kept by version %2 of the program and comes out differently now: %3</source>
+            <source>“%1” was kept by version %2 of the program; this version gives different results: %3</source>
             <translation>«%1» запомнен версией программы %2 и теперь получается иначе: %3</translation>
         </message>
         <message>
@@ -12495,11 +12495,11 @@ With another name both versions stay as they are.</source>
             <translation>Одинакова по всей длине.</translation>
         </message>
         <message>
-            <source>Stages end by the position of the wheel head: the gauge has no say, and all its places are alike.</source>
+            <source>Stages end by the position of the wheel head: the gauge has no effect, wherever it is placed.</source>
             <translation>Ступени заканчиваются по положению шлифовальной бабки: прибор не действует, и все его места равноценны.</translation>
         </message>
         <message>
-            <source>In traverse grinding the gauge stands in the middle of %1. The curves say what it would do in another zone.</source>
+            <source>In traverse grinding the gauge is in the middle of %1. The curves show its effect in another zone.</source>
             <translation>При шлифовании с продольной подачей прибор стоит посередине %1. Кривые показывают, что было бы в другой зоне.</translation>
         </message>
         <message>
@@ -12515,7 +12515,7 @@ With another name both versions stay as they are.</source>
             <translation>Идёт расчёт…</translation>
         </message>
         <message>
-            <source>From no place of the gauge does the cycle reach size.</source>
+            <source>The cycle does not reach size with the gauge in any place.</source>
             <translation>Ни с одного места прибора цикл не выходит на размер.</translation>
         </message>
         <message>
@@ -12523,7 +12523,7 @@ With another name both versions stay as they are.</source>
             <translation>%1 мм</translation>
         </message>
         <message>
-            <source>Best place: %1; there no diameter is farther than %2 µm from the middle of the field. At present, at %3 mm: %4 µm.</source>
+            <source>Best place: %1; there all diameters are within %2 µm of the middle of the tolerance band. Current place, %3 mm: %4 µm.</source>
             <translation>Лучшее место: %1; там ни один диаметр не дальше %2 мкм от середины поля. Сейчас, на %3 мм: %4 мкм.</translation>
         </message>
         <message>
@@ -12535,7 +12535,7 @@ With another name both versions stay as they are.</source>
             <translation>Связанные и независимые сечения</translation>
         </message>
         <message>
-            <source>What stands below the part</source>
+            <source>Curves below the part</source>
             <translation>Что показано под деталью</translation>
         </message>
         <message>
@@ -12547,11 +12547,11 @@ With another name both versions stay as they are.</source>
             <translation>Сделать лучшее место местом прибора; можно отменить</translation>
         </message>
         <message>
-            <source>The compliance is given, zone by zone or section by section. Choose &quot;from stiffness and shaft&quot; on the page Machine to see what it is made of.</source>
+            <source>The compliance is given, zone by zone or section by section. Choose “from stiffness and shaft” on the page Machine to see its components.</source>
             <translation>Податливость задана по зонам или сечениям. Выберите «по жёсткости узлов и валу» на странице «Станок», чтобы увидеть, из чего она складывается.</translation>
         </message>
         <message>
-            <source>The compliance is given section by section, which does not say how one section moves another. Choose &quot;from stiffness and shaft&quot; on the page Machine.</source>
+            <source>The compliance is given section by section, which does not determine how a force in one section moves another. Choose “from stiffness and shaft” on the page Machine.</source>
             <translation>Податливость задана по сечениям, а это не говорит, как одно сечение отжимает другое. Выберите «по жёсткости узлов и валу» на странице «Станок».</translation>
         </message>
     </context>
@@ -12646,11 +12646,11 @@ With another name both versions stay as they are.</source>
             <translation>%1 — %2</translation>
         </message>
         <message>
-            <source>Choose a requirement to see where it was worst and how its number came about.</source>
+            <source>Choose a requirement to see where it was worst and how its value arose.</source>
             <translation>Выберите требование: здесь появится, где оно ближе всего к пределу и как получено число.</translation>
         </message>
         <message>
-            <source>%1, %2: a setting held against its range.</source>
+            <source>%1, %2: a setting compared with its range.</source>
             <translation>%1 (%2): настройка сверяется с диапазоном станка.</translation>
         </message>
         <message>
@@ -12686,7 +12686,7 @@ With another name both versions stay as they are.</source>
             <translation>Требования по доле занятого предела</translation>
         </message>
         <message>
-            <source>How the number came about</source>
+            <source>Origin of the value</source>
             <translation>Как получено число</translation>
         </message>
         <message>
@@ -12702,11 +12702,11 @@ With another name both versions stay as they are.</source>
             <translation>Показать, где</translation>
         </message>
         <message>
-            <source>Zone or section; in a reversal zone the wheel stands or travels, which differ in the width of cut. With the share of its limit it comes to.</source>
+            <source>Zone or section with the used share of its limit. In a reversal zone, the width of cut depends on whether the wheel stands or travels.</source>
             <translation>Зона или сечение; в реверсной зоне круг стоит или ходит, ширина шлифования при этом разная. Рядом — наибольшая доля предела.</translation>
         </message>
         <message>
-            <source>Actual feeds on a logarithmic axis: sparking out and far limits in one picture</source>
+            <source>Actual feeds on a logarithmic axis: spark-out and distant limits in one plot</source>
             <translation>Фактические подачи по логарифмической оси: выхаживание и далёкие пределы на одном графике</translation>
         </message>
         <message>
@@ -12722,7 +12722,7 @@ With another name both versions stay as they are.</source>
             <translation>Наведите указатель на кривую, чтобы прочитать значения.</translation>
         </message>
         <message>
-            <source>Coupled sections share the power of the drives, so it limits no section&apos;s feed by itself. The requirements below hold it against the whole length.</source>
+            <source>Coupled sections share the power of the drives, so it does not limit the feed of a single section. The requirements below apply to the whole length.</source>
             <translation>Связанные сечения делят мощность приводов, поэтому подачу отдельного сечения она не ограничивает. Ниже, в требованиях, с ней сравнивается вся длина.</translation>
         </message>
     </context>
@@ -12773,7 +12773,7 @@ With another name both versions stay as they are.</source>
             <translation>строка %1, столбец %1: «%2» — не 1</translation>
         </message>
         <message>
-            <source>row %1, column %2: “%3” is not what stands across the diagonal, “%4”</source>
+            <source>row %1, column %2: “%3” differs from “%4” across the diagonal</source>
             <translation>строка %1, столбец %2: «%3» не равно числу по другую сторону диагонали, «%4»</translation>
         </message>
     </context>
@@ -12818,7 +12818,7 @@ With another name both versions stay as they are.</source>
             <translation>Имя в вашем каталоге</translation>
         </message>
         <message>
-            <source>What becomes of it</source>
+            <source>Action</source>
             <translation>Что произойдёт</translation>
         </message>
         <message>
@@ -13028,7 +13028,7 @@ With another name both versions stay as they are.</source>
             <translation>Таблицы (*.csv *.txt *.tsv *.dat);;Все файлы (*)</translation>
         </message>
         <message>
-            <source>“%1” was not taken: %2</source>
+            <source>“%1” was not read: %2</source>
             <translation>Файл «%1» не принят: %2</translation>
         </message>
         <message>
@@ -13036,7 +13036,7 @@ With another name both versions stay as they are.</source>
             <translation>нет столбца с заголовком «%1»</translation>
         </message>
         <message>
-            <source>line %1: “%2” is no number</source>
+            <source>line %1: “%2” is not a number</source>
             <translation>строка %1: «%2» — не число</translation>
         </message>
         <message>
@@ -13138,11 +13138,11 @@ With another name both versions stay as they are.</source>
             <translation>Э1…Э5 — номера этапов, на которых зона шлифуется за один двойной ход, поэтому в разных зонах один номер означает разное. Этапы показаны, когда на графике немного двойных ходов.</translation>
         </message>
         <message>
-            <source>Fed at the exit, RZ2 is ground in E4 between its E1 and E2.</source>
+            <source>With infeed at the exit, RZ2 is ground in E4 between its E1 and E2.</source>
             <translation>При подаче у выхода этап Э4 зоны РЗ2 стоит между её этапами Э1 и Э2.</translation>
         </message>
         <message>
-            <source>A zone is shown as ground during the whole stroke, as the model has it: where the wheel stands within a stroke is not distinguished.</source>
+            <source>A zone is shown as ground during the whole stroke, as in the model: the position of the wheel within a stroke is not resolved.</source>
             <translation>Зона показана шлифуемой в течение всего хода, как принято в модели: положение круга внутри хода не различается.</translation>
         </message>
         <message>
@@ -13166,7 +13166,7 @@ With another name both versions stay as they are.</source>
             <translation>&amp;Закрыть</translation>
         </message>
         <message>
-            <source>The thick upright line is where the cycle stands: the bar below the views moves it, and so does a click into a plot. Without it the cycle is at its end.</source>
+            <source>The thick vertical line marks the moment of the cycle; the bar below the views or a click in a plot moves it. Without the line, the plots show the end of the cycle.</source>
             <translation>Толстая вертикальная линия показывает, где сейчас цикл: её двигает панель под графиками и щелчок по графику. Без линии цикл показан до конца.</translation>
         </message>
     </context>
@@ -13261,7 +13261,7 @@ With another name both versions stay as they are.</source>
             <translation>Наведите указатель на кривую, чтобы прочитать значения.</translation>
         </message>
         <message>
-            <source>%1 values that are no numbers are not drawn.</source>
+            <source>%1 values are not numbers and are not drawn.</source>
             <translation>Не показано нечисловых значений: %1.</translation>
         </message>
         <message>
@@ -13361,7 +13361,7 @@ With another name both versions stay as they are.</source>
             <translation>Проекты и лабораторные работы (*.sparkout *.sparkout-lesson *.sparkout-work);;Все файлы (*)</translation>
         </message>
         <message>
-            <source>%1 carries no project. The cards and passports that Sparkout writes do.</source>
+            <source>%1 contains no project. Only cards and passports written by Sparkout contain one.</source>
             <translation>%1 не содержит проекта. Он вложен в карты и паспорта, которые пишет Sparkout.</translation>
         </message>
     </context>
@@ -13399,7 +13399,7 @@ With another name both versions stay as they are.</source>
     <context>
         <name>sparkout::FileNotices</name>
         <message>
-            <source>Kept runs of this file hold inputs that this version refuses. They stay in the file as they are, but cannot be computed again.</source>
+            <source>Kept runs of this file contain inputs that this version refuses. They stay in the file unchanged but cannot be computed again.</source>
             <translation>В запомненных расчётах этого файла есть исходные данные, которые эта версия не принимает. Они останутся в файле как есть, но пересчитать их нельзя.</translation>
         </message>
         <message>
@@ -13455,7 +13455,7 @@ With another name both versions stay as they are.</source>
             <translation>Настройки не сохранены. %1</translation>
         </message>
         <message>
-            <source>The settings file is damaged and could not be put aside (%1): %2. It is left as it is; the settings are the default ones, and changes of them are not kept.</source>
+            <source>The settings file is damaged and could not be renamed (%1): %2. It is left unchanged; the default settings are used, and changes to them are not saved.</source>
             <translation>Файл настроек повреждён, и убрать его в сторону не удалось (%1): %2. Он оставлен как есть; действуют настройки по умолчанию, их изменения не сохраняются.</translation>
         </message>
         <message>
@@ -14110,7 +14110,7 @@ parts, ≤ %</source>
             <translation>Поверхность поворачивают мышью или стрелками; колесо мыши меняет масштаб.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the layers are those of the last accepted ones.</source>
+            <source>The inputs are refused; the layers are those of the last valid inputs.</source>
             <translation>Исходные данные не приняты; слои — по последним верным.</translation>
         </message>
         <message>
@@ -14174,7 +14174,7 @@ parts, ≤ %</source>
             <translation>Круг и деталь</translation>
         </message>
         <message>
-            <source>Heights are exaggerated. As the model has it, a zone is ground during the whole stroke; and all that yields is drawn at the part.</source>
+            <source>Heights are exaggerated. As in the model, a zone is ground during the whole stroke; the whole deflection is drawn at the part.</source>
             <translation>Высоты увеличены. По модели зона шлифуется в течение всего хода; всё отжатие показано у детали.</translation>
         </message>
     </context>
@@ -14200,7 +14200,7 @@ parts, ≤ %</source>
             <translation>%1 %2, %3: %4</translation>
         </message>
         <message>
-            <source>“%1” has no place, the row does not use this column</source>
+            <source>“%1” cannot be entered: this row does not use the column</source>
             <translation>«%1» не на месте: этот столбец в строке не используется</translation>
         </message>
         <message>
@@ -14436,7 +14436,7 @@ target, µm</source>
             <translation>Сохранено.</translation>
         </message>
         <message numerus="yes">
-            <source>Saved; %n fields hold a refused text, their last good values were saved.</source>
+            <source>Saved. %n fields contain invalid entries; their last valid values were saved.</source>
             <translation>
                 <numerusform>Сохранено; %n поле содержит непринятый текст, записано его последнее верное значение.</numerusform>
                 <numerusform>Сохранено; %n поля содержат непринятый текст, записаны их последние верные значения.</numerusform>
@@ -14577,7 +14577,7 @@ target, µm</source>
             <translation>Не рассчитано: проект не заполнен.</translation>
         </message>
         <message>
-            <source>One infeed is larger than the part: it is ground away.</source>
+            <source>One infeed is larger than the part: reduce the feed.</source>
             <translation>Подача на шаг больше размера детали: уменьшите подачу.</translation>
         </message>
     </context>
@@ -14647,7 +14647,7 @@ target, µm</source>
             <translation>Скорость круга на станке выше допускаемой маркировкой.</translation>
         </message>
         <message>
-            <source>Not understood as a marking; written like 500×50×203 25А F60 L 6 V 35 it fills the wheel&apos;s values.</source>
+            <source>This is not a marking. Write it like 500×50×203 25А F60 L 6 V 35 to fill in the wheel&apos;s values.</source>
             <translation>Не понято как маркировка; записанная как 500×50×203 25А F60 L 6 V 35, она заполняет данные круга.</translation>
         </message>
         <message>
@@ -14793,11 +14793,11 @@ target, µm</source>
             <translation>%1…%2 шаг %3</translation>
         </message>
         <message>
-            <source>values with semicolons between them, as in 300; 500; 800, or from, to and step, as in 300…2400 step 100</source>
+            <source>values separated by semicolons, as in 300; 500; 800, or from, to and step, as in 300…2400 step 100</source>
             <translation>значения через точку с запятой, например 300; 500; 800, или пределы и шаг, например 300…2400 шаг 100</translation>
         </message>
         <message numerus="yes">
-            <source>%n number(s) with semicolons between them</source>
+            <source>%n number(s) separated by semicolons</source>
             <translation>
                 <numerusform>%n число через точку с запятой</numerusform>
                 <numerusform>%n числа через точку с запятой</numerusform>
@@ -14805,7 +14805,7 @@ target, µm</source>
             </translation>
         </message>
         <message>
-            <source>numbers with semicolons between them, as in 1; 2; 3</source>
+            <source>numbers separated by semicolons, as in 1; 2; 3</source>
             <translation>числа через точку с запятой, например 1; 2; 3</translation>
         </message>
         <message>
@@ -14828,7 +14828,7 @@ target, µm</source>
             <translation>Для чего партия</translation>
         </message>
         <message>
-            <source>A batch says which share of many parts keeps the drawing when stock, runout, dullness and other factors scatter. The view Batch runs it.</source>
+            <source>A batch shows which share of many parts meets the drawing when stock, runout, dullness and other factors scatter. The view Batch runs it.</source>
             <translation>Партия показывает, какая доля многих деталей выдерживает чертёж, когда припуск, биение, затупление и другие факторы рассеиваются. Её рассчитывает вид «Партия».</translation>
         </message>
         <message>
@@ -14836,7 +14836,7 @@ target, µm</source>
             <translation>Добавить типовую партию</translation>
         </message>
         <message>
-            <source>50 parts whose stock, runout and dullness scatter about the present inputs</source>
+            <source>50 parts whose stock, runout and dullness scatter about the current inputs</source>
             <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг текущих значений</translation>
         </message>
         <message>
@@ -14844,7 +14844,7 @@ target, µm</source>
             <translation>Для чего нужен поиск</translation>
         </message>
         <message>
-            <source>A search finds the quickest cycle that holds every requirement, out of all feeds and stocks listed here. The view Optimise runs it.</source>
+            <source>A search finds the quickest cycle that meets every requirement, among all feeds and stocks listed here. The view Optimise runs it.</source>
             <translation>Поиск находит самый быстрый цикл, который выдерживает все требования, среди всех перечисленных здесь подач и припусков. Его запускает вид «Оптимизация».</translation>
         </message>
         <message>
@@ -14864,7 +14864,7 @@ target, µm</source>
             <translation>Применить оценку</translation>
         </message>
         <message>
-            <source>Without chamfers, keyways and bores; the drawing&apos;s mass goes before it</source>
+            <source>Without chamfers, keyways and bores; the mass in the drawing takes precedence</source>
             <translation>Без фасок, пазов и отверстий; масса по чертежу важнее</translation>
         </message>
         <message>
@@ -14876,7 +14876,7 @@ target, µm</source>
             <translation>Форма от станка по измеренным деталям</translation>
         </message>
         <message>
-            <source>Measured by zone or section, mean in µm: roundness and radial runout %1. The number of lobes is not among what was measured.</source>
+            <source>Measured by zone or section, mean in µm: roundness and radial runout %1. The number of lobes was not measured.</source>
             <translation>Измерено по зонам или сечениям, среднее в мкм: отклонение от круглости и радиальное биение %1. Число граней не измерялось.</translation>
         </message>
         <message>
@@ -14884,7 +14884,7 @@ target, µm</source>
             <translation>Задать форму от станка</translation>
         </message>
         <message>
-            <source>What the process alone leaves is small beside it where the cycle sparks out; the number of lobes is to be given</source>
+            <source>In a cycle with spark-out, the form left by the process itself is small beside it; the number of lobes must be entered</source>
             <translation>После выхаживания вклад самого процесса рядом с ней мал; число граней нужно задать</translation>
         </message>
     </context>
@@ -15117,7 +15117,7 @@ target, µm</source>
             <translation>Остановить цикл здесь</translation>
         </message>
         <message>
-            <source>Let the cycle run, from the blank if it is at its end</source>
+            <source>Play the cycle, from the blank if it is at its end</source>
             <translation>Показать ход цикла; с конца — заново от заготовки</translation>
         </message>
         <message>
@@ -15504,7 +15504,7 @@ target, µm</source>
             <translation>Наведите указатель на профиль, чтобы прочитать значения.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the profiles are those of the last accepted ones.</source>
+            <source>The inputs are refused; the profiles are those of the last valid inputs.</source>
             <translation>Исходные данные не приняты; профили — по последним верным.</translation>
         </message>
         <message>
@@ -15621,7 +15621,7 @@ target, µm</source>
             <translation>&amp;Прочитать измеренный профиль…</translation>
         </message>
         <message>
-            <source>&amp;Take it away</source>
+            <source>&amp;Remove profile</source>
             <translation>&amp;Убрать профиль</translation>
         </message>
         <message>
@@ -15629,7 +15629,7 @@ target, µm</source>
             <translation>Базовые окружности круглости (ISO 12181): МНК — средняя окружность, мин. зона — две окружности минимальной зоны, вписанная — максимальная вписанная, описанная — минимальная описанная окружность</translation>
         </message>
         <message>
-            <source>Gaussian filter of the cross-sections (ISO 16610-21): waves up to about so many undulations per revolution stay, as roundness machines state them</source>
+            <source>Gaussian filter of the cross-sections (ISO 16610-21): keeps waves up to about this number of undulations per revolution, as on roundness machines</source>
             <translation>Фильтр Гаусса для поперечных сечений (ISO 16610-21): остаются волны примерно до стольких на оборот, как указывают кругломеры</translation>
         </message>
         <message>
@@ -15648,7 +15648,7 @@ target, µm</source>
             <translation>Таблицы (*.csv *.txt *.tsv *.dat);;Все файлы (*)</translation>
         </message>
         <message>
-            <source>“%1” was not taken: %2</source>
+            <source>“%1” was not read: %2</source>
             <translation>Файл «%1» не принят: %2</translation>
         </message>
         <message numerus="yes">
@@ -15814,7 +15814,7 @@ target, µm</source>
             <translation>Без имени</translation>
         </message>
         <message>
-            <source>Another window is offering the unsaved work that was found. When it has answered, ask again for what it left.</source>
+            <source>Another window already offers the unsaved work that was found. Answer there first, then try again.</source>
             <translation>Найденную несохранённую работу уже предлагает другое окно. Когда там будет дан ответ, спросите снова о том, что осталось.</translation>
         </message>
     </context>
@@ -15870,7 +15870,7 @@ target, µm</source>
     <context>
         <name>sparkout::RowsEditor</name>
         <message numerus="yes">
-            <source>rows of %n number(s), a semicolon between them, as in 0 50; 200 80</source>
+            <source>rows of %n number(s) separated by semicolons, as in 0 50; 200 80</source>
             <translation>
                 <numerusform>строки по %n числу через точку с запятой, например 50; 80</numerusform>
                 <numerusform>строки по %n числа через точку с запятой, например 0 50; 200 80</numerusform>
@@ -15882,14 +15882,14 @@ target, µm</source>
             <translation>силы должны расти от строки к строке, жёсткости быть больше 0</translation>
         </message>
         <message>
-            <source>a number is outside of what is allowed</source>
+            <source>a number is out of range</source>
             <translation>число вне допустимых пределов</translation>
         </message>
     </context>
     <context>
         <name>sparkout::RunKeeper</name>
         <message>
-            <source>Kept as “%1”; the view Compare lays it over the present run.</source>
+            <source>Kept as “%1”; the view Compare draws it over the current run.</source>
             <translation>Запомнен как «%1»; на вкладке «Сравнение» он наложен на текущий расчёт.</translation>
         </message>
         <message>
@@ -15897,7 +15897,7 @@ target, µm</source>
             <translation>Расчёт не запомнен: файл проекта стал бы слишком большим. Удалите ненужные запомненные расчёты.</translation>
         </message>
         <message>
-            <source>The run was not kept: the inputs are refused, so there is none.</source>
+            <source>There is no run to keep: the inputs are refused.</source>
             <translation>Расчёт не запомнен: исходные данные не приняты, поэтому его нет.</translation>
         </message>
         <message numerus="yes">
@@ -15932,7 +15932,7 @@ target, µm</source>
     <context>
         <name>sparkout::RunsPanel</name>
         <message>
-            <source>Present run</source>
+            <source>Current run</source>
             <translation>Текущий расчёт</translation>
         </message>
         <message>
@@ -15960,7 +15960,7 @@ target, µm</source>
             <translation>теперь иначе</translation>
         </message>
         <message>
-            <source>Present run, always drawn</source>
+            <source>Current run, always drawn</source>
             <translation>Текущий расчёт, показан всегда</translation>
         </message>
         <message>
@@ -15968,15 +15968,15 @@ target, µm</source>
             <translation>Запомнен %1 версией %2</translation>
         </message>
         <message>
-            <source>Runs; a check mark lays one over the present run</source>
+            <source>Runs; a check mark draws a run over the current one</source>
             <translation>Расчёты; отмеченный накладывается на текущий</translation>
         </message>
         <message>
-            <source>Keep the present run</source>
+            <source>Keep the current run</source>
             <translation>Запомнить текущий расчёт</translation>
         </message>
         <message>
-            <source>Keep the present run: its inputs and results, for comparison</source>
+            <source>Keep the inputs and results of the current run for comparison</source>
             <translation>Запомнить текущий расчёт: исходные данные и результаты, для сравнения</translation>
         </message>
         <message>
@@ -15984,7 +15984,7 @@ target, µm</source>
             <translation>Вернуть исходные данные</translation>
         </message>
         <message>
-            <source>Take the inputs of the selected run in place of the present ones; the kept runs stay</source>
+            <source>Replace the current inputs with those of the selected run; the kept runs remain</source>
             <translation>Применить исходные данные выбранного расчёта вместо текущих; запомненные расчёты остаются</translation>
         </message>
         <message>
@@ -16368,7 +16368,7 @@ target, µm</source>
             <translation>Основное время ступени и его доля в цикле.</translation>
         </message>
         <message>
-            <source>“%1” is no spark-out; allowed: %2, “%3”, “%4”</source>
+            <source>spark-out “%1” is invalid; allowed: %2, “%3”, “%4”</source>
             <translation>выхаживание «%1» недопустимо; допускается: %2, «%3», «%4»</translation>
         </message>
         <message>
@@ -16468,7 +16468,7 @@ target, µm</source>
             <translation>%1, %2: %3</translation>
         </message>
         <message>
-            <source>The part is the blank still. Step on or press Play below the views: the formulas of each step stand here, with its numbers.</source>
+            <source>Grinding has not started. Step on or press Play below the views: the formulas of each step are shown here with their numbers.</source>
             <translation>Шлифование не начато: деталь — заготовка. Сделайте шаг вперёд или нажмите «Пуск» под графиками: здесь появятся формулы каждого этапа с числами.</translation>
         </message>
         <message>
@@ -16511,19 +16511,19 @@ target, µm</source>
     <context>
         <name>sparkout::PhaseBar</name>
         <message>
-            <source>The range has to go upwards: it begins at %1 mm and ends at %2 mm.</source>
+            <source>The upper end of the range must lie above the lower end: it begins at %1 mm and ends at %2 mm.</source>
             <translation>Диапазон должен возрастать: он начинается с %1 мм и кончается на %2 мм.</translation>
         </message>
         <message>
-            <source>Stopped before anything was decided. Press “Run”.</source>
+            <source>Stopped before a result. Press “Run”.</source>
             <translation>Остановлено, прежде чем что-либо решено. Нажмите «Рассчитать».</translation>
         </message>
         <message>
-            <source>Minimum stock per side decided; empty: half the maximum infeed below</source>
+            <source>Minimum stock per side to check; empty: half the maximum infeed below the given stock</source>
             <translation>Наименьший припуск на сторону; пусто: на половину наибольшей подачи на шаг ниже</translation>
         </message>
         <message>
-            <source>Maximum stock per side decided; empty: half the maximum infeed above</source>
+            <source>Maximum stock per side to check; empty: half the maximum infeed above the given stock</source>
             <translation>Наибольший припуск на сторону; пусто: на половину наибольшей подачи на шаг выше</translation>
         </message>
         <message>
@@ -16531,7 +16531,7 @@ target, µm</source>
             <translation>Рассчитать</translation>
         </message>
         <message>
-            <source>Decide the phases of the range; that runs by itself after an edit</source>
+            <source>Check all stocks of the range; this also starts by itself after an edit</source>
             <translation>Проверить все припуски диапазона; после правки проверка идёт сама</translation>
         </message>
         <message>
@@ -16539,15 +16539,15 @@ target, µm</source>
             <translation>Остановить</translation>
         </message>
         <message>
-            <source>End the run; what was decided before is kept</source>
+            <source>Stop the run; the results so far are kept</source>
             <translation>Прервать расчёт; рассчитанное раньше остаётся</translation>
         </message>
         <message>
-            <source>What was decided</source>
+            <source>Result</source>
             <translation>Что рассчитано</translation>
         </message>
         <message>
-            <source>Progress of the decision</source>
+            <source>Progress of the check</source>
             <translation>Ход проверки</translation>
         </message>
     </context>
@@ -16681,11 +16681,11 @@ target, µm</source>
             <translation>предел</translation>
         </message>
         <message>
-            <source>every requirement holds</source>
+            <source>requirements met</source>
             <translation>выполнены все требования</translation>
         </message>
         <message>
-            <source>present value</source>
+            <source>current value</source>
             <translation>текущее значение</translation>
         </message>
     </context>
@@ -16696,11 +16696,11 @@ target, µm</source>
             <translation>предел этого результата</translation>
         </message>
         <message>
-            <source>every requirement holds: its edge</source>
+            <source>requirements met: edge</source>
             <translation>граница выполнения всех требований</translation>
         </message>
         <message>
-            <source>present values</source>
+            <source>current values</source>
             <translation>текущие значения</translation>
         </message>
         <message>
@@ -16742,7 +16742,7 @@ target, µm</source>
             <translation>Наведите указатель на припуск, чтобы прочитать шаги, время и размер его цикла.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the phases of the stock are those of the last accepted ones.</source>
+            <source>The inputs are refused; the stocks shown are those of the last valid inputs.</source>
             <translation>Исходные данные не приняты; проверка припусков — по последним верным.</translation>
         </message>
         <message>
@@ -16778,7 +16778,7 @@ target, µm</source>
             <translation>Наведите указатель на место, чтобы прочитать значения; щелчок выбирает его.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the sweep is that of the last accepted ones.</source>
+            <source>The inputs are refused; the sweep is that of the last valid inputs.</source>
             <translation>Исходные данные не приняты; варьирование — по последним верным.</translation>
         </message>
         <message>
@@ -16794,7 +16794,7 @@ target, µm</source>
             <translation>Это варьирование займёт время: нажмите «Рассчитать». Его можно остановить в любой момент, сделанное сохраняется.</translation>
         </message>
         <message>
-            <source>The cycle reaches size at no point of the range.</source>
+            <source>The cycle does not reach size at any point of the range.</source>
             <translation>Ни в одной точке этих пределов цикл не достигает размера.</translation>
         </message>
         <message>
@@ -16802,7 +16802,7 @@ target, µm</source>
             <translation>Ни в одной точке нет результата. Отклонено:</translation>
         </message>
         <message>
-            <source>Nothing changes over this range: the model does not read the input as this project is set.</source>
+            <source>Nothing changes over this range: with the settings of this project, the model does not use this input.</source>
             <translation>В этих пределах ничего не меняется: при таких настройках проекта расчёт не зависит от этой величины.</translation>
         </message>
         <message>
@@ -16846,7 +16846,7 @@ target, µm</source>
             <translation>Значения или запасы</translation>
         </message>
         <message>
-            <source>The values themselves, or how far they are from their limits: above 0 the requirement holds</source>
+            <source>The values, or their distances from the limits: above 0 the requirement is met</source>
             <translation>Сами значения или их запас до предела: выше 0 требование выполнено</translation>
         </message>
         <message>
@@ -16870,7 +16870,7 @@ target, µm</source>
             <translation>Остановить</translation>
         </message>
         <message>
-            <source>End the sweep; what was done is kept and shown</source>
+            <source>Stop the sweep; the completed points are kept and shown</source>
             <translation>Закончить варьирование; сделанное сохраняется и показывается</translation>
         </message>
         <message>
@@ -16886,7 +16886,7 @@ target, µm</source>
             <translation>Применить эти значения</translation>
         </message>
         <message>
-            <source>Put the inputs of the chosen point into this project; undo brings yours back</source>
+            <source>Use the inputs of the chosen point in this project; Undo restores the previous inputs</source>
             <translation>Подставить исходные данные выбранной точки в проект; отмена возвращает ваши</translation>
         </message>
         <message>
@@ -16939,15 +16939,15 @@ target, µm</source>
             <translation>То, чего от цикла требуют чертёж, процесс или станок</translation>
         </message>
         <message>
-            <source>What the cycle comes to, at its worst</source>
+            <source>Worst value</source>
             <translation>Наихудшее значение</translation>
         </message>
         <message>
-            <source>What is allowed</source>
+            <source>Allowed value</source>
             <translation>Допускаемое значение</translation>
         </message>
         <message>
-            <source>How far the value is from its limit; below 0 it is beyond</source>
+            <source>Distance of the value from its limit; below 0 the limit is exceeded</source>
             <translation>Насколько значение отстоит от предела; меньше 0 — предел превышен</translation>
         </message>
         <message>
@@ -16955,7 +16955,7 @@ target, µm</source>
             <translation>не известно: остались полосы</translation>
         </message>
         <message>
-            <source>holds</source>
+            <source>met</source>
             <translation>выполнено</translation>
         </message>
         <message>
@@ -16963,7 +16963,7 @@ target, µm</source>
             <translation>близко к пределу</translation>
         </message>
         <message>
-            <source>fails</source>
+            <source>not met</source>
             <translation>не выполнено</translation>
         </message>
         <message>
@@ -17201,19 +17201,19 @@ target, µm</source>
             <translation>Значения {value}, на шаг ближе к текущему {before}, недостаточно.</translation>
         </message>
         <message>
-            <source>It holds for every stock per side of {from}…{to} mm: decided, not sampled.</source>
+            <source>The cycle is fit for every stock per side of {from}…{to} mm: decided, not sampled.</source>
             <translation>Цикл годен для всех припусков на сторону {from}…{to} мм: решено точно, а не по выборке.</translation>
         </message>
         <message>
-            <source>It holds for all of {phases} stocks drawn at random within one infeed: with 95 % confidence at most {share} % of them fail.</source>
+            <source>The cycle is fit for all {phases} stocks drawn at random within one infeed: with 95 % confidence it is unfit for at most {share} % of all stocks.</source>
             <translation>Цикл годен для всех {phases} случайных припусков в пределах подачи на шаг: с вероятностью 95 % не годен не более чем для {share} % из них.</translation>
         </message>
         <message>
-            <source>Each holds for every stock within half an infeed of the stated one.</source>
+            <source>Each change helps for every stock within half an infeed of the stated one.</source>
             <translation>С каждым изменением цикл годен для всех припусков в пределах половины подачи на шаг от заданного.</translation>
         </message>
         <message>
-            <source>Each holds for the stocks tried within half an infeed of the stated one; under position control that is sampled, not decided.</source>
+            <source>Each change helps for the stocks tried within half an infeed of the stated one; under position control this is sampled, not decided.</source>
             <translation>С каждым изменением цикл годен для проверенных припусков в пределах половины подачи на шаг от заданного; при управлении по положению это проверено выборкой, а не решено.</translation>
         </message>
         <message>
@@ -17221,15 +17221,15 @@ target, µm</source>
             <translation>Среди проверенных значений ни одна настройка не даёт запаса: при «{change}» для заданного припуска ничто не близко к пределу, но при припуске {stock} мм цикл сам не завершается.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting helps: with {change}, everything holds for the stated stock, but with a stock of {stock} mm the cycle does not end by itself.</source>
+            <source>Among the values tried, no single setting helps: with {change}, the cycle is fit for the stated stock, but with a stock of {stock} mm the cycle does not end by itself.</source>
             <translation>Среди проверенных значений не помогает ни одна настройка: при «{change}» для заданного припуска всё выполнено, но при припуске {stock} мм цикл сам не завершается.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit for the stated stock, but with a stock of {stock} mm “{second}” fails.</source>
+            <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit for the stated stock, but with a stock of {stock} mm “{second}” is not met.</source>
             <translation>Среди проверенных значений ни одна настройка не даёт запаса: при «{change}» для заданного припуска ничто не близко к пределу, но при припуске {stock} мм нарушено «{second}».</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting helps: with {change}, everything holds for the stated stock, but with a stock of {stock} mm “{second}” fails.</source>
+            <source>Among the values tried, no single setting helps: with {change}, the cycle is fit for the stated stock, but with a stock of {stock} mm “{second}” is not met.</source>
             <translation>Среди проверенных значений не помогает ни одна настройка: при «{change}» для заданного припуска всё выполнено, но при припуске {stock} мм нарушено «{second}».</translation>
         </message>
         <message>
@@ -17241,7 +17241,7 @@ target, µm</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не прибавит запаса требованию «{first}».</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting mends “{first}” or brings it closer to its limit.</source>
+            <source>Among the values tried, no single setting meets “{first}” or brings it closer to its limit.</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не устраняет и не уменьшает нарушение требования «{first}».</translation>
         </message>
         <message>
@@ -17249,23 +17249,23 @@ target, µm</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не даёт требованию «{first}» достаточного запаса. {change} — запас наибольший.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting mends “{first}”: it comes closest to its limit with {change}.</source>
+            <source>Among the values tried, no single setting meets “{first}”: it comes closest to its limit with {change}.</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не устраняет нарушение требования «{first}». {change} — нарушение наименьшее.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives “{first}” enough room: it has most with {change}, where “{second}” has not enough.</source>
+            <source>Among the values tried, no single setting gives “{first}” enough room: it has most with {change}, where “{second}” has too little.</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не даёт требованию «{first}» достаточного запаса. {change} — запас наибольший, но мал запас требования «{second}».</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting mends “{first}”: it comes closest to its limit with {change}, where “{second}” fails.</source>
+            <source>Among the values tried, no single setting meets “{first}”: it comes closest to its limit with {change}, where “{second}” is not met.</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не устраняет нарушение требования «{first}». {change} — нарушение наименьшее, но нарушено требование «{second}».</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting helps: with {change}, the cycle ends by itself, but “{second}” fails.</source>
+            <source>Among the values tried, no single setting helps: with {change}, the cycle ends by itself, but “{second}” is not met.</source>
             <translation>При проверенных значениях изменение одной настройки не помогает: {change} — цикл завершается, но нарушено требование «{second}».</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives room: with {change}, “{first}” has it, but “{second}” has not.</source>
+            <source>Among the values tried, no single setting gives room: with {change}, “{first}” has enough, but “{second}” has not.</source>
             <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — у требования «{first}» запас есть, у требования «{second}» нет.</translation>
         </message>
         <message>
@@ -17273,7 +17273,7 @@ target, µm</source>
             <translation>Одной настройкой не исправить. «{first}» требует меньше ({change}), «{second}» — больше.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting mends all that fails: with {change}, “{first}” holds, but “{second}” still fails.</source>
+            <source>Among the values tried, no single setting meets all requirements: with {change}, “{first}” is met, but “{second}” is still not met.</source>
             <translation>При проверенных значениях изменение одной настройки не устраняет всех нарушений: {change} — требование «{first}» выполнено, «{second}» по-прежнему нарушено.</translation>
         </message>
         <message>
@@ -17285,7 +17285,7 @@ target, µm</source>
             <translation>Без этой ступени запас слишком мал.</translation>
         </message>
         <message>
-            <source>Without this stage the cycle fails.</source>
+            <source>Without this stage the cycle is unfit.</source>
             <translation>Без этой ступени цикл не годен.</translation>
         </message>
         <message>
@@ -17301,7 +17301,7 @@ target, µm</source>
             <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — все требования выполнены с запасом, но появляется предупреждение.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting helps: with {change}, everything holds, but the change brings a warning.</source>
+            <source>Among the values tried, no single setting helps: with {change}, all requirements are met, but the change brings a warning.</source>
             <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены, но появляется предупреждение.</translation>
         </message>
         <message>
@@ -17309,7 +17309,7 @@ target, µm</source>
             <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — все требования выполнены с запасом, но ещё одна ступень остаётся без хода.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting helps: with {change}, everything holds, but one more stage ends without a step.</source>
+            <source>Among the values tried, no single setting helps: with {change}, all requirements are met, but one more stage ends without a step.</source>
             <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены, но ещё одна ступень остаётся без хода.</translation>
         </message>
         <message>
@@ -17349,11 +17349,11 @@ target, µm</source>
             <translation>Исходный цикл</translation>
         </message>
         <message>
-            <source>A cycle made for part, wheel and machine as they are: nothing is close to its limit; it takes {time}.</source>
+            <source>A cycle made for the given part, wheel and machine: nothing is close to its limit; it takes {time}.</source>
             <translation>Цикл, составленный для детали, круга и станка как они есть: все требования выполнены с запасом; его время {time}.</translation>
         </message>
         <message>
-            <source>A cycle made for part, wheel and machine as they are: all requirements are met; it takes {time}.</source>
+            <source>A cycle made for the given part, wheel and machine: all requirements are met; it takes {time}.</source>
             <translation>Цикл, составленный для детали, круга и станка как они есть: все требования выполнены; его время {time}.</translation>
         </message>
         <message>
@@ -17365,11 +17365,11 @@ target, µm</source>
             <translation>, брак {bad} из {parts}</translation>
         </message>
         <message>
-            <source>So it is with all {values} values of {interval} that can be set.</source>
+            <source>This applies to all {values} values of {interval} that can be set.</source>
             <translation>То же при всех задаваемых значениях {interval} (их {values}).</translation>
         </message>
         <message>
-            <source>Of {parts} parts of the batch drawn for it {bad} are bad: with 95 % confidence at most {share} % of all.</source>
+            <source>Of {parts} parts of the batch drawn for this check, {bad} are rejected: with 95 % confidence at most {share} % of all parts are.</source>
             <translation>Из {parts} случайных деталей партии не годны {bad}: с вероятностью 95 % — не более {share} % всех.</translation>
         </message>
         <message>
@@ -17381,7 +17381,7 @@ target, µm</source>
             <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены, но при соседних значениях нет.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting helps: with {change} all requirements are met for every stock, but too many parts of the batch are bad: “{second}” fails.</source>
+            <source>Among the values tried, no single setting helps: with {change} all requirements are met for every stock, but too many parts of the batch are rejected: “{second}” is not met.</source>
             <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены для всех припусков, но в партии слишком много брака: нарушено «{second}».</translation>
         </message>
         <message>
@@ -17439,7 +17439,7 @@ target, µm</source>
     <context>
         <name>sparkout::VerdictPanel</name>
         <message>
-            <source>The inputs are refused; the numbers are those of the last accepted ones.</source>
+            <source>The inputs are refused; the numbers are those of the last valid inputs.</source>
             <translation>Исходные данные не приняты; числа — по последним верным.</translation>
         </message>
         <message>
@@ -17475,7 +17475,7 @@ target, µm</source>
             <translation>Требования чертежа</translation>
         </message>
         <message numerus="yes">
-            <source>%n fields hold a refused text; the verdict is of the values before it.</source>
+            <source>%n fields contain invalid entries; the verdict is based on their last valid values.</source>
             <translation>
                 <numerusform>В %n поле стоит непринятый текст; заключение — по прежнему значению.</numerusform>
                 <numerusform>В %n полях стоит непринятый текст; заключение — по прежним значениям.</numerusform>
@@ -17483,7 +17483,7 @@ target, µm</source>
             </translation>
         </message>
         <message>
-            <source>Fields that hold a refused text</source>
+            <source>Fields with invalid entries</source>
             <translation>Поля с непринятым текстом</translation>
         </message>
         <message>
@@ -17735,7 +17735,7 @@ target, µm</source>
     <context>
         <name>sparkout::PlotView</name>
         <message>
-            <source>The inputs are refused; the curves are those of the last accepted ones.</source>
+            <source>The inputs are refused; the curves are those of the last valid inputs.</source>
             <translation>Исходные данные не приняты; кривые — по последним верным.</translation>
         </message>
         <message>
@@ -17918,11 +17918,11 @@ mm/min</source>
             <translation>Добавить партию…</translation>
         </message>
         <message>
-            <source>This project describes no batch. A batch of parts whose stock, runout and wheel scatter shows here how the sizes scatter and how many parts are good.</source>
+            <source>This project describes no batch. With a batch of parts whose stock, runout and wheel scatter, the scatter of the sizes and the number of good parts are shown here.</source>
             <translation>В проекте нет партии. Партия деталей, у которых рассеиваются припуск, биение и состояние круга, покажет здесь рассеяние размеров и число годных деталей.</translation>
         </message>
         <message>
-            <source>The batch has not been run: here will be how its sizes scatter and how many parts are good.</source>
+            <source>The batch has not been run. The scatter of its sizes and the number of good parts will be shown here.</source>
             <translation>Партия ещё не рассчитана: здесь будут рассеяние её размеров и число годных деталей.</translation>
         </message>
         <message>
@@ -17934,7 +17934,7 @@ mm/min</source>
             <translation>Ни у одной детали партии нет размера.</translation>
         </message>
         <message>
-            <source>The batch is of corners: they are no sample and have no quartiles.</source>
+            <source>The batch consists of corner parts: they are not a sample and have no quartiles.</source>
             <translation>Партия — крайние сочетания: это не выборка, квартилей у неё нет.</translation>
         </message>
         <message>
@@ -17946,12 +17946,12 @@ mm/min</source>
             <translation>Цикл слишком длинный для записи по этапам: помогут меньше радиусов или сечений.</translation>
         </message>
         <message>
-            <source>present</source>
+            <source>current</source>
             <comment>run</comment>
             <translation>текущий</translation>
         </message>
         <message>
-            <source>No run is kept yet: here will be its time and margin beside those of the present run.</source>
+            <source>No run is kept yet. Its time and margin will be shown here beside those of the current run.</source>
             <translation>Запомненных расчётов ещё нет: здесь будут их время и запас рядом с текущим расчётом.</translation>
         </message>
         <message>
@@ -17967,7 +17967,7 @@ mm/min</source>
             <translation>Значение столбца — под указателем; щелчок ведёт к виду. С клавиатуры: стрелки, Enter.</translation>
         </message>
         <message>
-            <source>The batch is of the inputs before the last edit.</source>
+            <source>The inputs have changed since the batch was run.</source>
             <translation>Исходные данные изменены после расчёта партии.</translation>
         </message>
         <message>
@@ -18217,7 +18217,7 @@ good</source>
             <translation>Запас — у требования, ближайшего к пределу; ниже 0, если требование не выполнено.</translation>
         </message>
         <message>
-            <source>The present run and the newest %1 of %2 kept ones.</source>
+            <source>The current run and the newest %1 of the %2 kept runs.</source>
             <translation>Текущий расчёт и последние %1 из %2 запомненных.</translation>
         </message>
     </context>
@@ -18361,7 +18361,7 @@ good</source>
             <translation>Показать в папке</translation>
         </message>
         <message>
-            <source>The system names no program that opens %1</source>
+            <source>No program opens %1; assign one</source>
             <translation>Нет программы для %1; назначьте её</translation>
         </message>
         <message>
@@ -18418,7 +18418,7 @@ good</source>
             <translation>Без отметки жёсткость в проекте остаётся прежней; остальные значения станка применяются.</translation>
         </message>
         <message>
-            <source>The compliance is given on the page of the machine, which does not read a stiffness. With this the given compliance goes, and γ follows from the stiffness of the machine and from the shaft.</source>
+            <source>The compliance is given on the page Machine, so a stiffness is not used there. This removes the given compliance; γ then follows from the stiffness of the machine and from the shaft.</source>
             <translation>На странице станка задана податливость, поэтому жёсткость не используется. С этой отметкой заданная податливость снимается, и γ вычисляется по жёсткости станка и по валу.</translation>
         </message>
         <message>
@@ -18453,7 +18453,7 @@ good</source>
             <translation>Только обычные данные</translation>
         </message>
         <message>
-            <source>Beside the usual inputs those are shown that are calibrated, refused or warned of, or that are neither the default nor the catalogue's</source>
+            <source>Besides the usual inputs, those are shown that are calibrated, refused or warned about, or that differ from both the default and the catalogue</source>
             <translation>Кроме обычных данных показаны откалиброванные, непринятые, с предупреждением и те, что отличаются от значений по умолчанию и от каталога</translation>
         </message>
     </context>
@@ -18517,7 +18517,7 @@ good</source>
             <translation>Поверхности детали в порядке шлифования</translation>
         </message>
         <message>
-            <source>Surfaces that hold, and piece time; times and verdicts of all of them</source>
+            <source>Number of fit surfaces, and piece time; a click shows times and verdicts of all surfaces</source>
             <translation>Годные поверхности и штучное время; времена и заключения по всем поверхностям</translation>
         </message>
         <message>
@@ -18638,7 +18638,7 @@ good</source>
             <translation>Поверхности рассчитываются…</translation>
         </message>
         <message>
-            <source>Batch and search are of the inputs before the last edit.</source>
+            <source>The inputs have changed since the batch and the search were run.</source>
             <translation>Исходные данные изменены после расчёта партии и поиска.</translation>
         </message>
         <message>
@@ -18881,7 +18881,7 @@ good</source>
             <translation>с выхаживанием</translation>
         </message>
         <message>
-            <source>trials by what they tell</source>
+            <source>trials, most informative first</source>
             <translation>опыты по их информативности</translation>
         </message>
         <message>
@@ -19027,15 +19027,15 @@ good</source>
             <translation>%1, %2 (n = %3)</translation>
         </message>
         <message>
-            <source>Not told apart by the data: %1. What would help: %2.</source>
+            <source>The data do not separate: %1. What would help: %2.</source>
             <translation>По этим данным не различаются: %1. Что поможет: %2.</translation>
         </message>
         <message>
-            <source>Only the product is told by the data: %1. What would help: %2.</source>
+            <source>The data determine only the product: %1. What would help: %2.</source>
             <translation>По этим данным определяется только произведение: %1. Что поможет: %2.</translation>
         </message>
         <message>
-            <source>Not told by the data: %1. What would help: %2.</source>
+            <source>The data do not determine: %1. What would help: %2.</source>
             <translation>По этим данным не определяется: %1. Что поможет: %2.</translation>
         </message>
         <message numerus="yes">
@@ -19047,11 +19047,11 @@ good</source>
             </translation>
         </message>
         <message>
-            <source>Left out: %1 seems to be %2 ± %3 and was not fitted. The values found are wrong by it: fitted too, %4 would be %5 instead of %6.</source>
+            <source>Left out: %1 seems to be %2 ± %3 and was not fitted. This distorts the values found: with it fitted, %4 would be %5 instead of %6.</source>
             <translation>Не учтено: %1, по-видимому, %2 ± %3 и не определялось. Найденные значения из-за этого неверны: если определить и его, %4 составит %5 вместо %6.</translation>
         </message>
         <message>
-            <source>Does not fit: %1: %2 times what the noise leaves; by chance up to %3: %4.</source>
+            <source>Does not fit: %1: residuals %2 times the noise; by chance up to %3: %4.</source>
             <translation>Не подходит: %1: в %2 раза больше того, что оставляет шум; случайно — не более чем в %3: %4.</translation>
         </message>
         <message>
@@ -19074,7 +19074,7 @@ good</source>
             <translation>Измерения</translation>
         </message>
         <message>
-            <source>A current takes part once its factor in kW per A is given.</source>
+            <source>A current is used once its factor in kW per A is given.</source>
             <translation>Ток участвует, когда указан его коэффициент в кВт на А.</translation>
         </message>
         <message>
@@ -19093,7 +19093,7 @@ good</source>
             <translation>известно: среднее ± s</translation>
         </message>
         <message>
-            <source>A value known from elsewhere, with its standard deviation, takes part like one more measurement. Factors are of the present inputs: 1 ± 0.1 means known within some 20 %. Left empty: nothing is known.</source>
+            <source>A value known from elsewhere, with its standard deviation, counts as one more measurement. Factors refer to the current inputs: 1 ± 0.1 means known within about 20 %. Empty: nothing is known.</source>
             <translation>Значение, известное заранее, со стандартным отклонением участвует как ещё одно измерение. Множители относятся к текущим исходным данным: 1 ± 0,1 значит, что величина известна в пределах примерно 20 %. Пусто: ничего не известно.</translation>
         </message>
         <message>
@@ -19148,7 +19148,7 @@ good</source>
             </translation>
         </message>
         <message>
-            <source>Offsets of the traces are no inputs of the project: there is nothing to take.</source>
+            <source>Offsets of the traces are not inputs of the project: there is nothing to apply.</source>
             <translation>Сдвиги записей не входят в исходные данные проекта: применять нечего.</translation>
         </message>
         <message>
@@ -19164,11 +19164,11 @@ good</source>
             <translation>Ток без коэффициента в кВт на А не учтён.</translation>
         </message>
         <message>
-            <source>The residuals are hardly normal (probability %1): something else than noise may be left in them, and the intervals are too narrow.</source>
+            <source>The residuals are hardly normal (probability %1): they may contain more than noise, and the intervals are too narrow.</source>
             <translation>Остатки вряд ли распределены нормально (вероятность %1): в них может оставаться не только шум, и тогда интервалы слишком узки.</translation>
         </message>
         <message>
-            <source>Nothing speaks against normal residuals (probability %1).</source>
+            <source>The residuals do not contradict a normal distribution (probability %1).</source>
             <translation>Остатки не противоречат нормальному распределению (вероятность %1).</translation>
         </message>
         <message>
@@ -19193,7 +19193,7 @@ good</source>
             <translation>Ед.</translation>
         </message>
         <message>
-            <source>Hardly told apart: %1 and %2.</source>
+            <source>Barely separable: %1 and %2.</source>
             <translation>Почти не различаются: %1 и %2.</translation>
         </message>
         <message>
@@ -19256,7 +19256,7 @@ good</source>
             <translation>&amp;Выбросы:</translation>
         </message>
         <message>
-            <source>Unchecks what the data cannot tell</source>
+            <source>Clears undetermined parameters</source>
             <translation>Снимает отметки с неопределимых параметров</translation>
         </message>
         <message>
@@ -19280,15 +19280,15 @@ good</source>
             <translation>Циклы рассчитываются и сравниваются …</translation>
         </message>
         <message>
-            <source>Are gauge, feeds and blank of the project those of the recording? Fewer parameters, or what is known of them before, help, too.</source>
+            <source>Check that gauge, feeds and blank of the project match the recording. Fewer parameters, or values known before, also help.</source>
             <translation>Те ли в проекте прибор, подачи и заготовка, что при записи? Помогут и меньшее число параметров или то, что известно о них заранее.</translation>
         </message>
         <message>
-            <source>These values cannot be taken over. %1. %2</source>
+            <source>These values cannot be applied. %1. %2</source>
             <translation>Эти значения применить нельзя. %1. %2</translation>
         </message>
         <message>
-            <source>These values cannot be taken over: the model does not fit. %1</source>
+            <source>These values cannot be applied: the model does not fit. %1</source>
             <translation>Эти значения применить нельзя: модель не подходит. %1</translation>
         </message>
         <message>
@@ -19513,7 +19513,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>измерено</translation>
         </message>
         <message>
-            <source>Of typed statistics the box is that of a normal law of their mean and standard deviation.</source>
+            <source>For entered statistics, the box is that of a normal law with their mean and standard deviation.</source>
             <translation>По введённой статистике: нормальный закон с её средним и отклонением.</translation>
         </message>
         <message>
@@ -19533,7 +19533,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Прямоугольник — средняя половина деталей, черта в нём и число у него — медиана; «усы» — до наименьшей и наибольшей детали.</translation>
         </message>
         <message>
-            <source>Corners are no sample: of their prediction there is no box.</source>
+            <source>Corner parts are not a sample: their prediction has no box.</source>
             <translation>Крайние сочетания — не выборка: для их прогноза прямоугольника нет.</translation>
         </message>
         <message>
@@ -19654,7 +19654,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Податливость, сила или настройка прибора не те, что у станка: откалибруйте их по этим деталям, прежде чем пользоваться прогнозом.</translation>
         </message>
         <message>
-            <source>The factors of the batch scatter otherwise than in the shop: put the measured scatter of stock, runout and dullness into the batch.</source>
+            <source>The factors of the batch do not scatter as in the shop: enter the measured scatter of stock, runout and dullness in the batch.</source>
             <translation>Факторы партии рассеиваются иначе, чем в цехе: задайте в партии измеренное рассеяние припуска, биения и затупления.</translation>
         </message>
         <message>
@@ -19666,7 +19666,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Измерьте больше деталей той же наладки.</translation>
         </message>
         <message>
-            <source>These measurements say nothing of the model.</source>
+            <source>These measurements do not test the model.</source>
             <translation>Эти измерения не проверяют модель.</translation>
         </message>
         <message numerus="yes">
@@ -19868,7 +19868,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>«%1» вне диапазона; допускается: %2</translation>
         </message>
         <message>
-            <source>“%1” is no number out of %2; several are parted by semicolons</source>
+            <source>“%1” is not a number from %2; separate several by semicolons</source>
             <translation>«%1» — не число из диапазона %2; разделяйте точкой с запятой</translation>
         </message>
     </context>
@@ -19879,7 +19879,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Измеренные детали</translation>
         </message>
         <message>
-            <source>A row for each zone or section of a part. Double click or F2 edits a cell; several diameters are parted by semicolons.</source>
+            <source>A row for each zone or section of a part. Double click or F2 edits a cell; separate several diameters by semicolons.</source>
             <translation>Строка на каждую зону или сечение детали. Двойной щелчок или F2 правит ячейку; диаметры разделяйте точкой с запятой.</translation>
         </message>
         <message>
@@ -19887,7 +19887,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Статистика измерений</translation>
         </message>
         <message>
-            <source>Statistics of parts that are not listed one by one, as a printed table has them: the mean with what stands behind ±, and how many parts it is of.</source>
+            <source>Statistics of parts that are not listed one by one, as in a printed table: the mean with the value after ±, and the number of parts.</source>
             <translation>Статистика деталей, не перечисленных поштучно, как в печатной таблице: среднее, то, что стоит за знаком ±, и число деталей.</translation>
         </message>
         <message>
@@ -20083,7 +20083,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             </translation>
         </message>
         <message>
-            <source>So many cells are refused that the lines are not read to the end. Are the delimiter, the decimal mark and the columns right?</source>
+            <source>Reading stopped early because too many cells are refused. Check the delimiter, the decimal mark and the columns.</source>
             <translation>Не принято столько ячеек, что строки не прочитаны до конца. Верны ли разделитель, десятичный знак и столбцы?</translation>
         </message>
         <message>
@@ -20129,7 +20129,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             </translation>
         </message>
         <message>
-            <source>Nothing speaks against the model; %1 of %2 comparisons agree.</source>
+            <source>No contradiction with the model; %1 of %2 comparisons agree.</source>
             <translation>Противоречий с моделью нет; согласуется сравнений: %1 из %2.</translation>
         </message>
         <message>
@@ -20145,19 +20145,19 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Значения — под указателем.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the prediction is that of the last accepted ones.</source>
+            <source>The inputs are refused; the prediction is that of the last valid inputs.</source>
             <translation>Исходные данные не приняты; прогноз — по последним верным.</translation>
         </message>
         <message>
-            <source>No part is measured yet. Here measured diameters, runout, roundness, cylindricity and roughness will stand beside those that the batch predicts, with a verdict on the model. Import a table of a measuring machine, paste one from a spreadsheet (Ctrl+V), or type the statistics of a printed table under “Statistics”.</source>
+            <source>No part is measured yet. Measured diameters, runout, roundness, cylindricity and roughness will be shown here beside the predicted batch, with a verdict on the model. Import a table of a measuring machine, paste one from a spreadsheet (Ctrl+V), or enter the statistics of a printed table under “Statistics”.</source>
             <translation>Измеренных деталей ещё нет. Здесь измеренные диаметры, биение, отклонения от круглости и цилиндричности и шероховатость встанут рядом с прогнозом партии, с заключением о модели. Импортируйте таблицу измерительной машины, вставьте её из электронной таблицы (Ctrl+V) или введите статистику печатной таблицы в разделе «Статистика».</translation>
         </message>
         <message>
-            <source>The batch that predicts cannot be run:</source>
+            <source>The predicted batch cannot be run:</source>
             <translation>Партию для прогноза рассчитать нельзя:</translation>
         </message>
         <message>
-            <source>The batch that predicts takes a while: press “Run”. It can be stopped at any time.</source>
+            <source>The predicted batch takes a while: press “Run”. It can be stopped at any time.</source>
             <translation>Расчёт партии для прогноза займёт время: нажмите «Рассчитать». Его можно остановить в любой момент.</translation>
         </message>
         <message>
@@ -20225,7 +20225,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Рассчитать</translation>
         </message>
         <message>
-            <source>Run the batch that predicts; a quick one runs by itself</source>
+            <source>Run the predicted batch; a quick one runs by itself</source>
             <translation>Рассчитать партию для прогноза; быстрая рассчитывается сама</translation>
         </message>
         <message>
@@ -20233,7 +20233,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Остановить</translation>
         </message>
         <message>
-            <source>End the batch; what was done is kept and shown</source>
+            <source>Stop the batch; the completed parts are kept and shown</source>
             <translation>Прервать расчёт партии; сделанное сохраняется и показывается</translation>
         </message>
         <message>
@@ -20332,7 +20332,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Снимите отжатие при %1 Н и при %2 Н. Разгрузите; индикатор должен вернуться к нулю. Снимите оба отсчёта ещё раз.</translation>
         </message>
         <message>
-            <source>Do the same at the other places: %1 mm.</source>
+            <source>Repeat this at the other places: %1 mm.</source>
             <translation>Сделайте то же в других местах: %1 мм.</translation>
         </message>
         <message>
@@ -20340,11 +20340,11 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation> и </translation>
         </message>
         <message>
-            <source>For the wheel head, too, set the indicator on the wheel head instead of the bed, load between wheel head and part, and choose so below.</source>
+            <source>To include the wheel head, set the indicator on the wheel head instead of the bed, apply the load between wheel head and part, and choose this below.</source>
             <translation>Чтобы найти и шлифовальную бабку, установите индикатор на неё вместо станины, нагружайте между шлифовальной бабкой и деталью и укажите это у показаний.</translation>
         </message>
         <message>
-            <source>Enter the deflections. Two places tell headstock and tailstock, the third tells whether the readings agree.</source>
+            <source>Enter the deflections. Two places determine headstock and tailstock; the third shows whether the readings agree.</source>
             <translation>Введите отжатия. Два места дают переднюю и заднюю бабки, третье показывает, согласны ли показания.</translation>
         </message>
         <message>
@@ -20435,11 +20435,11 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Даёт станку найденные жёсткости одной правкой, которую можно отменить, отмечает их как откалиброванные, и γ вычисляется по ним</translation>
         </message>
         <message>
-            <source>Inputs of the project are missing or wrong: first mend what the messages name.</source>
+            <source>Inputs of the project are missing or wrong: first correct what the messages name.</source>
             <translation>В проекте не хватает исходных данных или они неверны: сначала исправьте то, что названо в сообщениях.</translation>
         </message>
         <message>
-            <source>Enter the deflections: what they tell stands here at once.</source>
+            <source>Enter the deflections: the result is shown here at once.</source>
             <translation>Введите отжатия: результат сразу появится здесь.</translation>
         </message>
         <message>
@@ -20471,7 +20471,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Жёсткость шлифовальной бабки неизвестна: подставлено %1 Н/мкм; измерьте её, установив индикатор на шлифовальную бабку.</translation>
         </message>
         <message>
-            <source>The compliance given goes; γ then follows from stiffness and shaft.</source>
+            <source>The given compliance is removed; γ then follows from stiffness and shaft.</source>
             <translation>Заданная податливость убирается; γ тогда вычисляется по жёсткости и валу.</translation>
         </message>
         <message>
@@ -20523,7 +20523,7 @@ The size alone gives α and β, that is the compliance with the force together; 
     <context>
         <name>sparkout::TrialPage</name>
         <message>
-            <source>Trials by what they tell</source>
+            <source>Trials, most informative first</source>
             <translation>Опыты по их информативности</translation>
         </message>
         <message>
@@ -20551,7 +20551,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Ход расчёта</translation>
         </message>
         <message>
-            <source>Inputs of the project are missing or wrong: first mend what the messages name.</source>
+            <source>Inputs of the project are missing or wrong: first correct what the messages name.</source>
             <translation>В проекте не хватает исходных данных или они неверны: сначала исправьте то, что названо в сообщениях.</translation>
         </message>
         <message>
@@ -20567,7 +20567,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>%1 %2</translation>
         </message>
         <message>
-            <source>not told</source>
+            <source>unknown</source>
             <translation>не определяется</translation>
         </message>
         <message>
@@ -20595,7 +20595,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Ни один из опытов этого не записывает.</translation>
         </message>
         <message>
-            <source>The trial that tells most:</source>
+            <source>Most informative trial:</source>
             <translation>Самый информативный опыт:</translation>
         </message>
         <message>
@@ -20603,7 +20603,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Выбранный опыт:</translation>
         </message>
         <message>
-            <source>It cannot tell: %1.</source>
+            <source>Undetermined: %1.</source>
             <translation>Он не определяет: %1.</translation>
         </message>
         <message>
@@ -20718,7 +20718,7 @@ s</source>
             <translation>правка через %1 дет.: %2 на деталь</translation>
         </message>
         <message>
-            <source>How the wheel wears is not given: a dulling c or a grinding ratio G.</source>
+            <source>The wear of the wheel is not given: enter a dulling c or a grinding ratio G.</source>
             <translation>Износ круга не задан: нужно затупление c или коэффициент шлифования G.</translation>
         </message>
         <message>
@@ -20726,7 +20726,7 @@ s</source>
             <translation>Первая деталь после правки не достигает размера.</translation>
         </message>
         <message>
-            <source>any number: the wheel gets no duller, and every part holds</source>
+            <source>any number: the wheel does not get duller, and every part is good</source>
             <translation>сколько угодно: круг больше не тупится, годна каждая деталь</translation>
         </message>
         <message>
@@ -20777,7 +20777,7 @@ s</source>
             <translation>деталей партий</translation>
         </message>
         <message>
-            <source>Batches are set up in the view Batch; the dullness is the wear&apos;s.</source>
+            <source>Batches are set up in the view Batch; the dullness follows from the wear.</source>
             <translation>Партии задаются в виде «Партия»; затупление берётся из износа.</translation>
         </message>
         <message>
@@ -20789,7 +20789,7 @@ s</source>
             <translation>&amp;Закрыть</translation>
         </message>
         <message>
-            <source>Stopped: nothing is known.</source>
+            <source>Stopped before there was a result.</source>
             <translation>Остановлено: ничего не известно.</translation>
         </message>
     </context>
@@ -21108,7 +21108,7 @@ s</source>
             <translation>изменено вне программы</translation>
         </message>
         <message>
-            <source>the same as the work of another</source>
+            <source>identical to the work of another student</source>
             <translation>совпадает с работой другого студента</translation>
         </message>
         <message>
@@ -21144,7 +21144,7 @@ s</source>
             <translation>нет имени</translation>
         </message>
         <message>
-            <source>this student stands here twice</source>
+            <source>this student is listed twice</source>
             <translation>этот студент указан дважды</translation>
         </message>
         <message>
@@ -21179,7 +21179,7 @@ s</source>
             <translation>шаг решён заранее</translation>
         </message>
         <message>
-            <source>no cycle of the grid does what is asked</source>
+            <source>no cycle of the grid meets the goal</source>
             <translation>ни один цикл сетки не выполняет задание</translation>
         </message>
         <message>
@@ -21187,7 +21187,7 @@ s</source>
             <translation>лучший ответ меняет закрытые исходные данные</translation>
         </message>
         <message>
-            <source>no value of a free input was found at which a figure is as asked</source>
+            <source>no value of a free input was found that gives the required quantity</source>
             <translation>не найдено значение, дающее заданный показатель</translation>
         </message>
         <message>
@@ -21307,7 +21307,7 @@ s</source>
             <translation>У вас есть</translation>
         </message>
         <message>
-            <source>What becomes of it</source>
+            <source>Action</source>
             <translation>Действие</translation>
         </message>
         <message>
@@ -21343,11 +21343,11 @@ s</source>
             <translation>Логотип из набора не импортируется. %1</translation>
         </message>
         <message>
-            <source>Nothing of yours is replaced unless you choose it here. A pack holds data alone: nothing in it is run.</source>
+            <source>Your own data are replaced only if you choose so here. A pack contains only data: nothing in it is executed.</source>
             <translation>Ваше заменяется, только если вы выберете это здесь. В наборе только данные: ничего из него не запускается.</translation>
         </message>
         <message>
-            <source>What becomes of “%1”</source>
+            <source>Action for “%1”</source>
             <translation>Что сделать с «%1»</translation>
         </message>
         <message>
@@ -21454,11 +21454,11 @@ s</source>
             <translation>%1, без логотипа</translation>
         </message>
         <message>
-            <source>“%1” is no laboratory work: %2</source>
+            <source>“%1” is not a laboratory work: %2</source>
             <translation>«%1» — не лабораторная работа: %2</translation>
         </message>
         <message>
-            <source>“%1” is too long a name for a file, or has letters that not every system takes.</source>
+            <source>“%1” is too long for a file name or has characters that some systems do not allow.</source>
             <translation>«%1»: имя файла слишком длинное, или в нём есть знаки, которые допускает не каждая система.</translation>
         </message>
         <message>
@@ -21608,23 +21608,23 @@ s</source>
             <translation>%1 с запасом не менее %2 %.</translation>
         </message>
         <message>
-            <source>Every requirement is to hold for every stock</source>
+            <source>Every requirement must be met for every stock</source>
             <translation>Требуется выполнить все требования для всех припусков</translation>
         </message>
         <message>
-            <source>Every requirement is to hold</source>
+            <source>Every requirement must be met</source>
             <translation>Требуется выполнить все требования</translation>
         </message>
         <message>
-            <source>The cycle is to take at most %1 min.</source>
+            <source>The cycle must take at most %1 min.</source>
             <translation>Время цикла — не более %1 мин.</translation>
         </message>
         <message>
-            <source>The cycle is to take at most %1 % more than the best one.</source>
+            <source>The cycle must take at most %1 % more than the best one.</source>
             <translation>Время цикла — не более чем на %1 % больше наименьшего возможного.</translation>
         </message>
         <message>
-            <source>The cycle is to be quick.</source>
+            <source>The cycle must be quick.</source>
             <translation>Требуется быстрый цикл.</translation>
         </message>
         <message>
@@ -21632,7 +21632,7 @@ s</source>
             <translation>Требуется получить: %1 %2 ± %3.</translation>
         </message>
         <message>
-            <source>To be said before the run: %1.</source>
+            <source>To be predicted before the run: %1.</source>
             <translation>Предскажите до расчёта: %1.</translation>
         </message>
         <message>
@@ -21640,7 +21640,7 @@ s</source>
             <translation>Нарисуйте до расчёта: %1.</translation>
         </message>
         <message>
-            <source>To be said before the run: the order by %1, the largest first.</source>
+            <source>To be predicted before the run: the order by %1, the largest first.</source>
             <translation>Предскажите до расчёта порядок по убыванию: %1.</translation>
         </message>
         <message>
@@ -22011,7 +22011,7 @@ s</source>
             <translation>Ответ к шагу %1</translation>
         </message>
         <message>
-            <source>What came of it:</source>
+            <source>Result:</source>
             <translation>Что получилось:</translation>
         </message>
     </context>
@@ -22022,7 +22022,7 @@ s</source>
             <translation>Верно: %1.</translation>
         </message>
         <message>
-            <source>%1: %2; ± %3 are taken.</source>
+            <source>%1: %2; ± %3 is accepted.</source>
             <translation>%1: %2; принимается ± %3.</translation>
         </message>
         <message>
@@ -22311,7 +22311,7 @@ s</source>
             <translation>%1 (копия)</translation>
         </message>
         <message>
-            <source>The work is not saved: what was handed in is in this window only.</source>
+            <source>The work is not saved: the answers handed in are only in this window.</source>
             <translation>Работа не сохранена: сданное есть только в этом окне.</translation>
         </message>
         <message>
@@ -22359,7 +22359,7 @@ s</source>
             <translation>Вариантов в работе: %1.</translation>
         </message>
         <message>
-            <source>This work was changed outside of the program. Whoever marks it will be told.</source>
+            <source>This work was changed outside the program. The teacher will see it.</source>
             <translation>Файл работы изменён вне программы. Преподаватель это увидит.</translation>
         </message>
         <message>
@@ -22513,23 +22513,23 @@ s</source>
             <translation>Сечение</translation>
         </message>
         <message>
-            <source>To pass: every requirement holds, with a margin of at least %1 %.</source>
+            <source>To pass: every requirement is met, with a margin of at least %1 %.</source>
             <translation>Требуется: выполнены все требования, запас не менее %1 %.</translation>
         </message>
         <message>
-            <source>To pass: every requirement holds.</source>
+            <source>To pass: every requirement is met.</source>
             <translation>Требуется: выполнены все требования.</translation>
         </message>
         <message>
-            <source>To pass: every requirement holds for every stock, with a margin of at least %1 %.</source>
+            <source>To pass: every requirement is met for every stock, with a margin of at least %1 %.</source>
             <translation>Требуется: все требования выполнены для всех припусков, запас не менее %1 %.</translation>
         </message>
         <message>
-            <source>To pass: every requirement holds for every stock.</source>
+            <source>To pass: every requirement is met for every stock.</source>
             <translation>Требуется: все требования выполнены для всех припусков.</translation>
         </message>
         <message>
-            <source>To pass: cycle time at most %1 min, every requirement holds.</source>
+            <source>To pass: cycle time at most %1 min, every requirement is met.</source>
             <translation>Требуется: время цикла не более %1 мин, выполнены все требования.</translation>
         </message>
         <message>
@@ -22561,11 +22561,11 @@ s</source>
             <translation>в допуске %1 % точек, требуется %2 %</translation>
         </message>
         <message>
-            <source>fails for %1 % of stocks</source>
+            <source>unfit for %1 % of stocks</source>
             <translation>не выполнено для %1 % припусков</translation>
         </message>
         <message>
-            <source>fails: %1</source>
+            <source>not met: %1</source>
             <translation>не выполнено: %1</translation>
         </message>
         <message>
@@ -23328,7 +23328,7 @@ s</source>
             <translation>Не напечатано</translation>
         </message>
         <message>
-            <source>The printer or the file did not take the pages.</source>
+            <source>Output failed. Check printer and disk.</source>
             <translation>Вывод не удался. Проверьте принтер и диск.</translation>
         </message>
         <message>
@@ -23362,7 +23362,7 @@ s</source>
         <translation>открытый</translation>
     </message>
     <message>
-        <source>numbers with spaces between them</source>
+        <source>numbers separated by spaces</source>
         <translation>здесь нужны числа через пробел</translation>
     </message>
     <message>
@@ -23471,7 +23471,7 @@ s</source>
     <context>
         <name>sparkout::KeywayHelper</name>
         <message>
-            <source>Not a keyway by width and length; write it like 12P9 × 45, or with the angle of its first edge like 12P9 × 45, 90°.</source>
+            <source>This is not a keyway with width and length; write it like 12P9 × 45, or with the angle of its first edge like 12P9 × 45, 90°.</source>
             <translation>Не паз по ширине и длине; пишется как 12P9 × 45 или с углом первой кромки: 12P9 × 45, 90°.</translation>
         </message>
         <message>
@@ -23499,7 +23499,7 @@ s</source>
             <translation>напр. %1</translation>
         </message>
         <message>
-            <source>12P9 × 45 makes a gap of the surface; 12P9 × 45, 90° says where its first edge is</source>
+            <source>12P9 × 45 makes a gap of the surface; 12P9 × 45, 90° also sets the angle of its first edge</source>
             <translation>12P9 × 45 даёт паз поверхности; 12P9 × 45, 90° задаёт и угол его первой кромки</translation>
         </message>
         <message>

@@ -72,11 +72,11 @@ IssueWords wordsOf(IssueCode code) {
                               "a file of version {value} holds several surfaces of a part; "
                               "the window and sparkout-cli take it")};
     case IssueCode::duplicateKey:
-        return {"duplicate_key", SPARKOUT_NOOP("Issue", "this key stands here twice")};
+        return {"duplicate_key", SPARKOUT_NOOP("Issue", "this key appears here twice")};
     case IssueCode::unknownKey:
         return {"unknown_key", SPARKOUT_NOOP("Issue", "unknown key {value}; allowed: {limit}")};
     case IssueCode::missingKey:
-        return {"missing_key", SPARKOUT_NOOP("Issue", "this value is required; allowed: {limit}")};
+        return {"missing_key", SPARKOUT_NOOP("Issue", "value missing; allowed: {limit}")};
     case IssueCode::wrongType:
         return {"wrong_type",
                 SPARKOUT_NOOP("Issue", "{value} is of the wrong type; expected: {limit}")};
@@ -99,8 +99,9 @@ IssueWords wordsOf(IssueCode code) {
                 SPARKOUT_NOOP("Issue", "{value} is odd; allowed: an even number, {limit}")};
     case IssueCode::fewRadii:
         return {"few_radii",
-                SPARKOUT_NOOP("Issue", "{value} radii cannot tell a lobed form from eccentricity; "
-                                       "better: {limit}")};
+                SPARKOUT_NOOP(
+                    "Issue",
+                    "{value} radii do not separate lobing from eccentricity; better: {limit}")};
     case IssueCode::deviationsReversed:
         return {"deviations_reversed",
                 SPARKOUT_NOOP("Issue", "the lower deviation {value} is not below the upper one; "
@@ -123,8 +124,8 @@ IssueWords wordsOf(IssueCode code) {
                                        "{limit}")};
     case IssueCode::influenceUnknown:
         return {"influence_unknown",
-                SPARKOUT_NOOP("Issue", "how a force in one section deflects the others does not "
-                                       "follow from compliances as given; needed: {limit}")};
+                SPARKOUT_NOOP("Issue", "given compliances do not determine how a force in one "
+                                       "section deflects the others; needed: {limit}")};
     case IssueCode::sparkOutNotLast:
         return {"spark_out_not_last",
                 SPARKOUT_NOOP("Issue", "only the last stage may be a spark-out; this is stage "
@@ -157,12 +158,11 @@ IssueWords wordsOf(IssueCode code) {
                                        "each other")};
     case IssueCode::gapBetweenRadii:
         return {"gap_between_radii",
-                SPARKOUT_NOOP("Issue", "a gap of {value} lies between two radii, which stand "
-                                       "{limit} apart: it leaves nothing out")};
+                SPARKOUT_NOOP("Issue", "a gap of {value} lies between two radii, which are {limit} "
+                                       "apart: it has no effect")};
     case IssueCode::gaugeDropsIn:
         return {"gauge_drops_in",
-                SPARKOUT_NOOP("Issue", "a gauge that does not span the gaps drops into them; "
-                                       "needed: {limit}")};
+                SPARKOUT_NOOP("Issue", "this gauge drops into the gaps; needed: {limit}")};
     case IssueCode::wallOverrun:
         return {"wall_overrun",
                 SPARKOUT_NOOP("Issue", "{value} runs the wheel into the wall of the blind bore; "
@@ -188,10 +188,10 @@ IssueWords wordsOf(IssueCode code) {
             "target_outside_field",
             SPARKOUT_NOOP("Issue", "the target {value} lies outside the tolerance band {limit}")};
     case IssueCode::sparkOutLeaves:
-        return {"spark_out_leaves",
-                SPARKOUT_NOOP("Issue", "the part stays {value} above size: a spark-out feeds "
-                                       "nothing, and the deflection did not give back its stock of "
-                                       "{limit}")};
+        return {
+            "spark_out_leaves",
+            SPARKOUT_NOOP("Issue", "the part stays {value} above size: a spark-out feeds nothing, "
+                                   "and the deflection did not remove its stock of {limit}")};
     case IssueCode::stageIdle:
         return {"stage_idle",
                 SPARKOUT_NOOP("Issue",
@@ -208,24 +208,22 @@ IssueWords wordsOf(IssueCode code) {
                                        "odd one")};
     case IssueCode::noSuchNumber:
         return {"no_such_number",
-                SPARKOUT_NOOP("Issue", "{value} is no number that this project reads; needed: "
-                                       "{limit}")};
+                SPARKOUT_NOOP("Issue", "{value} is not a number of the project; needed: {limit}")};
     case IssueCode::sameName:
         return {"same_name",
                 SPARKOUT_NOOP("Issue", "{value} is the name of surface {limit} already")};
     case IssueCode::sharedKey:
         return {"shared_key",
-                SPARKOUT_NOOP("Issue", "{value} is the same for all surfaces and stands outside "
-                                       "them")};
+                SPARKOUT_NOOP("Issue", "{value} applies to all surfaces and belongs outside them")};
     case IssueCode::variedTwice:
         return {"varied_twice", SPARKOUT_NOOP("Issue", "{value} is varied twice; needed: {limit}")};
     case IssueCode::sourceMissing:
         return {"source_missing",
-                SPARKOUT_NOOP("Issue", "{value} says neither where it comes from nor that it is an "
-                                       "estimate; needed: its line in {limit}")};
+                SPARKOUT_NOOP("Issue", "{value} has neither a source nor a mark as an estimate; "
+                                       "needed: its line in {limit}")};
     case IssueCode::noSuchInput:
         return {"no_such_input",
-                SPARKOUT_NOOP("Issue", "{value} is no input of this project; needed: {limit}")};
+                SPARKOUT_NOOP("Issue", "{value} is not an input of this project; needed: {limit}")};
     case IssueCode::nameTwice:
         return {"name_twice", SPARKOUT_NOOP("Issue", "{value} is named twice")};
     case IssueCode::notAFileName:

@@ -141,7 +141,8 @@ const char* flagText(WorkFlag flag) {
     case WorkFlag::foreign:
         return SPARKOUT_NOOP("Grading", "of another lesson, or another version of it");
     case WorkFlag::edited: return SPARKOUT_NOOP("Grading", "edited outside the program");
-    case WorkFlag::copied: return SPARKOUT_NOOP("Grading", "the same as the work of another");
+    case WorkFlag::copied:
+        return SPARKOUT_NOOP("Grading", "identical to the work of another student");
     case WorkFlag::handedInTwice: return SPARKOUT_NOOP("Grading", "handed in more than once");
     case WorkFlag::notInGroup: return SPARKOUT_NOOP("Grading", "not on the list");
     case WorkFlag::untrueRuns:
@@ -167,12 +168,12 @@ const char* variantFaultText(VariantFault fault) {
     case VariantFault::otherFigure:
         return SPARKOUT_NOOP("Variants", "a figure is outside the bounds that the lesson sets");
     case VariantFault::noAnswer:
-        return SPARKOUT_NOOP("Variants", "no cycle of the grid does what is asked");
+        return SPARKOUT_NOOP("Variants", "no cycle of the grid meets the goal");
     case VariantFault::notFree:
         return SPARKOUT_NOOP("Variants", "the best answer changes inputs that are not free");
     case VariantFault::unattained:
         return SPARKOUT_NOOP("Variants",
-                             "no value of a free input was found at which a figure is as asked");
+                             "no value of a free input was found that gives the required quantity");
     case VariantFault::tooQuick:
         return SPARKOUT_NOOP("Variants", "the best answer is too quick beside the lesson's");
     case VariantFault::tooSlow:
@@ -200,7 +201,7 @@ const char* lessonFaultText(LessonFault fault) {
 const char* groupFaultText(GroupFault::Kind kind) {
     switch (kind) {
     case GroupFault::Kind::noName: return SPARKOUT_NOOP("Grading", "there is no name");
-    case GroupFault::Kind::twice: return SPARKOUT_NOOP("Grading", "this student stands here twice");
+    case GroupFault::Kind::twice: return SPARKOUT_NOOP("Grading", "this student is listed twice");
     case GroupFault::Kind::tooMany: return SPARKOUT_NOOP("Grading", "there are more than 1000");
     case GroupFault::Kind::empty: return SPARKOUT_NOOP("Grading", "there are no students");
     case GroupFault::Kind::moreCells:

@@ -16,7 +16,8 @@ const char* textOf(AdequacyVerdict verdict) {
     case AdequacyVerdict::biasedAndScatters:
         return SPARKOUT_NOOP("Measured", "the mean differs from the predicted one, and the parts "
                                          "scatter otherwise");
-    case AdequacyVerdict::tooFewParts: return SPARKOUT_NOOP("Measured", "too few parts to tell");
+    case AdequacyVerdict::tooFewParts:
+        return SPARKOUT_NOOP("Measured", "too few parts for a conclusion");
     case AdequacyVerdict::notPredicted: break;
     }
     return SPARKOUT_NOOP("Measured", "not predicted by this cycle");
@@ -26,7 +27,8 @@ MeasuredWords wordsOf(IdentificationStatus status) {
     switch (status) {
     case IdentificationStatus::fitted: return {"fitted", SPARKOUT_NOOP("Measured", "found")};
     case IdentificationStatus::cannotTell:
-        return {"cannot_tell", SPARKOUT_NOOP("Measured", "the data cannot tell some parameters")};
+        return {"cannot_tell",
+                SPARKOUT_NOOP("Measured", "the data leave some parameters undetermined")};
     case IdentificationStatus::noData:
         return {"no_data", SPARKOUT_NOOP("Measured", "there are too few measured values for these "
                                                      "parameters")};
@@ -41,11 +43,10 @@ MeasuredWords wordsOf(IdentificationStatus status) {
     case IdentificationStatus::notConverged:
         return {"not_converged", SPARKOUT_NOOP("Measured", "no best values were found")};
     case IdentificationStatus::doesNotFit:
-        return {
-            "does_not_fit",
-            SPARKOUT_NOOP("Measured",
-                          "the model does not fit: more is left than chance leaves, a factor is "
-                          "beyond what is searched, or an input would be refused")};
+        return {"does_not_fit",
+                SPARKOUT_NOOP("Measured",
+                              "the model does not fit: the residuals exceed the noise, a factor "
+                              "lies outside the searched range, or an input would be refused")};
     case IdentificationStatus::stopped: break;
     }
     return {"stopped", SPARKOUT_NOOP("Measured", "stopped")};
@@ -165,23 +166,30 @@ MeasuredWords wordsOf(FitSource source) {
 MeasuredWords wordsOf(Unlike unlike) {
     switch (unlike) {
     case Unlike::drift:
-        return {"drift", SPARKOUT_NOOP("Measured", "the difference grows with time, as of a gauge "
-                                                   "or a sensor that drifts")};
+        return {"drift", SPARKOUT_NOOP(
+                             "Measured",
+                             "the difference grows with time, as when a gauge or a sensor drifts")};
     case Unlike::lag:
-        return {"lag", SPARKOUT_NOOP("Measured", "the trace lags behind where it changes fast, as "
-                                                 "of a damped gauge or a filter")};
+        return {"lag",
+                SPARKOUT_NOOP(
+                    "Measured",
+                    "the trace lags where it changes fast, as with a damped gauge or a filter")};
     case Unlike::stage:
         return {"stage", SPARKOUT_NOOP("Measured", "the difference lies in one stage: is its feed "
                                                    "that of the recording?")};
     case Unlike::spike:
-        return {"spike", SPARKOUT_NOOP("Measured", "the difference lies in a few values far off: "
-                                                   "let outliers weigh less, or leave them out")};
+        return {
+            "spike",
+            SPARKOUT_NOOP(
+                "Measured",
+                "the difference lies in a few outliers: give them less weight, or leave them out")};
     case Unlike::other:
     case Unlike::count_: break;
     }
     return {"other",
-            SPARKOUT_NOOP("Measured", "something else than these parameters differs between the "
-                                      "project and the recording")};
+            SPARKOUT_NOOP(
+                "Measured",
+                "the project and the recording differ in something other than these parameters")};
 }
 
 const char* unitOf(FittedKind kind) {

@@ -34,16 +34,16 @@ const char* notOffered(bool room, RemedyConflict::Kind kind) {
         return room ? SPARKOUT_NOOP(
                    "Remedy", "Among the values tried, no single setting gives room: with {change}, "
                              "nothing is close to its limit, but the change brings a warning.")
-                    : SPARKOUT_NOOP("Remedy",
-                                    "Among the values tried, no single setting helps: with "
-                                    "{change}, everything holds, but the change brings a warning.");
+                    : SPARKOUT_NOOP(
+                        "Remedy", "Among the values tried, no single setting helps: with {change}, "
+                                  "all requirements are met, but the change brings a warning.");
     }
     return room ? SPARKOUT_NOOP(
                "Remedy", "Among the values tried, no single setting gives room: with {change}, "
                          "nothing is close to its limit, but one more stage ends without a step.")
-                : SPARKOUT_NOOP("Remedy",
-                                "Among the values tried, no single setting helps: with {change}, "
-                                "everything holds, but one more stage ends without a step.");
+                : SPARKOUT_NOOP(
+                    "Remedy", "Among the values tried, no single setting helps: with {change}, all "
+                              "requirements are met, but one more stage ends without a step.");
 }
 
 /// How the next value towards the present one came out; nothing where that is not known, or a stage
@@ -62,7 +62,7 @@ const char* nearerValue(bool room, const Remedy& remedy) {
     }
     if (setting.kind == RemedyKind::addSparkOut) {
         return room ? SPARKOUT_NOOP("Remedy", "Without this stage there is too little room.")
-                    : SPARKOUT_NOOP("Remedy", "Without this stage the cycle fails.");
+                    : SPARKOUT_NOOP("Remedy", "Without this stage the cycle is unfit.");
     }
     return room ? SPARKOUT_NOOP("Remedy", "The current value leaves too little room.")
                 : SPARKOUT_NOOP("Remedy", "The current value is not enough.");
@@ -81,9 +81,10 @@ const char* tooFewValues(bool room) {
 /// Where a setting helps for every stock, but not for the batch.
 const char* wherePartsAreBad(const RemedyConflict& conflict) {
     return conflict.second
-               ? SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting helps: with "
-                                         "{change} all requirements are met for every stock, but "
-                                         "too many parts of the batch are bad: “{second}” fails.")
+               ? SPARKOUT_NOOP("Remedy",
+                               "Among the values tried, no single setting helps: with {change} all "
+                               "requirements are met for every stock, but too many parts of the "
+                               "batch are rejected: “{second}” is not met.")
                : SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting helps: with "
                                          "{change} all requirements are met for every stock, but "
                                          "the cycle does not end by itself for too many parts of "
@@ -114,17 +115,16 @@ const char* whereAnotherStockFails(bool room, const RemedyConflict& conflict) {
                                     "itself.")
                     : SPARKOUT_NOOP("Remedy",
                                     "Among the values tried, no single setting helps: with "
-                                    "{change}, everything holds for the stated stock, but with a "
+                                    "{change}, the cycle is fit for the stated stock, but with a "
                                     "stock of {stock} mm the cycle does not end by itself.");
     }
     return room ? SPARKOUT_NOOP("Remedy",
                                 "Among the values tried, no single setting gives room: with "
                                 "{change}, nothing is close to its limit for the stated stock, but "
-                                "with a stock of {stock} mm “{second}” fails.")
-                : SPARKOUT_NOOP("Remedy",
-                                "Among the values tried, no single setting helps: with {change}, "
-                                "everything holds for the stated stock, but with a stock of "
-                                "{stock} mm “{second}” fails.");
+                                "with a stock of {stock} mm “{second}” is not met.")
+                : SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting helps: with "
+                                          "{change}, the cycle is fit for the stated stock, but "
+                                          "with a stock of {stock} mm “{second}” is not met.");
 }
 
 /// Where nothing mends the first.
@@ -136,37 +136,37 @@ const char* whereNothingMends(bool room, const RemedyConflict& conflict) {
     if (!conflict.setting) {
         return room ? SPARKOUT_NOOP(
                    "Remedy", "Among the values tried, no single setting gives “{first}” more room.")
-                    : SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting mends "
+                    : SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting meets "
                                               "“{first}” or brings it closer to its limit.");
     }
     if (!conflict.second) {
         return room ? SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting gives "
                                               "“{first}” enough room: it has most with {change}.")
                     : SPARKOUT_NOOP("Remedy",
-                                    "Among the values tried, no single setting mends “{first}”: it "
+                                    "Among the values tried, no single setting meets “{first}”: it "
                                     "comes closest to its limit with {change}.");
     }
     return room ? SPARKOUT_NOOP("Remedy",
                                 "Among the values tried, no single setting gives “{first}” enough "
-                                "room: it has most with {change}, where “{second}” has not enough.")
+                                "room: it has most with {change}, where “{second}” has too little.")
                 : SPARKOUT_NOOP(
-                    "Remedy", "Among the values tried, no single setting mends “{first}”: it comes "
-                              "closest to its limit with {change}, where “{second}” fails.");
+                    "Remedy", "Among the values tried, no single setting meets “{first}”: it comes "
+                              "closest to its limit with {change}, where “{second}” is not met.");
 }
 
 /// Where something mends the first.
 const char* whereTheFirstIsMended(bool room, const RemedyConflict& conflict) {
     return !conflict.first ? SPARKOUT_NOOP(
                "Remedy", "Among the values tried, no single setting helps: with {change}, the "
-                         "cycle ends by itself, but “{second}” fails.")
-           : room
-               ? SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting gives room: "
-                                         "with {change}, “{first}” has it, but “{second}” has not.")
+                         "cycle ends by itself, but “{second}” is not met.")
+           : room ? SPARKOUT_NOOP("Remedy",
+                                  "Among the values tried, no single setting gives room: with "
+                                  "{change}, “{first}” has enough, but “{second}” has not.")
            : conflict.kind == RemedyConflict::Kind::opposed
                ? asksFor(conflict)
                : SPARKOUT_NOOP("Remedy",
-                               "Among the values tried, no single setting mends all that fails: "
-                               "with {change}, “{first}” holds, but “{second}” still fails.");
+                               "Among the values tried, no single setting meets all requirements: "
+                               "with {change}, “{first}” is met, but “{second}” is still not met.");
 }
 
 } // namespace
@@ -333,13 +333,13 @@ std::string RemedyWording::proof(const Project& project, RemedyGoal goal,
     const RemedySetting& setting = remedy.setting;
     if (setting.isWholeCycle()) {
         std::string text =
-            filled(goal == RemedyGoal::room
-                       ? SPARKOUT_NOOP("Remedy", "A cycle made for part, wheel and machine as they "
-                                                 "are: nothing is close to its limit; it takes "
-                                                 "{time}.")
-                       : SPARKOUT_NOOP("Remedy", "A cycle made for part, wheel and machine as they "
-                                                 "are: all requirements are met; it takes {time}."),
-                   {{"time", time(remedy.time_s)}})
+            filled(
+                goal == RemedyGoal::room
+                    ? SPARKOUT_NOOP("Remedy", "A cycle made for the given part, wheel and machine: "
+                                              "nothing is close to its limit; it takes {time}.")
+                    : SPARKOUT_NOOP("Remedy", "A cycle made for the given part, wheel and machine: "
+                                              "all requirements are met; it takes {time}."),
+                {{"time", time(remedy.time_s)}})
             + ' '
             + translated(SPARKOUT_NOOP("Remedy", "It has stages, work speed, overruns and dwells "
                                                  "of its own."))
@@ -354,11 +354,12 @@ std::string RemedyWording::proof(const Project& project, RemedyGoal goal,
                                       "{time}."),
         {{"value", valueText(project, setting, remedy.value)}, {"time", time(remedy.time_s)}});
     if (remedy.values > 1) {
-        text += ' '
-                + filled(SPARKOUT_NOOP("Remedy", "So it is with all {values} values of {interval} "
-                                                 "that can be set."),
-                         {{"values", number(remedy.values)},
-                          {"interval", intervalText(project, remedy)}});
+        text +=
+            ' '
+            + filled(
+                SPARKOUT_NOOP("Remedy",
+                              "This applies to all {values} values of {interval} that can be set."),
+                {{"values", number(remedy.values)}, {"interval", intervalText(project, remedy)}});
     }
     const char* const nearer = nearerValue(goal == RemedyGoal::room, remedy);
     if (nearer) {
@@ -373,29 +374,32 @@ std::string RemedyWording::proof(const Project& project, RemedyGoal goal,
 
 std::string RemedyWording::heldParts(const RemedyBatch& batch) const {
     constexpr double percent = 100;
-    return filled(SPARKOUT_NOOP("Remedy", "Of {parts} parts of the batch drawn for it {bad} are "
-                                          "bad: with 95 % confidence at most {share} % of all."),
-                  {{"parts", number(static_cast<double>(batch.parts))},
-                   {"bad", number(static_cast<double>(batch.bad))},
-                   {"share", number(std::ceil(percent * percent * mostBad(batch)) / percent)}});
+    return filled(
+        SPARKOUT_NOOP("Remedy",
+                      "Of {parts} parts of the batch drawn for this check, {bad} are rejected: "
+                      "with 95 % confidence at most {share} % of all parts are."),
+        {{"parts", number(static_cast<double>(batch.parts))},
+         {"bad", number(static_cast<double>(batch.bad))},
+         {"share", number(std::ceil(percent * percent * mostBad(batch)) / percent)}});
 }
 
 std::string RemedyWording::heldStocks(const Remedy& remedy) const {
     constexpr int digits = 5;
     constexpr double percent = 100;
     if (remedy.stocks) {
-        return filled(SPARKOUT_NOOP("Remedy", "It holds for every stock per side of {from}…{to} "
-                                              "mm: decided, not sampled."),
+        return filled(SPARKOUT_NOOP("Remedy", "The cycle is fit for every stock per side of "
+                                              "{from}…{to} mm: decided, not sampled."),
                       {{"from", number(rounded(remedy.stocks->from_mm, digits))},
                        {"to", number(rounded(remedy.stocks->to_mm, digits))}});
     }
-    return filled(SPARKOUT_NOOP("Remedy", "It holds for all of {phases} stocks drawn at random "
-                                          "within one infeed: with 95 % confidence at most "
-                                          "{share} % of them fail."),
-                  {{"phases", number(remedy.phases)},
-                   {"share", number(std::ceil(percent * percent
-                                              * mostFailing(remedy.phases, remedy.candidate))
-                                    / percent)}});
+    return filled(
+        SPARKOUT_NOOP("Remedy",
+                      "The cycle is fit for all {phases} stocks drawn at random within one infeed: "
+                      "with 95 % confidence it is unfit for at most {share} % of all stocks."),
+        {{"phases", number(remedy.phases)},
+         {"share",
+          number(std::ceil(percent * percent * mostFailing(remedy.phases, remedy.candidate))
+                 / percent)}});
 }
 
 std::string RemedyWording::scope(const RemedyResult& result) const {
@@ -404,11 +408,12 @@ std::string RemedyWording::scope(const RemedyResult& result) const {
     }
     return translated(
         result.remedies.front().stocks
-            ? SPARKOUT_NOOP("Remedy", "Each holds for every stock within half an infeed of the "
-                                      "stated one.")
-            : SPARKOUT_NOOP("Remedy", "Each holds for the stocks tried within half an infeed of "
-                                      "the stated one; under position control that is sampled, "
-                                      "not decided."));
+            ? SPARKOUT_NOOP(
+                "Remedy",
+                "Each change helps for every stock within half an infeed of the stated one.")
+            : SPARKOUT_NOOP("Remedy",
+                            "Each change helps for the stocks tried within half an infeed of the "
+                            "stated one; under position control this is sampled, not decided."));
 }
 
 std::string RemedyWording::conflict(const Project& project, RemedyGoal goal,

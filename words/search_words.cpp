@@ -238,7 +238,7 @@ std::string SearchWording::fault(const SearchOutcome& outcome) const {
     if (outcome.isOtherAim) {
         return translated(
             isHeuristic(outcome.method)
-                ? SPARKOUT_NOOP("Search", "This method looks for the minimum time alone.")
+                ? SPARKOUT_NOOP("Search", "This method searches only for the minimum time.")
                 : SPARKOUT_NOOP("Search", "The refinement between the levels looks "
                                           "for the minimum time alone."));
     }
@@ -250,14 +250,14 @@ std::string SearchWording::fault(const SearchOutcome& outcome) const {
         return translated(SPARKOUT_NOOP("Search", "The maximum margin within a time is searched "
                                                   "with the objective “minimum time” alone."));
     case ObjectiveFault::otherParts:
-        return translated(SPARKOUT_NOOP("Search",
-                                        "Cost and wheel life are searched for the part as it "
-                                        "stands, without the phases of the stock and the batch."));
+        return translated(
+            SPARKOUT_NOOP("Search", "Cost and wheel life are searched for the given part alone, "
+                                    "not for other stocks within one infeed or for the batch."));
     }
     switch (outcome.fault) {
     case GridFault::none: break;
     case GridFault::notGiven:
-        return translated(SPARKOUT_NOOP("Search", "What is to be searched is not given."));
+        return translated(SPARKOUT_NOOP("Search", "The inputs of the search are missing."));
     case GridFault::noLevels:
         return translated(outcome.project.operation->axial()
                               ? SPARKOUT_NOOP("Search", "Both feeds need levels.")
@@ -289,14 +289,14 @@ std::string SearchWording::noAnswer(const SearchOutcome& outcome) const {
     const auto why = [&] {
         if (outcome.stopped()) {
             return translated(SPARKOUT_NOOP(
-                "Search", "Stopped before a cycle was found that holds every requirement."));
+                "Search", "Stopped before a cycle that meets every requirement was found."));
         }
         if (outcome.unresolved()) {
-            return filled(SPARKOUT_NOOP("Search",
-                                        "No cycle was found that holds in every scenario, and none "
-                                        "is quicker than %1; each one tried failed in a "
-                                        "further scenario."),
-                          {time(outcome.search.bound_s)});
+            return filled(
+                SPARKOUT_NOOP("Search",
+                              "No cycle was found that is fit in every scenario, and none is "
+                              "quicker than %1; each cycle tried was unfit in a further scenario."),
+                {time(outcome.search.bound_s)});
         }
         if (outcome.search.status == SearchStatus::notFound) {
             return filled(SPARKOUT_NOOP("Search",
@@ -320,8 +320,10 @@ std::string SearchWording::noAnswer(const SearchOutcome& outcome) const {
                + filled(SPARKOUT_NOOP("Search", "%1 (%2 times)"),
                         {requirement(cuts[i].first), whole(cuts[i].second)});
     }
-    return cut.empty() ? why()
-                       : why() + ' ' + filled(SPARKOUT_NOOP("Search", "What cut most: %1."), {cut});
+    return cut.empty()
+               ? why()
+               : why() + ' '
+                     + filled(SPARKOUT_NOOP("Search", "Excluded most often by: %1."), {cut});
 }
 
 std::string SearchWording::marginAnswer(const SearchOutcome& outcome) const {
@@ -333,8 +335,8 @@ std::string SearchWording::marginAnswer(const SearchOutcome& outcome) const {
                       {margin, taken, within(outcome)});
     }
     return filled(outcome.robust
-                      ? "A margin of %1 % over all that it must hold for, in %2: of %3 the largest "
-                        "within %4 min, proved."
+                      ? "A margin of %1 % over all required cases, in %2: of %3 the "
+                        "largest within %4 min, proved."
                       : "A margin of %1 %, in %2: of %3 the largest within %4 min, proved.",
                   {margin, taken, gridSize(outcome.search.gridSize), within(outcome)});
 }
@@ -342,17 +344,18 @@ std::string SearchWording::marginAnswer(const SearchOutcome& outcome) const {
 std::string SearchWording::timeAnswer(const SearchOutcome& outcome) const {
     const std::string taken = time(outcome.best()->time_s);
     if (outcome.proved()) {
-        return filled(outcome.robust ? "%1: of %2 the quickest that holds for the part and the "
-                                       "scenarios added; proved for these."
-                                     : "%1: the quickest of %2, proved.",
+        return filled(outcome.robust
+                          ? "%1: the quickest of %2 that is fit for the part and the added "
+                            "scenarios; proved for these."
+                          : "%1: the quickest of %2, proved.",
                       {taken, gridSize(outcome.search.gridSize)});
     }
     if (isHeuristic(outcome.method)) {
         return filled(outcome.method == SearchMethod::published
-                          ? "%1, found by dynamic programming as published, a heuristic: it holds, "
-                            "but a quicker cycle may hold too."
-                          : "%1, found by labels of time and deflection, a heuristic: it holds, "
-                            "but a quicker cycle may hold too.",
+                          ? "%1, found by dynamic programming as published, a heuristic: the "
+                            "cycle is fit, but a quicker one may be fit too."
+                          : "%1, found by labels of time and deflection, a heuristic: the "
+                            "cycle is fit, but a quicker one may be fit too.",
                       {taken});
     }
     return filled("%1 is the best so far; no cycle of the grid is quicker than %2.",
@@ -370,9 +373,10 @@ void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
         return;
     }
     if (!best.held) {
-        lines.push_back(filled("%1: the quickest of %2. How the wheel wears is not given, so it is "
-                               "the cheapest too, and the wheel's life is not searched.",
-                               {taken, size}));
+        lines.push_back(
+            filled("%1: the quickest of %2. The wear of the wheel is not given, so this "
+                   "cycle is the cheapest too, and the life of the wheel is not searched.",
+                   {taken, size}));
         return;
     }
     if (isCost) {
@@ -382,14 +386,14 @@ void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
                                {price, taken, size}));
     } else {
         lines.push_back(filled(
-            outcome.proved() ? "%1: of %2 none holds for more parts between dressings, proved."
+            outcome.proved() ? "%1: none of %2 is fit for more parts between dressings, proved."
                              : "%1: the most parts between dressings so far.",
             {taken, size}));
     }
     if (!outcome.proved() && outcome.interval->bound) {
         lines.push_back(isCost ? filled("No part of the grid costs less than %1.",
                                         {cost(*outcome.interval->bound)})
-                               : filled("None of the grid holds for more parts than %1.",
+                               : filled("No cycle of the grid is fit for more than %1 parts.",
                                         {fixed(*outcome.interval->bound, 0)}));
     }
     lines.push_back(filled("Parts per dressing: %1; %2 each on average.",
@@ -448,7 +452,7 @@ void SearchWording::addRefinement(const SearchOutcome& outcome,
                                   std::vector<std::string>& lines) const {
     if (const FoundCycle* refined = outcome.refined()) {
         lines.push_back(
-            filled("Between the levels a cycle of %1 holds; that none is quicker is not proved.",
+            filled("Between the levels a cycle of %1 is fit; it is not proved to be the quickest.",
                    {time(refined->time_s)}));
     } else if (outcome.refinement) {
         lines.push_back("Between the levels nothing quicker was found.");
@@ -488,15 +492,15 @@ void SearchWording::addBinding(const SearchOutcome& outcome,
         lines.push_back(translated(
             outcome.marginWithin_us
                 ? SPARKOUT_NOOP("Search", "What has the minimum margin is not known: the search "
-                                          "was stopped before.")
-                : SPARKOUT_NOOP("Search", "What keeps it from being quicker is not known: the "
-                                          "search was stopped before.")));
+                                          "was stopped first.")
+                : SPARKOUT_NOOP("Search", "What limits the time is not known: the search was "
+                                          "stopped first.")));
     } else if (outcome.marginWithin_us) {
         lines.push_back(filled(SPARKOUT_NOOP("Search", "The minimum margin is that of: %1."),
                                {names(*outcome.binding)}));
     } else if (!outcome.binding->empty()) {
-        lines.push_back(filled(SPARKOUT_NOOP("Search", "What keeps it from being quicker: %1."),
-                               {names(*outcome.binding)}));
+        lines.push_back(
+            filled(SPARKOUT_NOOP("Search", "Limited by: %1."), {names(*outcome.binding)}));
     } else if (outcome.proved() && !outcome.refined()) {
         lines.push_back(translated(SPARKOUT_NOOP(
             "Search", "No cycle of the grid that differs in one setting is quicker.")));
@@ -525,7 +529,7 @@ void SearchWording::addLevels(const SearchOutcome& outcome, std::vector<std::str
             edge.isLimit ? translated(
                 SPARKOUT_NOOP("Search", "the machine or the stage's limits allow no other."))
             : edge.limit ? filled(SPARKOUT_NOOP("Search", "allowed is %1."), {value(*edge.limit)})
-                         : translated(SPARKOUT_NOOP("Search", "smaller ones are allowed."));
+                         : translated(SPARKOUT_NOOP("Search", "smaller values are allowed."));
         line += ' ';
         line += allowed;
         lines.push_back(std::move(line));
@@ -548,7 +552,7 @@ void SearchWording::addSettingEdges(const SearchOutcome& outcome,
         line += edge.isLimit ? translated(SPARKOUT_NOOP("Search", "no other is allowed."))
                 : edge.limit
                     ? filled(SPARKOUT_NOOP("Search", "allowed is %1."), {value(*edge.limit)})
-                    : translated(SPARKOUT_NOOP("Search", "smaller ones are allowed."));
+                    : translated(SPARKOUT_NOOP("Search", "smaller values are allowed."));
         lines.push_back(std::move(line));
     }
 }
@@ -570,34 +574,36 @@ void SearchWording::addRobustness(const SearchOutcome& outcome,
     const RobustSummary& robust = *outcome.robust;
     const auto most = [&](double share) { return fixed(std::ceil(share * 1e4) / 1e2, 2); };
     if (!outcome.marginWithin_us) {
-        lines.push_back(
-            filled("It holds in the last sample of scenarios; scenarios that had to be added: %1.",
-                   {whole(std::int64_t(robust.added.size()))}));
+        lines.push_back(filled("The cycle is fit in the last sample of scenarios; "
+                               "scenarios that had to be added: %1.",
+                               {whole(std::int64_t(robust.added.size()))}));
     }
     const FoundCycle& answer = *outcome.answer();
     if (answer.decided) {
         constexpr int digits = 6; // nm
         const auto stock = [&](double stock_mm) { return fixed(stock_mm, digits); };
-        lines.push_back(filled(
-            answer.decided->corners > 0 ? "It holds for every stock of %1…%2 mm per side, with the "
-                                          "other inputs as they are and at each of the %3 corners "
-                                          "of the batch's other factors: decided, not sampled."
-                                        : "It holds for every stock of %1…%2 mm per side, with the "
-                                          "other inputs as they are: decided, not sampled.",
-            {stock(answer.decided->stocks.from_mm), stock(answer.decided->stocks.to_mm),
-             whole(answer.decided->corners)}));
-    } else {
         lines.push_back(
-            filled("It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that "
-                   "was tried so: with 95 % confidence at most %3 % of the phases fail.",
-                   {whole(freshPhaseCount), whole(std::max(answer.candidate, 1)),
-                    most(*outcome.mostStocksFailing())}));
+            filled(answer.decided->corners > 0
+                       ? "The cycle is fit for every stock of %1…%2 mm per side, with the "
+                         "other inputs unchanged and at each of the %3 corners of the "
+                         "batch's other factors: decided, not sampled."
+                       : "The cycle is fit for every stock of %1…%2 mm per side, "
+                         "with the other inputs unchanged: decided, not sampled.",
+                   {stock(answer.decided->stocks.from_mm), stock(answer.decided->stocks.to_mm),
+                    whole(answer.decided->corners)}));
+    } else {
+        lines.push_back(filled("The cycle is fit for all %1 stocks drawn at random within one "
+                               "infeed (cycle no. %2 tried in this way): with 95 % confidence "
+                               "it is unfit for at most %3 % of all stocks.",
+                               {whole(freshPhaseCount), whole(std::max(answer.candidate, 1)),
+                                most(*outcome.mostStocksFailing())}));
     }
     if (robust.freshParts > 0) {
-        lines.push_back(filled("None of %1 parts of the batch drawn afresh is bad, with cycle no. "
-                               "%2 that was tried so: with 95 % confidence at most %3 % are.",
-                               {whole(robust.freshParts), whole(std::max(robust.candidate, 1)),
-                                most(*outcome.mostPartsBad())}));
+        lines.push_back(filled(
+            "None of %1 newly drawn parts of the batch is rejected (cycle no. %2 tried in this "
+            "way): with 95 % confidence at most %3 % of all parts are.",
+            {whole(robust.freshParts), whole(std::max(robust.candidate, 1)),
+             most(*outcome.mostPartsBad())}));
     }
     if (robust.nominalTime_s > 0) {
         lines.push_back(filled("The nominal part alone, of the same levels, would take %1: "
@@ -623,17 +629,17 @@ std::string SearchWording::front(const SearchOutcome& outcome) const {
     }
     const std::vector<const FoundCycle*> points = outcome.front();
     if (points.empty() && outcome.robust && outcome.best() && !outcome.best()->decided) {
-        return translated(SPARKOUT_NOOP("Search", "Margins by time over all phases of the stock "
-                                                  "are searched under gauge control alone."));
+        return translated(SPARKOUT_NOOP("Search", "Margins by time for all stocks within one "
+                                                  "infeed are searched only under gauge control."));
     }
     if (points.empty()) {
         return translated(SPARKOUT_NOOP(
-            "Search", "No margins by time: the search was stopped before, or no cycle holds."));
+            "Search", "No margins by time: the search was stopped first, or no cycle is fit."));
     }
     const std::string all =
         outcome.isFrontWhole
-            ? filled(SPARKOUT_NOOP("Search", "All cycles of the grid of which none is both quicker "
-                                             "and farther from its limits: %1."),
+            ? filled(SPARKOUT_NOOP("Search", "Cycles of the grid that no other cycle beats in both "
+                                             "time and distance from its limits: %1."),
                      {whole(std::int64_t(points.size()))})
             : filled(SPARKOUT_NOOP("Search", "Up to %1; cycles that take longer may have larger "
                                              "margins."),

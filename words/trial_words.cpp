@@ -29,7 +29,7 @@ MeasuredWords wordsOf(TrialSparkOut sparkOut) {
 MeasuredWords wordsOf(TrialStatus status) {
     switch (status) {
     case TrialStatus::designed:
-        return {"designed", SPARKOUT_NOOP("Trial", "trials by what they tell")};
+        return {"designed", SPARKOUT_NOOP("Trial", "trials, most informative first")};
     case TrialStatus::notApplicable:
         return {"not_applicable",
                 SPARKOUT_NOOP("Trial", "the project cannot have these parameters, or one of them "

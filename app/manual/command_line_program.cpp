@@ -25,7 +25,7 @@ constexpr Option progress{"--progress",
                           "",
                           Kind::none,
                           "",
-                          {"tells the progress on stderr, also when that is no terminal",
+                          {"prints progress to stderr, even when that is not a terminal",
                            "печатает ход расчёта в stderr, даже если это не терминал"}};
 
 Option csv(Text text) {
@@ -42,7 +42,7 @@ Command simulateCommand() {
             {"runs the cycle of a project file", "рассчитывает цикл файла проекта"},
             {surface,
              json,
-             check({"exit status 4 when a requirement fails",
+             check({"exit status 4 when a requirement is not met",
                     "код завершения 4, если требование нарушено"}),
              {"--batch",
               "",
@@ -59,21 +59,20 @@ Command simulateCommand() {
 }
 
 Command remediesCommand() {
-    return {
-        "remedies",
-        Kind::project,
-        {"finds changes of one setting, or a starting cycle, after which a cycle that fails holds "
-         "everything, or one that is close to a limit has room: up to three, each the middle of an "
-         "interval of values "
-         "that were run, for every stock and the batch, the one that costs least first; where none "
-         "of the values tried helps, why, with the requirements that fail",
-         "находит изменения одной настройки или исходный цикл, при которых выполнены все "
-         "требования нарушавшего их "
-         "цикла либо у цикла, близкого к пределу, появляется запас: до трёх, каждое — середина "
-         "интервала рассчитанных значений, для всех припусков и для партии, сначала наименее "
-         "затратное; если при проверенных значениях не помогает ни одно — почему, с "
-         "нарушенными требованиями"},
-        {surface, json}};
+    return {"remedies",
+            Kind::project,
+            {"finds up to three changes of one setting, or a starting cycle, with which an unfit "
+             "cycle meets all requirements or a cycle close to a limit has room: each is the "
+             "middle of an interval of values that were run, for every stock and the batch, and "
+             "the one that costs least comes first; where none of the values tried helps, the "
+             "reason, with the requirements that are not met",
+             "находит изменения одной настройки или исходный цикл, при которых выполнены все "
+             "требования нарушавшего их "
+             "цикла либо у цикла, близкого к пределу, появляется запас: до трёх, каждое — середина "
+             "интервала рассчитанных значений, для всех припусков и для партии, сначала наименее "
+             "затратное; если при проверенных значениях не помогает ни одно — почему, с "
+             "нарушенными требованиями"},
+            {surface, json}};
 }
 
 Command optimizeCommand() {
@@ -87,11 +86,10 @@ Command optimizeCommand() {
           "",
           Kind::none,
           "",
-          {"it must hold for every stock within half an infeed of the stated one, which is decided "
-           "under gauge control; under position control it is tried on 500 of them drawn afresh, "
-           "with "
-           "the confidence stated; a file whose optimisation says scenarios corners or batch is "
-           "searched for those without it",
+          {"the cycle must be fit for every stock within half an infeed of the stated one: under "
+           "gauge control this is decided, under position control it is tried on 500 stocks drawn "
+           "at random, with the confidence stated; a file whose optimisation has the scenarios "
+           "corners or batch is searched for those without this option",
            "цикл должен быть годен для всех припусков в пределах подачи на шаг: при "
            "управлении от прибора это решается точно, при управлении по положению проверяется на "
            "500 "
@@ -101,9 +99,8 @@ Command optimizeCommand() {
           "",
           Kind::none,
           "",
-          {"from the grid's best on between its levels, in the machine's steps: a quicker cycle "
-           "that "
-           "holds, if one is met; it is not proved",
+          {"continues from the best cycle of the grid between its levels, in the machine's steps: "
+           "a quicker fit cycle, if one is found; it is not proved",
            "ищет дальше от лучшего цикла сетки, между её уровнями, шагами станка: более быстрый "
            "годный цикл, если встретится; он не доказан"}},
          {"--front",
@@ -140,10 +137,8 @@ Command optimizeCommand() {
           "S",
           Kind::anything,
           "",
-          {"ends search, refinement and front after so many seconds, as Ctrl+C does: the best so "
-           "far "
-           "stays, "
-           "with the time that no cycle is quicker than",
+          {"ends search, refinement and front after this number of seconds, as Ctrl+C does: the "
+           "best cycle so far is kept, with the time that no cycle is quicker than",
            "прекращает поиск, уточнение и запасы по времени через столько секунд, как Ctrl+C: "
            "остаётся лучшее из "
            "найденного и время, быстрее которого цикла нет"}},
@@ -223,9 +218,8 @@ std::vector<Option> batchOptions() {
          "OUT.csv",
          Kind::file,
          "",
-         {"writes a row for every part: its factors, every quantity, every requirement held or "
-          "not; "
-          "the same for any number of threads, and no file at all when it is ended by Ctrl+C",
+         {"writes a row for every part: its factors, all quantities, and whether each requirement "
+          "is met; the same for any number of threads, and no file when it is ended by Ctrl+C",
           "пишет строку на деталь: её факторы, все показатели, выполнено ли каждое требование; "
           "одинаково при любом числе потоков; если прервано Ctrl+C, файла нет"}},
         {"--force",
@@ -241,7 +235,7 @@ std::vector<Option> batchOptions() {
           "рассчитывает I-ю из N частей и печатает её для batch-merge"}},
         json,
         csv({"prints a row for every characteristic", "печатает строку на каждую характеристику"}),
-        check({"exit status 4 when a part fails a requirement",
+        check({"exit status 4 when a part is rejected",
                "код завершения 4, если требование нарушено у какой-либо детали"}),
         progress};
 }
@@ -268,7 +262,7 @@ Command mergeCommand() {
          "batch.sbatch"},
         {json,
          csv({"prints a row for every characteristic", "печатает строку на каждую характеристику"}),
-         check({"exit status 4 when a part fails a requirement",
+         check({"exit status 4 when a part is rejected",
                 "код завершения 4, если требование нарушено у какой-либо детали"})}};
 }
 
@@ -310,16 +304,17 @@ Command phasesCommand() {
            "наибольший припуск на сторону в мм вместо припуска файла с прибавлением половины "
            "наибольшей подачи на шаг"}},
          json,
-         check({"exit status 4 when it fails for a stock",
+         check({"exit status 4 when the cycle is unfit for a stock",
                 "код завершения 4, если цикл не годен хотя бы при одном припуске"})}};
 }
 
 Command dressingCommand() {
     return {"dressing",
             Kind::project,
-            {"runs part after part with the wheel as those before have left it, by the wear in the "
-             "file, until the first that does not hold: the parts between two dressings. With the "
-             "rates of optimisation/cost also after how many dressing is quickest and cheapest",
+            {"runs part after part with the wheel as left by the parts before, by the wear in the "
+             "file, until the first part that is not good: the parts between two dressings. With "
+             "the rates of optimisation/cost also the number of parts after which dressing is "
+             "quickest and cheapest",
              "рассчитывает деталь за деталью с кругом, каким его оставили предыдущие по износу из "
              "файла, до первой негодной: число деталей между двумя правками. Если задана "
              "optimisation/cost, также через сколько деталей правка выгоднее всего по времени и по "
@@ -328,12 +323,12 @@ Command dressingCommand() {
               "HOW",
               Kind::choice,
               "corners latin_hypercube sobol random",
-              {"each part must hold for the parts of the surface's batch too, chosen by corners, "
-               "latin_hypercube, sobol or random",
+              {"the cycle must also be fit for the parts of the surface's batch, chosen by "
+               "corners, latin_hypercube, sobol or random",
                "каждая деталь должна быть годна и для деталей партии поверхности, выбранных как "
                "corners, latin_hypercube, sobol или random"}},
              json,
-             check({"exit status 4 when no part holds",
+             check({"exit status 4 when no part is good",
                     "код завершения 4, если не годна ни одна деталь"}),
              progress}};
 }
@@ -401,7 +396,7 @@ std::vector<Option> measuredOptions() {
          "TABLE.csv",
          Kind::file,
          "",
-         {"the same of a recorded section beside it: a table of angle [°] and radius [mm], or of "
+         {"the same for a recorded section beside it: a table of angle [°] and radius [mm], or of "
           "deviations where the heading names µm",
           "то же для записанного сечения: таблица угла [°] и радиуса [мм] или отклонений, если в "
           "заголовке указаны мкм"}},
@@ -409,9 +404,8 @@ std::vector<Option> measuredOptions() {
          "PARAMETER,…",
          Kind::anything,
          "",
-         {"instead: which short trial of 24 tells these parameters best, by feed, spark-out and "
-          "what "
-          "is recorded, with the 95 % intervals to expect",
+         {"instead: which of 24 short trials determines these parameters best, by feed, spark-out "
+          "and what is recorded, with the 95 % intervals to expect",
           "вместо этого: какой из 24 коротких опытов лучше определяет эти параметры, по подаче, "
           "выхаживанию и записываемым величинам, с ожидаемыми интервалами 95 %"}},
         {"--stiffness-sheet",
@@ -438,8 +432,8 @@ std::vector<Option> measuredOptions() {
           "part: индикатор показывает деталь относительно станины; system: относительно "
           "шлифовальной бабки, жёсткость которой дают три места, при двух она берётся из файла"}},
         json,
-        check({"exit status 4 when the model disagrees with the parts, or the data cannot tell a "
-               "parameter",
+        check({"exit status 4 when the model disagrees with the parts, or the data leave a "
+               "parameter undetermined",
                "код завершения 4, если модель не согласуется с деталями или данные не определяют "
                "параметр"}),
         progress};
@@ -671,10 +665,11 @@ const Program& commandLineProgram() {
          {"1", {"the input is refused", "исходные данные не приняты"}},
          {"2", {"wrong usage", "неверный вызов"}},
          {"3", {"the cycle cannot reach size", "цикл не выходит на размер"}},
-         {"4", {"a requirement fails (--check)", "требование нарушено (--check)"}},
+         {"4", {"a requirement is not met (--check)", "требование нарушено (--check)"}},
          {"5", {"no cycle of the grid is feasible", "подходящего цикла в сетке нет"}},
          {"6",
-          {"optimize found no cycle, but one may hold: its time was up, or it has no proof",
+          {"optimize found no cycle, but a fit one may exist: its time was up, or the method "
+           "proves nothing",
            "optimize не нашёл цикла, но он может существовать: истекло время или метод ничего не "
            "доказывает"}},
          {"130, 143",

@@ -27,9 +27,9 @@ constexpr Output<AdequacyOf> adequacyRows[] = {
     {{.key = "mean_95_um",
       .label = SPARKOUT_NOOP("Output", "Mean"),
       .unit = "µm",
-      .hint =
-          SPARKOUT_NOOP("Output", "Mean of the measured parts with Student's interval: the mean of "
-                                  "endlessly many such parts lies in it with 95 %")},
+      .hint = SPARKOUT_NOOP(
+          "Output", "Mean of the measured parts with Student's interval: with 95 % confidence it "
+                    "contains the mean of an unlimited number of such parts")},
      [](const AdequacyOf& a) { return a.row.mean95; }},
     {{.key = "deviation_um", .label = SPARKOUT_NOOP("Output", "s"), .unit = "µm"},
      [](const AdequacyOf& a) { return a.row.measured.deviation; }},
@@ -42,7 +42,8 @@ constexpr Output<AdequacyOf> adequacyRows[] = {
     {{.key = "bias_limit_um",
       .label = SPARKOUT_NOOP("Output", "Limit of bias"),
       .unit = "µm",
-      .hint = SPARKOUT_NOOP("Output", "Up to it the two means count as the same")},
+      .hint =
+          SPARKOUT_NOOP("Output", "Largest difference at which the two means count as the same")},
      [](const AdequacyOf& a) { return a.row.biasLimit; }},
     {{.key = "mean_place",
       .hint = "where the interval of the mean lies to the predicted range, the criterion of the "
@@ -59,8 +60,8 @@ constexpr Output<PredictedRange> predictedRows[] = {
     {{.key = "low_um",
       .label = SPARKOUT_NOOP("Output", "Predicted from"),
       .unit = "µm",
-      .hint = SPARKOUT_NOOP("Output", "Range that 95 % of the parts of the batch lie in; of "
-                                      "corners, all of them")},
+      .hint = SPARKOUT_NOOP(
+          "Output", "Range that contains 95 % of the parts of the batch; of corners, all of them")},
      [](const PredictedRange& p) { return p.low; }},
     {{.key = "high_um", .label = SPARKOUT_NOOP("Output", "Predicted to"), .unit = "µm"},
      [](const PredictedRange& p) { return p.high; }},
@@ -74,8 +75,8 @@ constexpr Output<VarianceRatio> ratioRows[] = {
     {{.key = "value",
       .label = SPARKOUT_NOOP("Output", "F"),
       .hint = SPARKOUT_NOOP("Output",
-                            "Variance of the measured parts over that of the batch, with what it "
-                            "stays between by chance with 95 %: Fisher's test")},
+                            "Variance of the measured parts over that of the batch, with the "
+                            "limits that chance leaves it within in 95 % of cases: Fisher's test")},
      [](const VarianceRatio& v) { return v.ratio; }},
     {{.key = "low", .label = SPARKOUT_NOOP("Output", "F, 95 % from")},
      [](const VarianceRatio& v) { return v.low; }},

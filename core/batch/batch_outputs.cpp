@@ -74,9 +74,8 @@ constexpr Output<Figures> characteristicRows[] = {
       .column = "mean",
       .label = SPARKOUT_NOOP("Output", "Mean"),
       .brief = SPARKOUT_NOOP("Output", "Mean, 95 %"),
-      .hint = SPARKOUT_NOOP("Output",
-                            "Student's interval: the mean of endlessly many such parts lies in it "
-                            "with 95 %")},
+      .hint = SPARKOUT_NOOP("Output", "Student's interval: with 95 % confidence it contains the "
+                                      "mean of an unlimited number of such parts")},
      [](const Figures& f) { return f.of->mean95; },
      nullptr,
      sampled},
@@ -106,9 +105,8 @@ constexpr Output<Figures> characteristicRows[] = {
     {{.key = "pp",
       .label = SPARKOUT_NOOP("Output", "Pp"),
       .hint = SPARKOUT_NOOP("Output",
-                            "Width of the field over 6 s, with 95 % bounds; s is that of all "
-                            "parts, with whatever drifts over the batch. Where nothing drifts it "
-                            "is Cp")},
+                            "Width of the field over 6 s, with 95 % bounds; s is that of all parts "
+                            "and includes any drift over the batch. Without drift Pp equals Cp")},
      [](const Figures& f) { return f.of->pp; },
      nullptr,
      sampled},
@@ -116,7 +114,7 @@ constexpr Output<Figures> characteristicRows[] = {
       .label = SPARKOUT_NOOP("Output", "Ppk"),
       .hint = SPARKOUT_NOOP("Output",
                             "Distance from the mean to the nearer limit over 3 s, with 95 % "
-                            "bounds; it says what it says of a normal quantity. A dash: no size or "
+                            "bounds; it is meaningful for a normal quantity. A dash: not a size or "
                             "form of the part, or one that hardly scatters beside its field")},
      [](const Figures& f) { return f.of->ppk; },
      nullptr,

@@ -11,13 +11,13 @@ namespace {
 Row nameRow() {
     return {.label = SPARKOUT_NOOP("Input", "Name"),
             .required = conditions::always,
-            .hint = SPARKOUT_NOOP("Input", "What the entry is looked up by.")};
+            .hint = SPARKOUT_NOOP("Input", "Name to search by.")};
 }
 
 Row noteRow() {
     return {.label = SPARKOUT_NOOP("Input", "Note"),
-            .hint = SPARKOUT_NOOP("Input", "What it is used for, or under which "
-                                           "conditions it holds.")};
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Use of the entry, or the conditions for which it is valid.")};
 }
 
 Row russianNoteRow() {
@@ -65,10 +65,12 @@ const StructInfo& tableOf<ValueSource>() {
 template <>
 const StructInfo& tableOf<ThermalData>() {
     static const std::array rows{
-        SPARKOUT_FIELD(ThermalData, at_c, .label = SPARKOUT_NOOP("Input", "Temperature"),
-                       .symbol = "T", .unit = "°C", .hard = {-200, 1500},
-                       .hint = SPARKOUT_NOOP("Input", "At which the entry's conductivity and "
-                                                      "diffusivity are taken.")),
+        SPARKOUT_FIELD(
+            ThermalData, at_c, .label = SPARKOUT_NOOP("Input", "Temperature"), .symbol = "T",
+            .unit = "°C", .hard = {-200, 1500},
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Temperature for which the entry's conductivity and diffusivity are given.")),
         SPARKOUT_FIELD(ThermalData, density_kg_m3, .label = SPARKOUT_NOOP("Input", "Density"),
                        .symbol = "ρ", .unit = "kg/m³", .hard = {100, 30000},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not stated"),

@@ -93,13 +93,13 @@ const StructInfo& tableOf<TimeGoal>() {
                        .nullMeaning = SPARKOUT_NOOP(
                            "Input", "it follows from the proved best of each variant")),
         SPARKOUT_FIELD(TimeGoal, within_percent_of_best,
-                       .label = SPARKOUT_NOOP("Input", "Within so much of the best"), .unit = "%",
+                       .label = SPARKOUT_NOOP("Input", "Maximum excess over the best"), .unit = "%",
                        .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "a time is given"),
                        .hint = SPARKOUT_NOOP(
                            "Input", "Of the quickest cycle of the project's grid that holds every "
                                     "requirement, as the search proves it for each variant.")),
         SPARKOUT_FIELD(TimeGoal, requirements_hold,
-                       .label = SPARKOUT_NOOP("Input", "Every requirement holds as well")),
+                       .label = SPARKOUT_NOOP("Input", "Every requirement must be met too")),
     };
     static const StructInfo info =
         makeTable<TimeGoal>(SPARKOUT_NOOP("Struct", "Quick enough"), rows);
@@ -115,7 +115,7 @@ const StructInfo& tableOf<FigureGoal>() {
                        .hint = SPARKOUT_NOOP("Input", "In the unit of the figure.")),
         SPARKOUT_FIELD(FigureGoal, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerance"),
                        .hard = {0, largest, true}, .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "Either way.")),
+                       .hint = SPARKOUT_NOOP("Input", "In both directions (±).")),
     };
     static const StructInfo info =
         makeTable<FigureGoal>(SPARKOUT_NOOP("Struct", "Figure has a value"), rows);
@@ -128,17 +128,19 @@ const StructInfo& tableOf<NumberPrediction>() {
         SPARKOUT_FIELD(NumberPrediction, figure, .label = SPARKOUT_NOOP("Input", "Figure")),
         SPARKOUT_FIELD(NumberPrediction, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerance"),
                        .hard = {0, largest},
-                       .hint = SPARKOUT_NOOP("Input", "Either way, in the unit of the figure.")),
+                       .hint = SPARKOUT_NOOP("Input", "±, in the quantity's unit.")),
         SPARKOUT_FIELD(
             NumberPrediction, tolerance_percent,
             .label = SPARKOUT_NOOP("Input", "Tolerance, relative"), .unit = "%", .hard = {0, 100},
-            .hint = SPARKOUT_NOOP("Input",
-                                  "Of the engine's value. The greater of both tolerances holds.")),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Relative to the engine's value. The larger of the two tolerances applies.")),
         SPARKOUT_FIELD(
             NumberPrediction, after_run, .label = SPARKOUT_NOOP("Input", "Read off the run"),
             .sparse = true,
             .hint = SPARKOUT_NOOP(
-                "Input", "Else it is said before the run, and nothing is shown until then.")),
+                "Input",
+                "Otherwise it is predicted before the run, and nothing is shown until then.")),
     };
     static const StructInfo info =
         makeTable<NumberPrediction>(SPARKOUT_NOOP("Struct", "Number predicted"), rows);
@@ -158,12 +160,13 @@ const StructInfo& tableOf<CurvePrediction>() {
                            "stages from 1, sections from 0, zones as 0, 1, 2.")),
         SPARKOUT_FIELD(CurvePrediction, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerance"),
                        .hard = {0, largest},
-                       .hint = SPARKOUT_NOOP("Input", "Either way, in the unit of the figure.")),
+                       .hint = SPARKOUT_NOOP("Input", "±, in the quantity's unit.")),
         SPARKOUT_FIELD(
             CurvePrediction, tolerance_percent,
             .label = SPARKOUT_NOOP("Input", "Tolerance, relative"), .unit = "%", .hard = {0, 100},
-            .hint = SPARKOUT_NOOP("Input",
-                                  "Of the engine's value. The greater of both tolerances holds.")),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Relative to the engine's value. The larger of the two tolerances applies.")),
         SPARKOUT_FIELD(CurvePrediction, least_share_percent,
                        .label = SPARKOUT_NOOP("Input", "Share within it"), .unit = "%",
                        .hard = {1, 100},
@@ -231,7 +234,7 @@ const StructInfo& tableOf<Goal>() {
         SPARKOUT_FIELD(Goal, requirements, .label = SPARKOUT_NOOP("Input", "Requirements hold"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
                        .hint = SPARKOUT_NOOP(
-                           "Input", "The cycle ends by itself and every requirement holds.")),
+                           "Input", "The cycle ends by itself and every requirement is met.")),
         SPARKOUT_FIELD(Goal, time, .label = SPARKOUT_NOOP("Input", "Quick enough"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
                        .hint = SPARKOUT_NOOP("Input", "The cycle takes less than a time.")),

@@ -51,9 +51,8 @@ const StructInfo& tableOf<ValueSet>() {
                        .hint = SPARKOUT_NOOP("Input", "As the entry of the catalogue is called.")),
         SPARKOUT_FIELD(ValueSet, values, .label = SPARKOUT_NOOP("Input", "Values"),
                        .hard = {1, 100}, .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input",
-                                             "They stand in the lesson itself: a catalogue that "
-                                             "changes later changes no variant.")),
+                       .hint = SPARKOUT_NOOP("Input", "They are stored in the lesson itself: later "
+                                                      "changes of a catalogue change no variant.")),
     };
     static const StructInfo info =
         makeTable<ValueSet>(SPARKOUT_NOOP("Struct", "Set of values"), rows);

@@ -112,16 +112,17 @@ const StructInfo& tableOf<Factors>() {
             .label = SPARKOUT_NOOP("Input", "Direction of the eccentricity"), .symbol = "φ_1",
             .unit = "°", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
             .relevant = hasMachineForm, .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "Uniform from 0 to 360° where parts are clamped as it "
-                                           "comes."),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Uniform from 0 to 360° where parts are clamped at random angles."),
             .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Factors, gauge_error, .label = SPARKOUT_NOOP("Input", "Random error of the gauge"),
             .symbol = "z", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
             .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "In standard deviations: it multiplies the machine's "
-                                           "gauge repeatability. Normal with the mean 0 and the "
-                                           "deviation 1 is the gauge as the machine has it."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "In standard deviations: it multiplies the machine's gauge repeatability. A normal "
+                "law with mean 0 and deviation 1 is the gauge of the machine as given."),
             .formula = "e_g = z·s_g + v_g·t", .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Factors, gauge_age_h, .label = SPARKOUT_NOOP("Input", "Time since the gauge was set"),
@@ -137,8 +138,8 @@ const StructInfo& tableOf<Factors>() {
             Factors, part_warmer_k, .label = SPARKOUT_NOOP("Input", "Part warmer at the gauge"),
             .symbol = "ΔT", .unit = "K", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
             .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "By how much more than the gauge is set for: the part "
-                                           "cools to a size smaller by α·d·ΔT."),
+            .hint = SPARKOUT_NOOP("Input", "Difference from the temperature that the gauge is set "
+                                           "for: as the part cools, it shrinks by α·d·ΔT."),
             .formula = "D + e_g + α·d·ΔT", .source = "MODEL-7"),
     };
     static const StructInfo info = makeTable<Factors>(SPARKOUT_NOOP("Struct", "Factors"), rows);

@@ -103,50 +103,48 @@ const StructInfo& tableOf<Gauge>() {
             .nullMeaning = SPARKOUT_NOOP("Input", "at first touch"),
             .relevant = conditions::byPosition, .page = Page::gauge, .usual = true,
             .hint = SPARKOUT_NOOP("Input",
-                                  "How far from the target radius the wheel head's feed starts. In "
-                                  "a batch it is where the wheel touches the nominal blank: a "
+                                  "Distance from the target radius at which the wheel head's feed "
+                                  "starts. In a batch the wheel touches the nominal blank there: a "
                                   "larger blank is cut deeper at once, a smaller one later."),
             .formula = "R_max0 − R_t", .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Gauge, spans_gaps, .label = SPARKOUT_NOOP("Input", "Gauge spans the gaps"),
             .relevant = gaugeMeetsGaps, .sparse = true, .page = Page::gauge, .usual = true,
-            .hint =
-                SPARKOUT_NOOP("Input", "A gauge for interrupted surfaces, with wide contacts or a "
-                                       "reading held over the gaps. Any other drops into them, so "
-                                       "that only the maximum diameter (in a bore the smallest) is "
-                                       "of use."),
+            .hint = SPARKOUT_NOOP(
+                "Input", "A gauge for interrupted surfaces, with wide contacts or a reading held "
+                         "over the gaps. Any other gauge drops into the gaps, so that only its "
+                         "maximum diameter (in a bore the minimum) can be used."),
             .source = "MODEL-7"),
         SPARKOUT_FIELD(Gauge, commands, .label = SPARKOUT_NOOP("Input", "Gauge commands"),
                        .hard = {1, 5}, .page = Page::gauge, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "How many stages the gauge can switch."),
                        .source = "MODEL-8"),
-        SPARKOUT_FIELD(
-            Gauge, delay_s, .label = SPARKOUT_NOOP("Input", "Gauge delay"), .symbol = "τ_g",
-            .unit = "s", .hard = {0, 60}, .soft = {0, 2},
-            .nullMeaning = SPARKOUT_NOOP("Input", "none"), .relevant = gaugeEndsAStage,
-            .page = Page::gauge, .usual = true,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "Time from the gauge's reading to its command. Every stage that "
-                                  "the gauge ends goes on for the whole double strokes or "
-                                  "revolutions that it lasts, the last one too."),
-            .formula = "t ≥ t_m + τ_g", .source = "MODEL-7"),
+        SPARKOUT_FIELD(Gauge, delay_s, .label = SPARKOUT_NOOP("Input", "Gauge delay"),
+                       .symbol = "τ_g", .unit = "s", .hard = {0, 60}, .soft = {0, 2},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "none"), .relevant = gaugeEndsAStage,
+                       .page = Page::gauge, .usual = true,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Time from the gauge's reading to its command. Every stage "
+                                    "that the gauge ends, also the last one, continues for this "
+                                    "time in whole double strokes or revolutions."),
+                       .formula = "t ≥ t_m + τ_g", .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Gauge, error_um, .label = SPARKOUT_NOOP("Input", "Gauge error"), .symbol = "e_g",
             .unit = "µm", .hard = {-100, 100}, .soft = {-5, 5}, .relevant = gaugeEndsAStage,
             .sparse = true, .page = Page::gauge,
             .hint = SPARKOUT_NOOP("Input",
-                                  "What the gauge reads too large on the diameter. Under gauge "
-                                  "control the part, and a bore too, ends smaller by as much. In a "
-                                  "batch its random part and its drift are factors."),
+                                  "Amount by which the gauge reads the diameter too large. Under "
+                                  "gauge control the part, also a bore, ends smaller by this "
+                                  "amount. In a batch its random part and its drift are factors."),
             .formula = "D + e_g + α·d·ΔT", .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Gauge, part_warmer_k, .label = SPARKOUT_NOOP("Input", "Part warmer at the gauge"),
             .symbol = "ΔT", .unit = "K", .hard = {-200, 200}, .soft = {-20, 20},
             .relevant = gaugeEndsAStage, .sparse = true, .page = Page::gauge,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "How much warmer the part is at the gauge than the gauge is set "
-                                  "for. It cools to a size smaller by α·d·ΔT. How warm grinding "
-                                  "makes it is not computed."),
+            .hint =
+                SPARKOUT_NOOP("Input", "Temperature of the part at the gauge above the temperature "
+                                       "that the gauge is set for. As the part cools, it shrinks "
+                                       "by α·d·ΔT. The heating by grinding is not computed."),
             .formula = "D + e_g + α·d·ΔT", .source = "MODEL-7"),
     };
     static const StructInfo info = makeTable<Gauge>(SPARKOUT_NOOP("Struct", "Gauge"), rows);

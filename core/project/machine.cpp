@@ -270,9 +270,9 @@ Field gaugeRepeatability() {
         Machine, gauge_repeatability_um, .label = SPARKOUT_NOOP("Input", "Gauge repeatability"),
         .symbol = "s_g", .unit = "µm", .hard = {0, 100}, .soft = {0.1, 3},
         .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .sparse = true, .page = Page::machine,
-        .hint = SPARKOUT_NOOP("Input", "Standard deviation of the in-process gauge's reading of a "
-                                       "diameter. A batch with the factor of the gauge's error "
-                                       "scatters by it."),
+        .hint = SPARKOUT_NOOP("Input",
+                              "Standard deviation of the in-process gauge's reading of a diameter. "
+                              "A batch with the gauge's error as a factor scatters by it."),
         .formula = "e_g = z·s_g + v_g·t", .source = "MODEL-8");
 }
 
@@ -281,9 +281,9 @@ Field gaugeDrift() {
         Machine, gauge_drift_um_h, .label = SPARKOUT_NOOP("Input", "Gauge drift"), .symbol = "v_g",
         .unit = "µm/h", .hard = {-1000, 1000}, .soft = {-5, 5},
         .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .sparse = true, .page = Page::machine,
-        .hint = SPARKOUT_NOOP("Input", "By how much more the in-process gauge reads with each hour "
-                                       "since it was set. A batch with the factor of that time "
-                                       "drifts by it."),
+        .hint =
+            SPARKOUT_NOOP("Input", "Increase of the reading of the in-process gauge per hour since "
+                                   "it was set. A batch with that time as a factor drifts by it."),
         .formula = "e_g = z·s_g + v_g·t", .source = "MODEL-8");
 }
 
@@ -405,10 +405,10 @@ const StructInfo& tableOf<Machine>() {
             .symbol = "τ_f", .unit = "s", .hard = {0, 60}, .soft = {0, 2},
             .nullMeaning = SPARKOUT_NOOP("Input", "none"), .relevant = byGauge,
             .page = Page::machine,
-            .hint =
-                SPARKOUT_NOOP("Input", "Time from the gauge's command to the feed of the next "
-                                       "stage: one that the gauge ends goes on for as many steps. "
-                                       "The last command only draws the wheel back, undelayed."),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Time from the gauge's command to the feed of the next stage: a stage "
+                         "that the gauge ends continues for this time in whole steps. The last "
+                         "command only draws the wheel back, without delay."),
             .formula = "t ≥ t_m + τ_g + τ_f", .source = "MODEL-7"),
         SPARKOUT_FIELD(Machine, entry_side, .label = SPARKOUT_NOOP("Input", "Entry zone is at the"),
                        .relevant = conditions::travels, .page = Page::machine, .usual = true,

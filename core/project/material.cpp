@@ -124,9 +124,8 @@ const StructInfo& tableOf<Material>() {
             Material, expansion_um_m_k, .label = SPARKOUT_NOOP("Input", "Thermal expansion"),
             .symbol = "α", .unit = "10⁻⁶/K", .hard = {0, 100}, .soft = {5, 25}, .sparse = true,
             .page = Page::material,
-            .hint =
-                SPARKOUT_NOOP("Input", "By how much a metre of the part grows with each kelvin: "
-                                       "what the gauge reads too large on a warm part."),
+            .hint = SPARKOUT_NOOP("Input", "Growth of one metre of the part per kelvin: it makes "
+                                           "the gauge read a warm part too large."),
             .formula = "α·d·ΔT", .source = "MODEL-7"),
     };
     static const StructInfo info = makeTable<Material>(SPARKOUT_NOOP("Struct", "Material"), rows);

@@ -176,9 +176,9 @@ const StructInfo& tableOf<MeasuredTrace>() {
         SPARKOUT_FIELD(
             MeasuredTrace, factor_kw_per_a, .label = SPARKOUT_NOOP("Input", "Power to current"),
             .unit = "kW/A", .hard = {0, 1000, true}, .soft = {0.05, 2},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not known, or the trace is no current"),
-            .hint = SPARKOUT_NOOP("Input", "Power of the wheel spindle to one ampere of its "
-                                           "current.")),
+            .nullMeaning = SPARKOUT_NOOP("Input", "not known, or the trace is not a current"),
+            .hint =
+                SPARKOUT_NOOP("Input", "Power of the wheel spindle per ampere of its current.")),
         SPARKOUT_FIELD(MeasuredTrace, idle, .label = SPARKOUT_NOOP("Input", "Idle value"),
                        .hard = {0, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not known"),
                        .hint =
@@ -186,8 +186,8 @@ const StructInfo& tableOf<MeasuredTrace>() {
                                                   "nothing is cut, in the unit of the values.")),
         SPARKOUT_FIELD(MeasuredTrace, time_s, .label = SPARKOUT_NOOP("Input", "Times"), .unit = "s",
                        .hard = {-1e6, 1e6}, .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "Times of the samples, none before the one "
-                                                      "ahead of it; at most 20,000.")),
+                       .hint = SPARKOUT_NOOP("Input", "Times of the samples in order, none earlier "
+                                                      "than the one before it; at most 20,000.")),
         SPARKOUT_FIELD(MeasuredTrace, values, .label = SPARKOUT_NOOP("Input", "Values"),
                        .hard = {-1e6, 1e6}, .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "One value for each time: a size in mm of "
@@ -201,11 +201,11 @@ const StructInfo& tableOf<MeasuredTrace>() {
                        .label = SPARKOUT_NOOP("Input", "Digest of the source"), .sparse = true,
                        .hint = SPARKOUT_NOOP("Input", "SHA-256 of that file, as hexadecimal "
                                                       "digits.")),
-        SPARKOUT_FIELD(MeasuredTrace, source_samples,
-                       .label = SPARKOUT_NOOP("Input", "Samples of the source"), .hard = {0, 1e9},
-                       .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input", "How many samples that file has; more than "
-                                                      "are kept were thinned out to means.")),
+        SPARKOUT_FIELD(
+            MeasuredTrace, source_samples, .label = SPARKOUT_NOOP("Input", "Samples of the source"),
+            .hard = {0, 1e9}, .sparse = true,
+            .hint = SPARKOUT_NOOP("Input", "Number of samples in that file; where there were more "
+                                           "than are kept, they were reduced to means.")),
         SPARKOUT_FIELD(MeasuredTrace, note, .label = SPARKOUT_NOOP("Input", "Note"), .sparse = true,
                        .hint = SPARKOUT_NOOP("Input", "Anything worth knowing of the data.")),
     };
@@ -219,7 +219,7 @@ const StructInfo& tableOf<MeasuredSummary>() {
     static const std::array rows{
         SPARKOUT_FIELD(MeasuredSummary, quantity, .label = SPARKOUT_NOOP("Input", "Quantity"),
                        .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "What the statistics are of.")),
+                       .hint = SPARKOUT_NOOP("Input", "Quantity that the statistics describe.")),
         SPARKOUT_FIELD(MeasuredSummary, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
                        .hard = {0, 199},
                        .hint = SPARKOUT_NOOP("Input", "Where it was measured: the zone or section, "
@@ -231,11 +231,13 @@ const StructInfo& tableOf<MeasuredSummary>() {
                        .unit = "µm", .hard = sizes_um, .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Mean of the parts; of a diameter its mean "
                                                       "deviation from the nominal one.")),
-        SPARKOUT_FIELD(MeasuredSummary, half_width_um,
-                       .label = SPARKOUT_NOOP("Input", "Half width of the interval"), .unit = "µm",
-                       .hard = {0, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not stated"),
-                       .hint = SPARKOUT_NOOP("Input", "Half the width of the confidence interval "
-                                                      "of the mean: what stands behind ±.")),
+        SPARKOUT_FIELD(
+            MeasuredSummary, half_width_um,
+            .label = SPARKOUT_NOOP("Input", "Half width of the interval"), .unit = "µm",
+            .hard = {0, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not stated"),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Half the width of the confidence interval of the mean: the value after ±.")),
         SPARKOUT_FIELD(MeasuredSummary, confidence, .label = SPARKOUT_NOOP("Input", "Confidence"),
                        .hard = {0.5, 0.9999},
                        .hint = SPARKOUT_NOOP("Input", "Confidence of that interval.")),

@@ -53,8 +53,8 @@ const StructInfo& tableOf<Cost>() {
                            "Input", "as the batch's dullness grows, else no dressing"),
                        .page = Page::search,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "For the minimum cost with a wheel that wears the search "
-                                    "finds it, and this is the most it may be."),
+                           "Input", "For the minimum cost with a wheel that wears, the search "
+                                    "finds this number, and the value given is its maximum."),
                        .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
     };
     static const StructInfo info = makeTable<Cost>(SPARKOUT_NOOP("Struct", "Cost of a part"), rows);
@@ -82,10 +82,10 @@ Field adaptiveLevels() {
     return SPARKOUT_FIELD(
         Optimisation, adaptive, .label = SPARKOUT_NOOP("Input", "Levels follow the answer"),
         .page = Page::search,
-        .hint = SPARKOUT_NOOP("Input",
-                              "Levels of the feeds are added around the answer, and beyond it "
-                              "where it stands at the edge of its grid and the machine lets it "
-                              "pass; then the grid is searched again."),
+        .hint =
+            SPARKOUT_NOOP("Input", "Levels of the feeds are added around the answer, and beyond "
+                                   "the edge of the grid where the answer lies there and the "
+                                   "machine allows it; then the grid is searched again."),
         .source = "MODEL-8");
 }
 
@@ -108,9 +108,8 @@ Field continuousByStage() {
         .label = SPARKOUT_NOOP("Input", "Continuous infeed by stage"), .unit = "mm/min",
         .hard = {0, 10}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
         .relevant = conditions::travels, .count = 2, .page = Page::search,
-        .hint = SPARKOUT_NOOP("Input",
-                              "Minimum and maximum of the first stage, of the second and so on, "
-                              "where they are fed so; twice the same fixes it."),
+        .hint = SPARKOUT_NOOP("Input", "Minimum and maximum for each stage in order, where it is "
+                                       "fed continuously; equal values fix it."),
         .source = "MODEL-8");
 }
 
@@ -131,10 +130,10 @@ Field marginWithin() {
         .label = SPARKOUT_NOOP("Input", "Maximum margin within a time"), .unit = "min",
         .hard = {0, 600, true},
         .nullMeaning = SPARKOUT_NOOP("Input", "the minimum time is searched"), .page = Page::search,
-        .hint = SPARKOUT_NOOP("Input",
-                              "The search then answers the cycle farthest from its limits whose "
-                              "machining time is at most that: the one with the largest minimum "
-                              "margin of all requirements, each as a share of its limit."),
+        .hint =
+            SPARKOUT_NOOP("Input", "The search then returns the cycle farthest from its limits "
+                                   "within this machining time: the one with the largest minimum "
+                                   "margin of all requirements, each as a share of its limit."),
         .source = "MODEL-8");
 }
 
@@ -175,11 +174,11 @@ const StructInfo& tableOf<Optimisation>() {
         objective(),
         adaptiveLevels(),
         marginWithin(),
-        SPARKOUT_FIELD(Optimisation, scenarios, .label = SPARKOUT_NOOP("Input", "Must hold for"),
-                       .page = Page::search, .usual = true,
-                       .hint =
-                           SPARKOUT_NOOP("Input", "The parts the cycle must hold the drawing for."),
-                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Optimisation, scenarios, .label = SPARKOUT_NOOP("Input", "Must hold for"),
+            .page = Page::search, .usual = true,
+            .hint = SPARKOUT_NOOP("Input", "The parts for which the cycle must meet the drawing."),
+            .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, radial_feed_mm,
             .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"), .unit = "mm/dbl stroke",
@@ -235,39 +234,35 @@ const StructInfo& tableOf<Optimisation>() {
             .relevant = conditions::setsFeed<&Stage::radial_feed_mm>, .count = 2,
             .page = Page::search,
             .hint = SPARKOUT_NOOP(
-                "Input", "Minimum and maximum of the first stage, of the second and so on; "
-                         "twice the same fixes it."),
+                "Input", "Minimum and maximum for each stage in order; equal values fix it."),
             .source = "MODEL-8"),
-        SPARKOUT_FIELD(Optimisation, stage_axial_feed_mm_min,
-                       .label = SPARKOUT_NOOP("Input", "Axial feed by stage"), .unit = "mm/min",
-                       .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .relevant = conditions::setsFeed<&Stage::axial_feed_mm_min>, .count = 2,
-                       .page = Page::search,
-                       .hint = SPARKOUT_NOOP(
-                           "Input",
-                           "Minimum and maximum of the first stage, of the second and so on; "
-                           "twice the same fixes it."),
-                       .source = "MODEL-8"),
-        SPARKOUT_FIELD(Optimisation, stage_radial_feed_mm_min,
-                       .label = SPARKOUT_NOOP("Input", "Plunge feed by stage"), .unit = "mm/min",
-                       .hard = {0, 100}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .relevant = conditions::setsFeed<&Stage::radial_feed_mm_min>, .count = 2,
-                       .page = Page::search,
-                       .hint = SPARKOUT_NOOP(
-                           "Input",
-                           "Minimum and maximum of the first stage, of the second and so on; "
-                           "twice the same fixes it."),
-                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Optimisation, stage_axial_feed_mm_min,
+            .label = SPARKOUT_NOOP("Input", "Axial feed by stage"), .unit = "mm/min",
+            .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+            .relevant = conditions::setsFeed<&Stage::axial_feed_mm_min>, .count = 2,
+            .page = Page::search,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Minimum and maximum for each stage in order; equal values fix it."),
+            .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Optimisation, stage_radial_feed_mm_min,
+            .label = SPARKOUT_NOOP("Input", "Plunge feed by stage"), .unit = "mm/min",
+            .hard = {0, 100}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+            .relevant = conditions::setsFeed<&Stage::radial_feed_mm_min>, .count = 2,
+            .page = Page::search,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Minimum and maximum for each stage in order; equal values fix it."),
+            .source = "MODEL-8"),
         continuousByStage(),
-        SPARKOUT_FIELD(Optimisation, stage_stock_mm,
-                       .label = SPARKOUT_NOOP("Input", "Stock per side by stage"), .unit = "mm",
-                       .hard = {0, 5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .count = 2, .page = Page::search, .usual = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input",
-                           "Minimum and maximum of the first stage, of the second and so on; "
-                           "twice the same fixes it."),
-                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Optimisation, stage_stock_mm,
+            .label = SPARKOUT_NOOP("Input", "Stock per side by stage"), .unit = "mm",
+            .hard = {0, 5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 2,
+            .page = Page::search, .usual = true,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Minimum and maximum for each stage in order; equal values fix it."),
+            .source = "MODEL-8"),
         costOfPart(),
     };
     static const StructInfo info =

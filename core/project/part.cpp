@@ -328,9 +328,9 @@ const StructInfo& tableOf<Part>() {
             Part, stock_mm, .label = SPARKOUT_NOOP("Input", "Stock per side"), .symbol = "Π",
             .unit = "mm", .hard = {0, 5, true}, .soft = {0.01, 0.6}, .required = conditions::always,
             .slider = true, .page = Page::part, .usual = true,
-            .hint =
-                SPARKOUT_NOOP("Input", "Minimum radial stock: what the minimum radius of the blank "
-                                       "stands above the target radius."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Minimum radial stock: minimum radius of the blank minus the target radius."),
             .formula = "R_max = R_t + Π + ΔR", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, initial_runout_mm, .label = SPARKOUT_NOOP("Input", "Initial runout"),
                        .symbol = "ΔR", .unit = "mm", .hard = {0, 2}, .soft = {0, 0.2},
@@ -379,18 +379,16 @@ const StructInfo& tableOf<Part>() {
             .symbol = "δΠ", .unit = "mm", .hard = {-5, 5}, .soft = {-0.2, 0.2},
             .nullMeaning = SPARKOUT_NOOP("Input", "the same everywhere"), .sparse = true,
             .page = Page::part,
-            .hint =
-                SPARKOUT_NOOP("Input", "By how much the stock per side of each zone or section, in "
-                                       "their order, is above that of the part, or below it."),
+            .hint = SPARKOUT_NOOP("Input", "Difference of the stock per side of each zone or "
+                                           "section, in their order, from that of the part."),
             .source = "MODEL-4"),
         SPARKOUT_FIELD(
             Part, zone_runout_mm, .label = SPARKOUT_NOOP("Input", "Further runout by zone"),
             .symbol = "δ(ΔR)", .unit = "mm", .hard = {-5, 5}, .soft = {-0.2, 0.2},
             .nullMeaning = SPARKOUT_NOOP("Input", "the same everywhere"), .sparse = true,
             .page = Page::part,
-            .hint =
-                SPARKOUT_NOOP("Input", "By how much the initial runout of each zone or section, in "
-                                       "their order, is above that of the part, or below it."),
+            .hint = SPARKOUT_NOOP("Input", "Difference of the initial runout of each zone or "
+                                           "section, in their order, from that of the part."),
             .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, target_diameter_mm, .label = SPARKOUT_NOOP("Input", "Target diameter"),
                        .symbol = "2R_t", .unit = "mm", .hard = {1, 2000},

@@ -43,7 +43,7 @@ const StructInfo& tableOf<KeptRun>() {
     static const std::array rows{
         SPARKOUT_FIELD(KeptRun, name, .label = SPARKOUT_NOOP("Input", "Name"),
                        .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "What the run is called.")),
+                       .hint = SPARKOUT_NOOP("Input", "Name of the run.")),
         SPARKOUT_FIELD(KeptRun, when, .label = SPARKOUT_NOOP("Input", "When"),
                        .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Date and time in UTC, ISO 8601.")),
@@ -120,8 +120,9 @@ const StructInfo& tableOf<Project>() {
             .hard = {1, 1000}, .soft = {1, 20},
             .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .relevant = conditions::travels,
             .page = Page::cycle,
-            .hint = SPARKOUT_NOOP("Input", "Wheel widths to the table's advance in one revolution, "
-                                           "at least; usually 1.05. Below 1 strips stay uncut."),
+            .hint =
+                SPARKOUT_NOOP("Input", "Minimum ratio of the wheel width to the table's advance in "
+                                       "one revolution; usually 1.05. Below 1 strips stay uncut."),
             .formula = "B·n/S_ax", .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Project, least_overlap_last,
@@ -136,13 +137,13 @@ const StructInfo& tableOf<Project>() {
             .hard = {1, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "not required"),
             .page = Page::cycle,
             .hint = SPARKOUT_NOOP(
-                "Input", "Double strokes (usually 2) or revolutions (usually 3) that each stage "
-                         "with stock makes at least; a spark-out by number is not counted."),
+                "Input", "Minimum number of double strokes (usually 2) or revolutions (usually 3) "
+                         "of each stage with stock; a spark-out by number is not counted."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(Project, card, .label = SPARKOUT_NOOP("Input", "Operation card"),
                        .sparse = true, .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "What the head of the operation card has "
-                                                      "beside the inputs of the cycle.")),
+                       .hint = SPARKOUT_NOOP("Input", "Entries in the head of the operation card "
+                                                      "in addition to the inputs of the cycle.")),
         SPARKOUT_FIELD(Project, batch, .label = SPARKOUT_NOOP("Input", "Batch"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "no batch described"),
                        .page = Page::batch, .usual = true),
@@ -156,9 +157,9 @@ const StructInfo& tableOf<Project>() {
                                                   "range.")),
         SPARKOUT_FIELD(Project, measured, .label = SPARKOUT_NOOP("Input", "Measurements"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "nothing is measured"),
-                       .hint = SPARKOUT_NOOP("Input", "Measured parts and traces to hold the "
-                                                      "prediction against, and what was "
-                                                      "calibrated on them.")),
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Measured parts and traces to compare with the "
+                                                  "prediction, and what was calibrated on them.")),
         SPARKOUT_FIELD(Project, runs, .label = SPARKOUT_NOOP("Input", "Kept runs"),
                        .hard = {0, 1000},
                        .hint = SPARKOUT_NOOP("Input", "Runs kept for comparison.")),

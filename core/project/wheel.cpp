@@ -64,9 +64,9 @@ const StructInfo& tableOf<ForceRecipe>() {
             .symbol = "b_j", .unit = "mm", .hard = {0, 10, true}, .soft = {0.001, 1},
             .nullMeaning = SPARKOUT_NOOP("Input", "chips make up the metal removed"),
             .page = Page::wheel,
-            .hint = SPARKOUT_NOOP("Input", "Width of the cut of one grain. Where it is not given, "
-                                           "it is such that the chips together are the metal "
-                                           "removed."),
+            .hint =
+                SPARKOUT_NOOP("Input", "Width of the cut of one grain. Where it is not given, it "
+                                       "is chosen so that the chips add up to the metal removed."),
             .formula = "κ = 2·b_j·n_c/(m_D·sin β_1)", .source = "PEREVERZEV1999"),
         SPARKOUT_FIELD(
             ForceRecipe, wear_flat_mm, .label = SPARKOUT_NOOP("Input", "Length of a wear flat"),
@@ -96,7 +96,7 @@ const StructInfo& tableOf<MeasuredRa>() {
             .symbol = "a", .unit = "µm", .hard = {0, 1000, true}, .soft = {0.05, 50},
             .nullMeaning = SPARKOUT_NOOP("Input", "of the cycle's last feed"), .page = Page::wheel,
             .usual = true,
-            .hint = SPARKOUT_NOOP("Input", "By a revolution of the part in a plunge, else by a "
+            .hint = SPARKOUT_NOOP("Input", "Per revolution of the part in a plunge, otherwise per "
                                            "double stroke, at the speeds and diameters stated."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
@@ -104,8 +104,8 @@ const StructInfo& tableOf<MeasuredRa>() {
             .label = SPARKOUT_NOOP("Input", "Spark-out it was measured at"), .hard = {0, 1e5},
             .soft = {0, 200}, .nullMeaning = SPARKOUT_NOOP("Input", "as many as in the cycle"),
             .page = Page::wheel, .usual = true,
-            .hint = SPARKOUT_NOOP("Input", "Revolutions in a plunge, else double strokes, after "
-                                           "that infeed."),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Revolutions in a plunge, otherwise double strokes, after that infeed."),
             .formula = "Ra_e = Ra·(½ + ½·exp(−t/τ))", .source = "MODEL-8"),
     };
     static const StructInfo info =
@@ -121,9 +121,9 @@ Field radiusWear() {
         .symbol = "w_k", .unit = "µm", .hard = {0, 1e6}, .soft = {0, 200},
         .relevant = conditions::byPosition, .sparse = true, .page = Page::wheel,
         .hint = SPARKOUT_NOOP("Input",
-                              "By how much the wheel's radius is smaller than the position control "
-                              "takes it to be. Each dressing compensates it: the control is set to "
-                              "the new radius. In a set-up the wear of the wheel adds to it."),
+                              "Wheel radius assumed by the position control minus the actual wheel "
+                              "radius. Each dressing compensates it: the control is set to the new "
+                              "radius. In a set-up the wear of the wheel adds to it."),
         .formula = "h = t_П − w_k − (R_max0 − R_k)", .source = "MODEL-7");
 }
 
@@ -185,8 +185,9 @@ const StructInfo& tableOf<Wheel>() {
         SPARKOUT_FIELD(
             Wheel, roughness_factor, .label = SPARKOUT_NOOP("Input", "Roughness calibration"),
             .hard = {0, 100, true}, .soft = {0.2, 10}, .page = Page::wheel, .usual = true,
-            .hint = SPARKOUT_NOOP("Input", "Measured Ra over computed Ra; at 1 it is not known, "
-                                           "and Ra is a range. A measured Ra sets it."),
+            .hint =
+                SPARKOUT_NOOP("Input", "Measured Ra divided by computed Ra. At 1 it is not known, "
+                                       "and Ra is given as a range. A measured Ra sets it."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(Wheel, grain_surface_energy_j_m2,
                        .label = SPARKOUT_NOOP("Input", "Grain surface energy"), .symbol = "γ_g",

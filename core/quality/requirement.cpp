@@ -242,9 +242,9 @@ constexpr std::array<Requirement, constraintKinds> requirementRows{{
      .key = "overlap",
      .label = SPARKOUT_NOOP("Requirement", "Overlap of the turns"),
      .brief = SPARKOUT_NOOP("RequirementBrief", "Overlap"),
-     .broken = SPARKOUT_NOOP(
-         "Requirement", "overlap B/s in %1 is %3, below 1: strips stay uncut, so size, form and "
-                        "roughness are not known of the whole surface"),
+     .broken = SPARKOUT_NOOP("Requirement",
+                             "overlap B/s in %1 is %3, below 1: strips stay uncut, so size, form "
+                             "and roughness are not known for the whole surface"),
      .isLeast = true,
      .scope = ConstraintScope::setting,
      .source = LimitSource::model,

@@ -17,7 +17,7 @@ std::optional<std::string> peakPlace(const Peak& peak) {
 constexpr Output<ShopColumn> shopColumnRows[] = {
     {{.label = SPARKOUT_NOOP("Output", "Double strokes"),
       .ofRevolutions = SPARKOUT_NOOP("Output", "Revolutions"),
-      .hint = SPARKOUT_NOOP("Output", "How many of them the stage took.")},
+      .hint = SPARKOUT_NOOP("Output", "Number completed in the stage.")},
      [](const ShopColumn& c) { return std::int64_t{c.count}; }},
     {{.key = "grinding_time_min",
       .label = SPARKOUT_NOOP("Output", "Time"),
@@ -43,9 +43,8 @@ constexpr Output<ShopColumn> shopColumnRows[] = {
       .label = SPARKOUT_NOOP("Output", "Mean Q′w"),
       .brief = SPARKOUT_NOOP("Output", "   mean"),
       .unit = "mm³/(mm·s)",
-      .hint =
-          SPARKOUT_NOOP("Output", "The specific removal rate at the mean actual feed of all passes "
-                                  "of the stage, those that remove nothing included.")},
+      .hint = SPARKOUT_NOOP("Output", "The specific removal rate at the mean actual feed of all "
+                                      "passes of the stage, including those that remove nothing.")},
      [](const ShopColumn& c) { return c.meanRemovalRate_mm2_s; }},
     {{.key = "equivalent_chip_um",
       .label = SPARKOUT_NOOP("Output", "heq"),

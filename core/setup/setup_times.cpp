@@ -10,23 +10,26 @@ namespace sparkout {
 template <>
 const StructInfo& tableOf<SetupTimes>() {
     static const std::array rows{
-        SPARKOUT_FIELD(SetupTimes, approach_s, .label = SPARKOUT_NOOP("Input", "Approach"),
-                       .unit = "s", .hard = {0, 3600},
-                       .hint = SPARKOUT_NOOP("Input", "Of the wheel to a surface, for each of "
-                                                      "them.")),
-        SPARKOUT_FIELD(SetupTimes, retreat_s, .label = SPARKOUT_NOOP("Input", "Retreat"),
-                       .unit = "s", .hard = {0, 3600},
-                       .hint = SPARKOUT_NOOP("Input", "Of the wheel from a surface, for each of "
-                                                      "them.")),
-        SPARKOUT_FIELD(SetupTimes, gauging_s, .label = SPARKOUT_NOOP("Input", "Gauging"),
-                       .unit = "s", .hard = {0, 3600},
-                       .hint = SPARKOUT_NOOP("Input", "Of a surface after its cycle, for each of "
-                                                      "them.")),
-        SPARKOUT_FIELD(SetupTimes, positioning_s,
-                       .label = SPARKOUT_NOOP("Input", "Table positioning"), .unit = "s",
-                       .hard = {0, 3600},
-                       .hint = SPARKOUT_NOOP("Input", "Of the table from one surface to the "
-                                                      "next.")),
+        SPARKOUT_FIELD(
+            SetupTimes, approach_s, .label = SPARKOUT_NOOP("Input", "Approach"), .unit = "s",
+            .hard = {0, 3600},
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Time of the wheel's approach to a surface, for each surface.")),
+        SPARKOUT_FIELD(
+            SetupTimes, retreat_s, .label = SPARKOUT_NOOP("Input", "Retreat"), .unit = "s",
+            .hard = {0, 3600},
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Time of the wheel's retreat from a surface, for each surface.")),
+        SPARKOUT_FIELD(
+            SetupTimes, gauging_s, .label = SPARKOUT_NOOP("Input", "Gauging"), .unit = "s",
+            .hard = {0, 3600},
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Time of gauging a surface after its cycle, for each surface.")),
+        SPARKOUT_FIELD(
+            SetupTimes, positioning_s, .label = SPARKOUT_NOOP("Input", "Table positioning"),
+            .unit = "s", .hard = {0, 3600},
+            .hint =
+                SPARKOUT_NOOP("Input", "Time of moving the table from one surface to the next.")),
         SPARKOUT_FIELD(SetupTimes, handling_s,
                        .label = SPARKOUT_NOOP("Input", "Loading and unloading"), .unit = "s",
                        .hard = {0, 36000},

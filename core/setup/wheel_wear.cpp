@@ -67,13 +67,14 @@ bool isWornOut(const Wheel& dressed, const WheelWear& wear, const RemovedMetal& 
 template <>
 const StructInfo& tableOf<WheelWear>() {
     static const std::array rows{
-        SPARKOUT_FIELD(WheelWear, dulling_per_mm2, .label = SPARKOUT_NOOP("Input", "Dulling"),
-                       .symbol = "c", .unit = "1/mm²", .hard = {0, 1}, .soft = {0, 1e-3},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "the wheel stays as sharp"),
-                       .hint = SPARKOUT_NOOP("Input",
-                                             "By how much the dullness grows for each mm³ that a "
-                                             "millimetre of the wheel's width has removed."),
-                       .formula = "η = η_0 + c·(V_w/B)ᵖ", .source = "MODEL-12"),
+        SPARKOUT_FIELD(
+            WheelWear, dulling_per_mm2, .label = SPARKOUT_NOOP("Input", "Dulling"), .symbol = "c",
+            .unit = "1/mm²", .hard = {0, 1}, .soft = {0, 1e-3},
+            .nullMeaning = SPARKOUT_NOOP("Input", "the wheel stays as sharp"),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Growth of the dullness per mm³ removed by each millimetre of the wheel's width."),
+            .formula = "η = η_0 + c·(V_w/B)ᵖ", .source = "MODEL-12"),
         SPARKOUT_FIELD(
             WheelWear, dulling_exponent, .label = SPARKOUT_NOOP("Input", "Exponent of dulling"),
             .symbol = "p", .hard = {0.1, 5}, .soft = {0.3, 2},

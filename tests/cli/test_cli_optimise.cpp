@@ -188,7 +188,7 @@ private slots:
         QVERIFY(answer.at("cycle_time_min") > exact.at("cycle_time_min"));
         QVERIFY(answer.at("bound_time_min") == answer.at("limit_time_min")); // proved for any cycle
         const std::string text = optimize({saved, "--method", "labels"}).out;
-        QVERIFY(text.find("a heuristic: it holds, but") != std::string::npos);
+        QVERIFY(text.find("a heuristic: the cycle is fit, but") != std::string::npos);
         QVERIFY(text.find(", proved") == std::string::npos);
     }
 
@@ -249,7 +249,7 @@ private slots:
         }
         QVERIFY(answer.at("binding") == binding);
         const std::string text = optimize({saved, "--refine"}).out;
-        QVERIFY(text.find("is quicker is not proved") != std::string::npos);
+        QVERIFY(text.find("it is not proved to be the quickest") != std::string::npos);
     }
 
     void theMachineFoundIsToldAndWritten() {
@@ -332,7 +332,7 @@ private slots:
             QVERIFY(answer.at("cycle_time_min") >= quickest.at("cycle_time_min"));
             const std::string text = optimize({file}).out;
             QVERIFY2(text.find(isCost ? "the minimum cost, proved"
-                                      : "none holds for more parts between dressings, proved")
+                                      : " is fit for more parts between dressings, proved")
                          != std::string::npos,
                      text.c_str());
             const std::string parts = std::to_string(engine.held->parts);
@@ -368,8 +368,8 @@ private slots:
         const Outcome outcome = optimize({saved, "-o", written});
         QCOMPARE(outcome.status, 5);
         QVERIFY(outcome.out.empty());
-        QVERIFY2(outcome.err.find(
-                     "No cycle of the grid holds every requirement. What cut most: wheel_power (")
+        QVERIFY2(outcome.err.find("No cycle of the grid holds every requirement. Excluded most "
+                                  "often by: wheel_power (")
                      != std::string::npos,
                  outcome.err.c_str());
         QVERIFY(!QFile::exists(written));
@@ -449,7 +449,7 @@ private slots:
         QVERIFY(robust.at("status") == "proved" && robust.at("holds_in_sample") == true);
         QVERIFY(robust.at("least_relative_margin") < answer.at("least_relative_margin"));
         const std::string robustText = optimize({saved, "--robust"}).out;
-        QVERIFY2(robustText.find("over all that it must hold for, in ") != std::string::npos,
+        QVERIFY2(robustText.find("over all required cases, in ") != std::string::npos,
                  robustText.c_str());
         const Outcome refined = optimize({saved, "--refine"});
         QVERIFY(refined.status != 0);
@@ -479,8 +479,9 @@ private slots:
         QVERIFY(answer.at("decided_corners") == 0);          // of no batch
         QVERIFY(answer.at("fresh_phases").at("tried") == 0); // none was drawn
         const std::string text = optimize({saved, "--robust"}).out;
-        QVERIFY2(text.find("It holds for every stock of ") != std::string::npos, text.c_str());
-        QVERIFY(text.find("phases drawn afresh") == std::string::npos);
+        QVERIFY2(text.find("The cycle is fit for every stock of ") != std::string::npos,
+                 text.c_str());
+        QVERIFY(text.find("stocks drawn at random") == std::string::npos);
     }
 
     void underPositionControlAConfidenceIsStated() {
@@ -503,9 +504,9 @@ private slots:
         QVERIFY(text.find("proved for these.") != std::string::npos);
         const std::string stated =
             QString::number(std::ceil(share * 1e4) / 1e2, 'f', 2).toStdString(); // never less
-        QVERIFY(text.find("as cycle no. " + std::to_string(candidate)
-                          + " that was tried so: with 95 % confidence at most " + stated
-                          + " % of the phases fail")
+        QVERIFY(text.find("(cycle no. " + std::to_string(candidate)
+                          + " tried in this way): with 95 % confidence it is unfit for at most "
+                          + stated + " % of all stocks")
                 != std::string::npos);
     }
 
@@ -569,7 +570,7 @@ private slots:
         const json answer = json::parse(interruptedWithAnAnswer({saved, "--json"}).out);
         QVERIFY(!answer.at("cycle").is_null() && answer.at("binding").is_null());
         const std::string text = interruptedWithAnAnswer({saved}).out;
-        QVERIFY2(text.find("is not known: the search was stopped before") != std::string::npos,
+        QVERIFY2(text.find("is not known: the search was stopped first") != std::string::npos,
                  text.c_str());
     }
 

@@ -82,7 +82,7 @@ private slots:
                  {": /wheel/width_mm: 2000 mm is out of range; allowed: 0.5…1000 mm\n",
                   ": /part/profile: \"square\" is not one of the choices; allowed: \"ellipse\", "
                   "\"eccentric\", \"lobes\", \"measured\"\n",
-                  ": /machine/work_speed_rpm: this value is required; allowed: 0.1…10000 "
+                  ": /machine/work_speed_rpm: value missing; allowed: 0.1…10000 "
                   "rev/min\n"}) {
                 QVERIFY2(outcome.err.find(path.toStdString() + expected) != std::string::npos,
                          outcome.err.c_str());

@@ -27,9 +27,9 @@ struct VerdictTable {
 
 QString lightName(Light light) {
     switch (light) {
-    case Light::holds: return VerdictTable::tr("holds");
+    case Light::holds: return VerdictTable::tr("met");
     case Light::close: return VerdictTable::tr("close to the limit");
-    case Light::fails: return VerdictTable::tr("fails");
+    case Light::fails: return VerdictTable::tr("not met");
     }
     return {};
 }
@@ -85,11 +85,11 @@ std::vector<ValueHead> heads() {
              .tip = VerdictTable::tr("What the drawing, the process or the machine asks of the "
                                      "cycle"),
              .isText = true},
-            {.text = VerdictTable::tr("Value"),
-             .tip = VerdictTable::tr("What the cycle comes to, at its worst")},
-            {.text = VerdictTable::tr("Limit"), .tip = VerdictTable::tr("What is allowed")},
+            {.text = VerdictTable::tr("Value"), .tip = VerdictTable::tr("Worst value")},
+            {.text = VerdictTable::tr("Limit"), .tip = VerdictTable::tr("Allowed value")},
             {.text = VerdictTable::tr("Margin"),
-             .tip = VerdictTable::tr("How far the value is from its limit; below 0 it is beyond")}};
+             .tip = VerdictTable::tr(
+                 "Distance of the value from its limit; below 0 the limit is exceeded")}};
 }
 
 std::vector<CsvCell> copiedCells(const ConstraintResult& c) {

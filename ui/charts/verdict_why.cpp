@@ -84,7 +84,7 @@ QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
         text += tr(", with what the machine prints");
     }
     return c.holds ? text + u'.'
-                   : text + tr(". More passes without feed take it down, or a smaller last feed.");
+                   : text + tr(". More passes without feed or a smaller last feed reduce it.");
 }
 
 /// Mean radii against their own mean, and the worst section's out of round.
@@ -119,7 +119,7 @@ QString VerdictWhy::place(const Outcome& outcome, const ConstraintResult& c) {
     const QString text = tr("%1: worst in %2.").arg(Names::constraint(c.kind), place);
     return c.holds ? text
                    : text
-                         + tr(" A smaller feed in stage %1 lowers it, or a sharper wheel.")
+                         + tr(" A smaller feed in stage %1 or a sharper wheel lowers it.")
                                .arg(c.at->stage);
 }
 
@@ -149,8 +149,8 @@ QString why(const Outcome& outcome, const ConstraintResult& requirement) {
             .arg(Names::amount(requirement.kind, requirement.limit, false),
                  mostAxialFeed(outcome.result.project, requirement.limit));
     case ConstraintKind::leastSteps:
-        return VerdictWhy::tr("The fewest that a stage with stock makes; a smaller feed or more "
-                              "stock in stage %1 makes them more.")
+        return VerdictWhy::tr("This is the minimum over the stages with stock; a smaller feed or "
+                              "more stock in stage %1 increases it.")
             .arg(requirement.stage);
     case ConstraintKind::diameterMin:
     case ConstraintKind::diameterMax: return VerdictWhy::diameter(outcome, requirement);

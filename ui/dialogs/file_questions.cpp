@@ -86,7 +86,7 @@ QString unsavedText(const Document& document, const QStringList& refused) {
         text += listed(Words::tr("Not saved:"), edits);
     }
     if (!refused.isEmpty()) {
-        text += listed(Words::tr("Refused texts, which no file will hold:"), refused);
+        text += listed(Words::tr("Invalid entries (not saved):"), refused);
     }
     return text;
 }
@@ -125,11 +125,12 @@ UnsavedAnswer askUnsaved(QWidget* window, const Document& document, const QStrin
 }
 
 bool mayLoseRefused(QWidget* window, const QStringList& refused) {
-    Question question(window, QMessageBox::Question, Words::tr("Refused texts"),
-                      Words::tr("Everything else is saved, but what was refused is in no file. "
-                                "Go on without it?")
-                          + listed(Words::tr("Refused:"), refused));
-    question.add(Words::tr("&Go on"), QMessageBox::DestructiveRole, "discard");
+    Question question(
+        window, QMessageBox::Question, Words::tr("Invalid entries"),
+        Words::tr(
+            "Everything else is saved, but the invalid entries are not. Continue without them?")
+            + listed(Words::tr("Refused:"), refused));
+    question.add(Words::tr("&Continue"), QMessageBox::DestructiveRole, "discard");
     question.addCancel(Words::tr("&Back to the fields"));
     return question.ask() == u"discard";
 }
@@ -137,8 +138,8 @@ bool mayLoseRefused(QWidget* window, const QStringList& refused) {
 QString holderText(const LockHolder& holder) {
     const QString since = momentText(holder.since);
     if (!holder.readable) {
-        return Words::tr("The lock file beside it cannot be understood; it belongs to the user %1 "
-                         "and is of %2.")
+        return Words::tr("The lock file beside it cannot be read; it belongs to the user %1 and "
+                         "dates from %2.")
             .arg(holder.user, since);
     }
     return Words::tr("User: %1\nComputer: %2\nProgram: %3, process %4\nSince: %5")
@@ -152,8 +153,8 @@ QString inUseText(const QString& path, const LockHolder& holder) {
 }
 
 QString strangeLockText(const QString& strange) {
-    return Words::tr("The file is not locked against other users: “%1” stands where its lock "
-                     "belongs and is not a lock file. It was left as it is.")
+    return Words::tr("The file is not locked against other users: “%1” has the name of its lock "
+                     "file but is not one. It was left unchanged.")
         .arg(printableText(strange));
 }
 
@@ -162,12 +163,12 @@ LockedAnswer askLocked(QWidget* window, const QString& path, const LockHolder& h
                        ? Words::tr("“%1” is open already.").arg(printableText(path))
                        : Words::tr("“%1” seems to be open already.").arg(printableText(path));
     text += QStringLiteral("\n\n") + holderText(holder) + QStringLiteral("\n\n")
-            + Words::tr("Take it over only if nobody works in it any more.");
+            + Words::tr("Open it anyway only if nobody is working in it any more.");
     Question question(window, QMessageBox::Warning, Words::tr("The file is in use"), text);
     question.breakPath(path);
     question.addDefault(Words::tr("Open &read-only"), QMessageBox::AcceptRole, "readOnly");
     question.add(Words::tr("Open a co&py"), QMessageBox::AcceptRole, "copy");
-    question.add(Words::tr("&Take over"), QMessageBox::DestructiveRole, "takeOver");
+    question.add(Words::tr("&Open anyway"), QMessageBox::DestructiveRole, "takeOver");
     question.addCancel();
     const QString answer = question.ask();
     return answer == u"readOnly"   ? LockedAnswer::readOnly

@@ -76,9 +76,8 @@ void SavedFile::open(NoticeBar& bar, const QString& path) {
              Mark::warning,
              [path] {
                  const QString shown = printableText(QDir::toNativeSeparators(path));
-                 return QFileInfo::exists(path)
-                            ? tr("The system names no program that opens %1").arg(shown)
-                            : tr("%1 is no longer there").arg(shown);
+                 return QFileInfo::exists(path) ? tr("No program opens %1; assign one").arg(shown)
+                                                : tr("%1 is no longer there").arg(shown);
              },
              {}});
 }

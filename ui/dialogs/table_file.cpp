@@ -41,8 +41,8 @@ void sayTooLong(QWidget* window, const Sheet& sheet) {
 } // namespace
 
 QString tooLongText(const QString& sheet, std::size_t rows) {
-    return TableFile::tr("“%1” would have %2 rows; a sheet of a workbook holds %3, its head "
-                         "included. As CSV it can be saved whole.")
+    return TableFile::tr("“%1” would have %2 rows; a worksheet has at most %3, including the head. "
+                         "It can be saved in full as CSV.")
         .arg(sheet, QLocale().toString(static_cast<qulonglong>(rows)),
              QLocale().toString(static_cast<qulonglong>(xlsxRows)));
 }

@@ -46,8 +46,8 @@ QString exportObstacle(const OutcomePtr& outcome, const ExportChoice& choice) {
         return {};
     }
     if (traceRows(*outcome) == 0) {
-        return ExportFile::tr("There is no trace: of a run of %1 rows only the results are kept; a "
-                              "trace has %2 at most.")
+        return ExportFile::tr("There is no trace: the run has %1 rows and a trace at most %2, so "
+                              "only the results are kept.")
             .arg(QLocale().toString(outcome->result.visits), QLocale().toString(maxRecordedVisits));
     }
     if (choice.format != ExportFormat::xlsx) {

@@ -107,7 +107,7 @@ QWidget* CycleFitPage::buildButtons() {
     m_fit->setObjectName(QStringLiteral("fit"));
     m_stop->setObjectName(QStringLiteral("fitStop"));
     m_leaveOut->setObjectName(QStringLiteral("fitLeaveOut"));
-    m_leaveOut->setToolTip(tr("Unchecks what the data cannot tell"));
+    m_leaveOut->setToolTip(tr("Clears undetermined parameters"));
     m_fitTimes->setObjectName(QStringLiteral("fitTimes"));
     m_fitTimes->setToolTip(tr("Checks what was left out, and fits again"));
     m_take->setObjectName(QStringLiteral("fitTake"));
@@ -235,17 +235,17 @@ QString CycleFitPage::consequences() const {
         isOfDullness && hasBeta
             ? tr("Sizes determine only the product of compliance and dullness: with the compliance "
                  "fitted in place of β, the dullness stays as it is.")
-            : tr("Are gauge, feeds and blank of the project those of the recording? Fewer "
-                 "parameters, or what is known of them before, help, too.");
+            : tr("Check that gauge, feeds and blank of the project match the recording. Fewer "
+                 "parameters, or values known before, also help.");
     if (m_result->values.empty()) {
         return {};
     }
     if (!refused.isEmpty()) {
-        return tr("These values cannot be taken over. %1. %2")
+        return tr("These values cannot be applied. %1. %2")
             .arg(refused.join(QStringLiteral("; ")), advice);
     }
     if (m_result->status == IdentificationStatus::doesNotFit) {
-        return tr("These values cannot be taken over: the model does not fit. %1").arg(advice);
+        return tr("These values cannot be applied: the model does not fit. %1").arg(advice);
     }
     return unusual.isEmpty()
                ? QString()

@@ -30,7 +30,7 @@ DataChoice::DataChoice(const Project& project, QWidget* parent) : QGroupBox(pare
         box->setEnabled(isUsable);
         box->setChecked(isUsable);
         if (std::ranges::find(all.withoutFactor, number) != all.withoutFactor.end()) {
-            box->setToolTip(tr("A current takes part once its factor in kW per A is given."));
+            box->setToolTip(tr("A current is used once its factor in kW per A is given."));
         }
         m_traces.push_back(box);
         m_numbers.push_back(number);

@@ -98,8 +98,8 @@ QString FitResult::words() const {
         if (std::ranges::none_of(m_request.parameters, [](const FittedParameter& parameter) {
                 return isInput(parameter.kind);
             })) {
-            lines << tr("Offsets of the traces are no inputs of the project: there is nothing to "
-                        "take.");
+            lines << tr(
+                "Offsets of the traces are not inputs of the project: there is nothing to apply.");
         }
     } else {
         lines << (m_result.values.empty()
@@ -138,10 +138,11 @@ QString FitResult::normality() const {
     const double probability = m_result.normality->probability;
     const QString share = Names::significant(probability, 2);
     return probability < doubtfulNormality
-               ? tr("The residuals are hardly normal (probability %1): something else than noise "
-                    "may be left in them, and the intervals are too narrow.")
+               ? tr("The residuals are hardly normal (probability %1): they may contain more than "
+                    "noise, and the intervals are too narrow.")
                      .arg(share)
-               : tr("Nothing speaks against normal residuals (probability %1).").arg(share);
+               : tr("The residuals do not contradict a normal distribution (probability %1).")
+                     .arg(share);
 }
 
 void FitResult::showValues() {
@@ -176,7 +177,7 @@ void FitResult::showCorrelations() {
             if (k < i && std::abs(value) > most) {
                 most = std::abs(value);
                 worst =
-                    tr("Hardly told apart: %1 and %2.")
+                    tr("Barely separable: %1 and %2.")
                         .arg(FitWords::parameter(m_project, m_result.values[k].parameter), name);
             }
         }

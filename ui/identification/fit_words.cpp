@@ -100,8 +100,8 @@ QString FitWords::outOfStep(const Project& project, const Identification& result
                             const OutOfStep& one) {
     constexpr double normal95 = 1.96;
     const FittedValue& moved = result.values.at(one.parameter);
-    return tr("Left out: %1 seems to be %2 ± %3 and was not fitted. The values found are wrong by "
-              "it: fitted too, %4 would be %5 instead of %6.")
+    return tr("Left out: %1 seems to be %2 ± %3 and was not fitted. This distorts the values "
+              "found: with it fitted, %4 would be %5 instead of %6.")
         .arg(worded(wordsOf(one.kind)), number(one.amount),
              Names::significant(normal95 * one.error, 2) + u' ' + unit(one.kind),
              parameter(project, moved.parameter), number(one.value), number(moved.value));
@@ -127,7 +127,7 @@ QString FitWords::lack(const Project& project, const FitResiduals& residuals) {
         return {};
     }
     const QString unlike = worded(wordsOf(residuals.unlike.kind));
-    return tr("Does not fit: %1: %2 times what the noise leaves; by chance up to %3: %4.")
+    return tr("Does not fit: %1: residuals %2 times the noise; by chance up to %3: %4.")
         .arg(group(project, residuals), Names::significant(residuals.lack.ratio, 2),
              Names::fixed(residuals.lack.most, 1),
              residuals.unlike.stage < 0
@@ -142,12 +142,12 @@ QString FitWords::unidentified(const Project& project, const std::vector<FittedP
         names << parameter(project, list.at(i));
     }
     const QString all = names.join(QStringLiteral("; "));
-    return one.isProduct ? tr("Only the product is told by the data: %1. What would help: %2.")
+    return one.isProduct ? tr("The data determine only the product: %1. What would help: %2.")
                                .arg(all, advice(one.advice))
-           : names.size() > 1
-               ? tr("Not told apart by the data: %1. What would help: %2.")
-                     .arg(all, advice(one.advice))
-               : tr("Not told by the data: %1. What would help: %2.").arg(all, advice(one.advice));
+           : names.size() > 1 ? tr("The data do not separate: %1. What would help: %2.")
+                                    .arg(all, advice(one.advice))
+                              : tr("The data do not determine: %1. What would help: %2.")
+                                    .arg(all, advice(one.advice));
 }
 
 QString FitWords::number(double value) {

@@ -53,9 +53,9 @@ ParameterChoice::ParameterChoice(const Project& project, QWidget* parent) : QGro
 
 void ParameterChoice::addHead(QGridLayout& grid) {
     auto* known = new QLabel(tr("known before: mean ± s"), this);
-    known->setToolTip(tr("A value known from elsewhere, with its standard deviation, takes part "
-                         "like one more measurement. Factors are of the present inputs: 1 ± 0.1 "
-                         "means known within some 20 %. Left empty: nothing is known."));
+    known->setToolTip(tr("A value known from elsewhere, with its standard deviation, counts as one "
+                         "more measurement. Factors refer to the current inputs: 1 ± 0.1 means "
+                         "known within about 20 %. Empty: nothing is known."));
     grid.addWidget(known, 0, 1, 1, 4, Qt::AlignLeft);
 }
 

@@ -242,12 +242,12 @@ void StiffnessPage::evaluate() {
                             "rests, whose steps are given on the page Part of the inputs: its "
                             "bending, which is computed, is taken off the readings."));
     } else if (!m_isComplete) {
-        m_words->setText(tr("Inputs of the project are missing or wrong: first mend what the "
-                            "messages name."));
+        m_words->setText(tr(
+            "Inputs of the project are missing or wrong: first correct what the messages name."));
     } else if (!fault.isEmpty()) {
         m_words->setText(fault);
     } else if (asked.readings.empty()) {
-        m_words->setText(tr("Enter the deflections: what they tell stands here at once."));
+        m_words->setText(tr("Enter the deflections: the result is shown here at once."));
     } else {
         m_trial = stiffnessFromTrial(m_project, asked);
         showFound();
@@ -324,7 +324,7 @@ void StiffnessPage::showFound() {
         }
     }
     if (!std::holds_alternative<std::monostate>(m_project.machine->compliance_mm_per_n)) {
-        words << tr("The compliance given goes; γ then follows from stiffness and shaft.");
+        words << tr("The given compliance is removed; γ then follows from stiffness and shaft.");
     }
     m_words->setText(words.join(u'\n'));
     showCompliance(after);

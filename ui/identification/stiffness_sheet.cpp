@@ -62,11 +62,11 @@ QStringList StiffnessSheet::steps() const {
             tr("Read the deflection at %1 N and at %2 N. Unload; the indicator must come back to "
                "zero. Read both once more.")
                 .arg(half, full),
-            tr("Do the same at the other places: %1 mm.").arg(places.mid(1).join(tr(" and "))),
-            tr("For the wheel head, too, set the indicator on the wheel head instead of the bed, "
-               "load between wheel head and part, and choose so below."),
-            tr("Enter the deflections. Two places tell headstock and tailstock, the third tells "
-               "whether the readings agree.")};
+            tr("Repeat this at the other places: %1 mm.").arg(places.mid(1).join(tr(" and "))),
+            tr("To include the wheel head, set the indicator on the wheel head instead of the bed, "
+               "apply the load between wheel head and part, and choose this below."),
+            tr("Enter the deflections. Two places determine headstock and tailstock; the third "
+               "shows whether the readings agree.")};
 }
 
 QString StiffnessSheet::facts() const {

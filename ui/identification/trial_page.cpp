@@ -44,7 +44,7 @@ TrialPage::TrialPage(const Project& project, QWidget* parent)
     : QWidget(parent)
     , m_project(project)
     , m_record(new QComboBox(this))
-    , m_table(new FitTable(tr("Trials by what they tell"), this))
+    , m_table(new FitTable(tr("Trials, most informative first"), this))
     , m_words(copyableLabel(this))
     , m_fault(copyableLabel(this))
     , m_progress(new QProgressBar(this))
@@ -152,8 +152,8 @@ void TrialPage::follow() {
     const bool runs = m_job.running();
     QString fault;
     if (!canRunTrials(m_project)) {
-        fault = tr("Inputs of the project are missing or wrong: first mend what the messages "
-                   "name.");
+        fault =
+            tr("Inputs of the project are missing or wrong: first correct what the messages name.");
     } else if (parameters().empty()) {
         fault = tr("No parameter is chosen.");
     }
@@ -191,7 +191,7 @@ QStringList TrialPage::cellsOf(const Trial& trial) const {
         const auto found =
             std::ranges::find(trial.expected, parameter, &TrialExpectation::parameter);
         cells << (found == trial.expected.end()
-                      ? tr("not told")
+                      ? tr("unknown")
                       : FitWords::interval(Interval{found->low, found->high}));
     }
     return cells;
@@ -252,14 +252,14 @@ void TrialPage::showTrial(int row) {
     }
     const Trial& trial = *m_shown[static_cast<std::size_t>(row)];
     const TrialNoise& noise = m_requested.noise;
-    QStringList words{row == 0 ? tr("The trial that tells most:") : tr("The chosen trial:"),
+    QStringList words{row == 0 ? tr("Most informative trial:") : tr("The chosen trial:"),
                       stepsOf(trial)};
     if (!trial.cannotTell.empty()) {
         QStringList names;
         for (const FittedParameter& parameter : trial.cannotTell) {
             names << FitWords::parameter(m_project, parameter);
         }
-        words << tr("It cannot tell: %1.").arg(names.join(QStringLiteral("; ")));
+        words << tr("Undetermined: %1.").arg(names.join(QStringLiteral("; ")));
     }
     words << tr("The intervals are those expected at 95 % about the present inputs, for %1 values "
                 "a second with a scatter of %2 µm, %3 kW or %4 % of the maximum force. Then "

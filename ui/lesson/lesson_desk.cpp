@@ -286,13 +286,13 @@ void LessonDesk::openWork(const QString& given) {
         start(std::move(*read.work), path, true);
     }
     if (isBroken) {
-        m_notices.add({changedNotice,
-                       Mark::warning,
-                       [] {
-                           return tr("This work was changed outside of the program. Whoever marks "
-                                     "it will be told.");
-                       },
-                       {}});
+        m_notices.add(
+            {changedNotice,
+             Mark::warning,
+             [] {
+                 return tr("This work was changed outside the program. The teacher will see it.");
+             },
+             {}});
     }
 }
 
@@ -375,8 +375,8 @@ void LessonDesk::showNotSaved() {
                    Mark::error,
                    [error] {
                        return error ? tr("The work is not saved. %1").arg(saveErrorText(*error))
-                                    : tr("The work is not saved: what was handed in is in this "
-                                         "window only.");
+                                    : tr("The work is not saved: the answers handed in are only in "
+                                         "this window.");
                    },
                    {{[] { return tr("Try again"); }, [this] { save(); }},
                     {[] { return tr("Save elsewhere…"); }, [this] { saveAs(); }}}});

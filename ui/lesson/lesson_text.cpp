@@ -121,19 +121,20 @@ QString LessonText::asked(const Goal& goal, const Project& project) {
     case GoalKind::requirements: {
         const bool all = goal.requirements->every_stock;
         return goal.requirements->least_margin_percent > 0
-                   ? (all ? tr("To pass: every requirement holds for every stock, with a margin of "
-                               "at least %1 %.")
-                          : tr("To pass: every requirement holds, with a margin of at least %1 %."))
+                   ? (all ? tr("To pass: every requirement is met for every stock, with a margin "
+                               "of at least %1 %.")
+                          : tr(
+                              "To pass: every requirement is met, with a margin of at least %1 %."))
                          .arg(printedNumber(goal.requirements->least_margin_percent))
-               : all ? tr("To pass: every requirement holds for every stock.")
-                     : tr("To pass: every requirement holds.");
+               : all ? tr("To pass: every requirement is met for every stock.")
+                     : tr("To pass: every requirement is met.");
     }
     case GoalKind::time:
         if (!goal.time->below_min) {
             return {};
         }
         return (goal.time->requirements_hold
-                    ? tr("To pass: cycle time at most %1 min, every requirement holds.")
+                    ? tr("To pass: cycle time at most %1 min, every requirement is met.")
                     : tr("To pass: cycle time at most %1 min."))
             .arg(withDecimals(*goal.time->below_min, cycleTimeDigits));
     case GoalKind::figure:
@@ -193,10 +194,10 @@ QString LessonText::numbers(const Goal& goal, const GoalResult& result) {
     case GoalKind::text: break;
     }
     if (result.failingStocks_percent) {
-        parts += tr("fails for %1 % of stocks").arg(withDecimals(*result.failingStocks_percent, 0));
+        parts += tr("unfit for %1 % of stocks").arg(withDecimals(*result.failingStocks_percent, 0));
     }
     if (!result.failing.empty()) {
-        parts += tr("fails: %1").arg(failingNames(result));
+        parts += tr("not met: %1").arg(failingNames(result));
     }
     for (const std::string& path : result.forbidden) {
         parts += inputLocation(path);

@@ -379,8 +379,8 @@ void ImportDialog::showResult() {
     if (hasFaults) {
         texts << (isWhole ? tr("%n cell(s) are refused:", nullptr,
                                static_cast<int>(m_read->faults.size()))
-                          : tr("So many cells are refused that the lines are not read to the end. "
-                               "Are the delimiter, the decimal mark and the columns right?"));
+                          : tr("Reading stopped early because too many cells are refused. Check "
+                               "the delimiter, the decimal mark and the columns."));
     } else if (!against.isEmpty()) {
         texts << against;
     }

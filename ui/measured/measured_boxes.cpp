@@ -61,8 +61,8 @@ QString MeasuredBoxes::category(const QString& place, Kind kind) {
 }
 
 QString MeasuredBoxes::summaryRemark() {
-    return tr("Of typed statistics the box is that of a normal law of their mean and standard "
-              "deviation.");
+    return tr("For entered statistics, the box is that of a normal law with their mean and "
+              "standard deviation.");
 }
 
 void MeasuredBoxes::addLimits(BarChart& chart, const Project& project, MeasuredQuantity quantity) {
@@ -126,7 +126,7 @@ BarChart MeasuredBoxes::chart(const Project& project, const std::vector<Adequacy
         remarks << summaryRemark();
     }
     if (hasCorners) {
-        remarks << tr("Corners are no sample: of their prediction there is no box.");
+        remarks << tr("Corner parts are not a sample: their prediction has no box.");
     }
     if (all > places) {
         remarks << tr("%1 of %2 comparisons are drawn.").arg(places).arg(all);

@@ -201,8 +201,8 @@ QString MeasuredText::consequence(const std::vector<AdequacyRow>& rows, Adequacy
         return tr("The compliance, the force or the setting of the gauge are not those of the "
                   "machine: calibrate them on these parts before the prediction is used.");
     case AdequacyVerdict::scatterDiffers:
-        return tr("The factors of the batch scatter otherwise than in the shop: put the measured "
-                  "scatter of stock, runout and dullness into the batch.");
+        return tr("The factors of the batch do not scatter as in the shop: enter the measured "
+                  "scatter of stock, runout and dullness in the batch.");
     case AdequacyVerdict::biasedAndScatters:
         if (!isOfSize) {
             return {};
@@ -212,7 +212,7 @@ QString MeasuredText::consequence(const std::vector<AdequacyRow>& rows, Adequacy
     case AdequacyVerdict::tooFewParts: return tr("Measure more parts of the same setting.");
     case AdequacyVerdict::notPredicted: break;
     }
-    return tr("These measurements say nothing of the model.");
+    return tr("These measurements do not test the model.");
 }
 
 QString MeasuredText::briefVerdict(AdequacyVerdict verdict) {

@@ -154,11 +154,11 @@ void PackExportDialog::addLessons(const QStringList& paths) {
         if (const auto* error = std::get_if<FileError>(&bytes)) {
             faults += readErrorText(*error);
         } else if (!read.lesson) {
-            faults += tr("“%1” is no laboratory work: %2")
+            faults += tr("“%1” is not a laboratory work: %2")
                           .arg(printableText(file), issueText(read.issues.front()));
         } else if (!isLessonFileName(file.toStdString())) {
-            faults += tr("“%1” is too long a name for a file, or has letters that not every system "
-                         "takes.")
+            faults += tr("“%1” is too long for a file name or has characters that some systems do "
+                         "not allow.")
                           .arg(printableText(file));
         } else if (m_files.contains(file, Qt::CaseInsensitive)) {
             faults += tr("There is a “%1” in the list already.").arg(printableText(file));

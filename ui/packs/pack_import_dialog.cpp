@@ -56,7 +56,7 @@ PackImportDialog::PackImportDialog(Pack pack, Settings& settings, QWidget* paren
     , m_settings(settings)
     , m_plan(std::move(pack), settings)
     , m_lines(newTree("packLines", tr("What is in the pack"),
-                      {tr("What"), tr("Name"), tr("You have"), tr("What becomes of it")}, this))
+                      {tr("What"), tr("Name"), tr("You have"), tr("Action")}, this))
     , m_differences(newTree("packDifferences", tr("The chosen line in detail"),
                             {tr("Input"), tr("Yours"), tr("In the pack")}, this))
     , m_state(plainLabel({}, this)) {
@@ -103,10 +103,9 @@ QWidget* PackImportDialog::buildHead() {
         label->setObjectName(QStringLiteral("packLogoFault"));
         column->addWidget(label);
     }
-    column->addWidget(
-        plainLabel(tr("Nothing of yours is replaced unless you choose it here. A pack "
-                      "holds data alone: nothing in it is run."),
-                   head));
+    column->addWidget(plainLabel(tr("Your own data are replaced only if you choose so here. A pack "
+                                    "contains only data: nothing in it is executed."),
+                                 head));
     return head;
 }
 
@@ -144,7 +143,7 @@ void PackImportDialog::addLine(std::size_t line) {
     }
     auto* box = new QComboBox(m_lines);
     box->setObjectName(QStringLiteral("packChoice%1").arg(line + 1));
-    box->setAccessibleName(tr("What becomes of “%1”").arg(printableText(at.name)));
+    box->setAccessibleName(tr("Action for “%1”").arg(printableText(at.name)));
     for (const PackPlan::Choice choice : choices) {
         box->addItem(choiceText(choice, at.state), static_cast<int>(choice));
     }

@@ -52,7 +52,8 @@ DressingDialog::DressingDialog(Setup setup, QWidget* parent)
     m_cases->setEnabled(std::ranges::any_of(m_setup.surfaces, [](const GroundSurface& surface) {
         return surface.project.batch.has_value();
     }));
-    m_cases->setToolTip(tr("Batches are set up in the view Batch; the dullness is the wear's."));
+    m_cases->setToolTip(
+        tr("Batches are set up in the view Batch; the dullness follows from the wear."));
     auto* row = new QHBoxLayout;
     row->addWidget(cases);
     row->addWidget(m_cases);
@@ -97,10 +98,10 @@ void DressingDialog::find() {
 
 void DressingDialog::showResult() {
     const QString refusal = DressingText::refusal(m_interval);
-    m_result->setText(m_interval.isStopped ? tr("Stopped: nothing is known.").toHtmlEscaped()
-                      : refusal.isEmpty()
-                          ? tableOf(DressingText::facts(m_setup, m_interval))
-                          : refusal.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")));
+    m_result->setText(
+        m_interval.isStopped ? tr("Stopped before there was a result.").toHtmlEscaped()
+        : refusal.isEmpty()  ? tableOf(DressingText::facts(m_setup, m_interval))
+                             : refusal.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")));
 }
 
 } // namespace sparkout

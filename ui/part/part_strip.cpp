@@ -208,8 +208,8 @@ void PartStrip::resizeEvent(QResizeEvent* event) {
 void PartStrip::retranslate() {
     m_drawing->setAccessibleName(tr("The part with its surfaces"));
     m_tabs->setAccessibleName(tr("Surfaces of the part in the order of grinding"));
-    m_whole->setToolTip(
-        tr("Surfaces that hold, and piece time; times and verdicts of all of them"));
+    m_whole->setToolTip(tr("Number of fit surfaces, and piece time; a click shows times and "
+                           "verdicts of all surfaces"));
     m_menu->setToolTip(tr("Add, move and remove surfaces"));
     m_menu->setAccessibleName(m_menu->toolTip());
     follow();

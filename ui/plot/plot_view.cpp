@@ -360,7 +360,7 @@ void PlotView::showOnly(int key) {
 // --- words --------------------------------------------------------------------------------------
 
 QString PlotView::keptText() const {
-    return tr("The inputs are refused; the curves are those of the last accepted ones.");
+    return tr("The inputs are refused; the curves are those of the last valid inputs.");
 }
 
 QString PlotView::refusedText() const {

@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr EditText keepText{"Edit", QT_TRANSLATE_NOOP("Edit", "Keep the present run")};
+constexpr EditText keepText{"Edit", QT_TRANSLATE_NOOP("Edit", "Keep the current run")};
 constexpr EditText renameText{"Edit", QT_TRANSLATE_NOOP("Edit", "Rename a kept run")};
 constexpr EditText deleteText{"Edit", QT_TRANSLATE_NOOP("Edit", "Delete a kept run")};
 constexpr EditText restoreText{"Edit",

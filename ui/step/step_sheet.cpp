@@ -75,10 +75,10 @@ void StepSheet::showSheet() {
     const bool any = !done.isBlank() && m_zone->currentIndex() >= 0;
     m_zone->setVisible(any);
     if (!any) {
-        m_place->setText(m_cycle.outcome()
-                             ? tr("The part is the blank still. Step on or press Play below the "
-                                  "views: the formulas of each step stand here, with its numbers.")
-                             : tr("No cycle has been recorded."));
+        m_place->setText(m_cycle.outcome() ? tr(
+                             "Grinding has not started. Step on or press Play below the views: the "
+                             "formulas of each step are shown here with their numbers.")
+                                           : tr("No cycle has been recorded."));
         m_sheet->clearSheet();
         return;
     }

@@ -55,7 +55,7 @@ QString DressingText::refusal(const DressingInterval& interval) {
     switch (interval.fault) {
     case DressingFault::none: return {};
     case DressingFault::noWear:
-        return tr("How the wheel wears is not given: a dulling c or a grinding ratio G.");
+        return tr("The wear of the wheel is not given: enter a dulling c or a grinding ratio G.");
     case DressingFault::firstFails: return tr("The first part after dressing does not reach size.");
     }
     return {};
@@ -63,7 +63,7 @@ QString DressingText::refusal(const DressingInterval& interval) {
 
 QString DressingText::parts(const DressingInterval& interval) {
     if (interval.isEndless) {
-        return tr("any number: the wheel gets no duller, and every part holds");
+        return tr("any number: the wheel does not get duller, and every part is good");
     }
     return interval.end ? count(interval.parts) : tr("at least %1").arg(count(interval.parts));
 }

@@ -41,8 +41,8 @@ TypedSize readSize(const QString& typed, const Part& part) {
             parseSizeDesignation((showNumber(part.diameter_mm, QLocale::c()) + text).toStdString());
     }
     if (!size) {
-        return refusal(QT_TRANSLATE_NOOP("SizeField", "Not a size with its tolerance class; "
-                                                      "write it like 30h6."));
+        return refusal(QT_TRANSLATE_NOOP(
+            "SizeField", "This is not a size with a tolerance class; write it like 30h6."));
     }
     const bool internal = part.surface == Surface::internal;
     if (size->isHole() != internal) {

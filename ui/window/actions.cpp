@@ -289,7 +289,7 @@ void Actions::nameViews(const std::vector<View*>& views) {
 void Actions::follow(const Document& document, bool refusedText) {
     undo->setEnabled(document.canUndo() || refusedText);
     redo->setEnabled(document.canRedo());
-    const QString undone = refusedText ? tr("refused text") : document.undoText();
+    const QString undone = refusedText ? tr("invalid entry") : document.undoText();
     const QString redone = document.redoText();
     undo->setText(undone.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undone));
     redo->setText(redone.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redone));
@@ -365,7 +365,7 @@ void Actions::retranslate() {
     importMeasured->setText(tr("&Import measurements…"));
     exportResults->setText(tr("Export resu&lts…"));
     quit->setText(tr("&Quit"));
-    keepRun->setText(tr("&Keep the present run"));
+    keepRun->setText(tr("&Keep the current run"));
     keepRun->setIconText(tr("Keep run"));
     reports.front().preview->setIconText(tr("Cycle card"));
     english->setText(QStringLiteral("English"));

@@ -83,9 +83,8 @@ void FileNotices::showOpened(const Issues& issues) {
     m_bar.add({keptRunsKey,
                Mark::warning,
                [] {
-                   return tr("Kept runs of this file hold inputs that this version refuses. "
-                             "They stay in the file as they are, but cannot be computed "
-                             "again.");
+                   return tr("Kept runs of this file contain inputs that this version refuses. "
+                             "They stay in the file unchanged but cannot be computed again.");
                },
                {{[] { return tr("Show…"); },
                  [this, path, faults] {
@@ -176,20 +175,19 @@ void FileNotices::showDamagedSettings() {
                    {}});
     }
     if (const auto& error = m_settings.file().unreadable()) {
-        m_bar.add(
-            {settingsKey,
-             Mark::warning,
-             [error = *error] {
-                 if (error.step == FileStep::backup) {
-                     return tr("The settings file is damaged and could not be put aside (%1): %2. "
-                               "It is left as it is; the settings are the default ones, and "
-                               "changes of them are not kept.")
-                         .arg(QString::fromLocal8Bit(std::strerror(error.systemError)),
-                              printableText(QString::fromStdString(error.path)));
-                 }
-                 return tr("The settings are the default ones: %1").arg(readErrorText(error));
-             },
-             {}});
+        m_bar.add({settingsKey,
+                   Mark::warning,
+                   [error = *error] {
+                       if (error.step == FileStep::backup) {
+                           return tr("The settings file is damaged and could not be renamed (%1): "
+                                     "%2. It is left unchanged; the default settings are used, and "
+                                     "changes to them are not saved.")
+                               .arg(QString::fromLocal8Bit(std::strerror(error.systemError)),
+                                    printableText(QString::fromStdString(error.path)));
+                       }
+                       return tr("The settings are the default ones: %1").arg(readErrorText(error));
+                   },
+                   {}});
     }
 }
 

@@ -531,8 +531,9 @@ void MainWindow::connectDocument() {
         m_status->showForAWhile(
             refused == 0
                 ? tr("Saved.")
-                : tr("Saved; %n fields hold a refused text, their last good values were saved.",
-                     nullptr, refused));
+                : tr(
+                    "Saved. %n fields contain invalid entries; their last valid values were saved.",
+                    nullptr, refused));
     });
     m_files->askRefusedTexts([this] { return refusedLines(); });
     m_recolour.setSingleShot(true);

@@ -18,10 +18,10 @@ QString sentence(const Project& before, const Project& after) {
     const bool shortened = after.part->length_mm < before.part->length_mm;
     return !after.operation->travels && shortened
                ? QCoreApplication::translate("OperationNotice",
-                                             "A plunge grinds no more than the wheel covers. With "
-                                             "the operation these inputs changed: %1.")
+                                             "A plunge grinds only the length that the wheel "
+                                             "covers. These inputs changed with the operation: %1.")
                : QCoreApplication::translate("OperationNotice",
-                                             "With the operation these inputs changed: %1.");
+                                             "These inputs changed with the operation: %1.");
 }
 
 } // namespace

@@ -228,7 +228,7 @@ void PlaybackBar::showPlay() {
     m_play->setIcon(themeIcon(isPlaying() ? u"pause" : u"play"));
     m_play->setAccessibleName(isPlaying() ? tr("Pause") : tr("Play"));
     m_play->setToolTip(isPlaying() ? tr("Stop the cycle here")
-                                   : tr("Let the cycle run, from the blank if it is at its end"));
+                                   : tr("Play the cycle, from the blank if it is at its end"));
 }
 
 /// Where revolutions are counted, stroke, step and revolution are one.

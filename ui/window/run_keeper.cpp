@@ -107,7 +107,7 @@ void RunKeeper::keepOutcome(const Outcome& outcome, const QString& name) {
         if (!name.isEmpty()) {
             emit compareWanted();
         }
-        emit reported(tr("Kept as “%1”; the view Compare lays it over the present run.")
+        emit reported(tr("Kept as “%1”; the view Compare draws it over the current run.")
                           .arg(runName(m_kept.all().back().name)));
         return;
     }
@@ -117,8 +117,7 @@ void RunKeeper::keepOutcome(const Outcome& outcome, const QString& name) {
                    [full] {
                        return full ? tr("The run was not kept: the project file would grow too "
                                         "large. Delete kept runs that are no longer needed.")
-                                   : tr("The run was not kept: the inputs are refused, so there "
-                                        "is none.");
+                                   : tr("There is no run to keep: the inputs are refused.");
                    },
                    {}});
 }

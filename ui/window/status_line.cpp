@@ -68,7 +68,7 @@ void StatusLine::showOutcome(const Outcome* outcome, double lastRun_ms, bool has
                      "presses it against the wheel. Couple the sections."));
         break;
     case RunStatus::groundAway:
-        m_status->setText(tr("One infeed is larger than the part: it is ground away."));
+        m_status->setText(tr("One infeed is larger than the part: reduce the feed."));
         break;
     case RunStatus::stopped:
     case RunStatus::refused: break;

@@ -105,10 +105,10 @@ std::vector<TourStep> tourSteps(QMainWindow& window, InputsPanel& inputs, ViewTa
              showDock(window, "verdict");
              return namedPart(window, "verdict")();
          },
-         tourText(QT_TRANSLATE_NOOP("Tour", "Does it hold the drawing?")),
-         tourText(QT_TRANSLATE_NOOP(
-             "Tour", "Time of the cycle and every requirement with its margin. A click on a "
-                     "row leads to the place where the value comes about."))},
+         tourText(QT_TRANSLATE_NOOP("Tour", "Does it meet the drawing?")),
+         tourText(QT_TRANSLATE_NOOP("Tour",
+                                    "Time of the cycle and every requirement with its margin. A "
+                                    "click on a row leads to the place where the value arises."))},
         {[&] { return placeOf(shownStages(window, inputs)->findChild<RowSliders*>()); },
          tourText(QT_TRANSLATE_NOOP("Tour", "Play with the feeds")),
          tourText(QT_TRANSLATE_NOOP(

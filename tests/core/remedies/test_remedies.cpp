@@ -923,10 +923,10 @@ private slots:
         QCOMPARE(found.conflict->setting->kind, RemedyKind::addSparkOut);
         const std::string sentence =
             RemedyWording().conflict(unmended, found.goal, *found.conflict);
-        QVERIFY2(sentence.starts_with("Among the values tried, no single setting mends “Radial "
+        QVERIFY2(sentence.starts_with("Among the values tried, no single setting meets “Radial "
                                       "runout”: it comes closest to its limit with Spark-out as "
                                       "one more stage: revolutions = ")
-                     && sentence.ends_with(", where “Gauge commands” fails."),
+                     && sentence.ends_with(", where “Gauge commands” is not met."),
                  sentence.c_str());
         project.gauge->commands = 2; // now it helps
         found = remediesOf(project);
@@ -962,7 +962,7 @@ private slots:
         }
         for (const auto& [share, sentence] :
              {std::pair(0.9, "helps: with Spark-out as one more stage: double strokes = 1, "
-                             "everything holds, but the change brings a warning."),
+                             "all requirements are met, but the change brings a warning."),
               std::pair(1.02, "gives room: with Spark-out as one more stage: double strokes = 1, "
                               "nothing is close to its limit, but the change brings a warning.")}) {
             project.part->tolerance.radial_runout_um = share * runout_um;
@@ -995,8 +995,8 @@ private slots:
         QVERIFY(!says(holds, "of the batch"));
         remedy.batch = RemedyBatch{500, 2, 1};
         QVERIFY(says(holds,
-                     "Of 500 parts of the batch drawn for it 2 are bad: with 95 % confidence "
-                     "at most 1.44 % of all."));
+                     "Of 500 parts of the batch drawn for this check, 2 are rejected: with 95 % "
+                     "confidence at most 1.44 % of all parts are."));
         const std::string line = RemedyWording().line(project, remedy);
         QVERIFY2(line.ends_with("; for every stock, 2 of 500 bad"), line.c_str());
         const std::string interval =
@@ -1004,7 +1004,7 @@ private slots:
         QVERIFY2(line.find(interval) != std::string::npos, line.c_str());
         remedy.setting = {RemedyKind::addSparkOut, 1, 0, 0, 1, 64, SettingScale::steps(0, 1)};
         remedy.failing = 0;
-        QVERIFY(says(holds, "Without this stage the cycle fails."));
+        QVERIFY(says(holds, "Without this stage the cycle is unfit."));
         QVERIFY(says(room, "Without this stage there is too little room."));
         remedy.setting = remedyOf(found, RemedyKind::addFeed)->setting;
         remedy.failing = remedy.setting.before;

@@ -228,7 +228,7 @@ private slots:
             QTRY_VERIFY(noticeButton(bench, "Open")); // it is shown later in the event loop
             click(noticeButton(bench, "Open"));
             QTRY_VERIFY(said().contains(gone ? QStringLiteral("is no longer there")
-                                             : QStringLiteral("names no program")));
+                                             : QStringLiteral("No program opens")));
             QVERIFY(said().contains(path));
             QVERIFY(!QApplication::activeModalWidget());
         }

@@ -166,7 +166,7 @@ private slots:
             fit(dialog);
             QVERIFY(part<QTableView>(dialog, "fitValues")->isVisible());
             const QString fault = part<QLabel>(dialog, "fitFault")->text();
-            QVERIFY2(fault.contains(QStringLiteral("cannot be taken over"))
+            QVERIFY2(fault.contains(QStringLiteral("cannot be applied"))
                          && fault.contains(QStringLiteral("Friction")),
                      qPrintable(fault));
             QVERIFY(!part<QPushButton>(dialog, "fitTake")->isEnabled());

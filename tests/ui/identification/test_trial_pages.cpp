@@ -195,7 +195,7 @@ private slots:
             QCOMPARE(table->model()->columnCount(), 6); // α and β
             QVERIFY(cellOf(dialog, "trialTable", 0, 4).contains(u'…'));
             auto* words = part<QLabel>(dialog, "trialWords");
-            QVERIFY2(words->text().contains(QStringLiteral("tells most")),
+            QVERIFY2(words->text().contains(QStringLiteral("Most informative trial")),
                      qPrintable(words->text()));
             auto* record = part<QComboBox>(dialog, "trialRecord");
             record->setFocus();

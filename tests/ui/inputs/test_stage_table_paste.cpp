@@ -97,10 +97,10 @@ private slots:
         line("wide", 0, 3, "1\t2\t3", "1 column");
         line("sparks", 0, 3, "3", "Stage 1, Sparked out: “3”: only the last stage may spark out");
         line("spark-out", 1, 3, "soon",
-             "Stage 2, Sparked out: “soon” is no spark-out; allowed: 1 to 100000, “none”, "
+             "Stage 2, Sparked out: spark-out “soon” is invalid; allowed: 1 to 100000, “none”, "
              "“until size”");
         line("feed", 1, 0, "0.002\t900\t0.04\t5",
-             "Stage 2, Radial feed: “0.002” has no place, the row does not use this column");
+             "Stage 2, Radial feed: “0.002” cannot be entered: this row does not use the column");
         line("heads", 0, 0, "Stock per side, mm\n", "there are no rows below the heads");
     }
     void aRefusedCellIsNamedAndNothingIsTaken() {

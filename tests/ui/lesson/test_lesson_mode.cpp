@@ -556,7 +556,7 @@ private slots:
             const DialogAnswers answers(list);
             student.begin();
             QCOMPARE(answers.fault(), QString());
-            QVERIFY(answers.text().contains(lock.isEmpty() ? QStringLiteral("cannot be understood")
+            QVERIFY(answers.text().contains(lock.isEmpty() ? QStringLiteral("cannot be read")
                                                            : QStringLiteral("another-host")));
         }
         QCOMPARE(student.run().isRunning(), answer != u"Escape");

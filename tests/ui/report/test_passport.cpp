@@ -190,7 +190,7 @@ private slots:
         project.batch->least_ppk = verdict.value + 0.01;
         const QString text = textOfHtml(made(project, Format::html));
         QVERIFY(text.contains(language == u"ru" ? QStringLiteral(" условно годен ")
-                                                : QStringLiteral("conforms conditionally")));
+                                                : QStringLiteral("is conditionally fit")));
         const CharacteristicSummary& of = summary.characteristics[*verdict.characteristic];
         QVERIFY(text.contains(BatchText::full(of.characteristic)));
         QVERIFY(text.contains(BatchText::capability(of.ppk)));

@@ -43,7 +43,7 @@ private slots:
         QCOMPARE(window.document().project().wheel->diameter_mm, before.wheel->diameter_mm);
         QCOMPARE(window.document().project().wheel->marking, before.wheel->marking);
         typeOver(*line, QStringLiteral("the old one"));
-        QVERIFY(meaning->text().startsWith(QStringLiteral("Not understood")));
+        QVERIFY(meaning->text().startsWith(QStringLiteral("This is not a marking")));
         QVERIFY(!fill->isVisible());
     }
 
@@ -203,7 +203,7 @@ private slots:
         auto* meaning = window.on<QLabel>("sizeMeaning");
         for (const auto& [typed, said] :
              {std::pair("30H7", "Capital letters are for bores"), std::pair("30q6", "ISO 286 has"),
-              std::pair("600h6", "ISO 286 has"), std::pair("thirty", "Not a size")}) {
+              std::pair("600h6", "ISO 286 has"), std::pair("thirty", "This is not a size")}) {
             typeOver(*size, QString::fromLatin1(typed));
             QVERIFY2(meaning->text().startsWith(QString::fromLatin1(said)),
                      qPrintable(meaning->text()));

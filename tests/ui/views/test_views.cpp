@@ -50,7 +50,7 @@ private slots:
         QTest::newRow("just holds") << 1.6 << 0.1 << QString();
         QTest::newRow("close") << 1.59 << 0.0994 << QStringLiteral("close to the limit");
         QTest::newRow("on the limit") << 0.0 << 0.0 << QStringLiteral("close to the limit");
-        QTest::newRow("fails") << -3.2 << -0.2 << QStringLiteral("fails");
+        QTest::newRow("not met") << -3.2 << -0.2 << QStringLiteral("not met");
     }
 
     void theLightsSayHoldsCloseAndFails() {

@@ -66,7 +66,7 @@ private slots:
         DialogAnswers answers({QStringLiteral("takeOver")});
         QVERIFY(bench.open());
         ANSWERED(answers);
-        QVERIFY(answers.text().contains(QStringLiteral("cannot be understood")));
+        QVERIFY(answers.text().contains(QStringLiteral("cannot be read")));
         QVERIFY(!bench.document().readOnly());
     }
 

@@ -128,7 +128,7 @@ private slots:
             DialogAnswers back({QStringLiteral("Escape")});
             QVERIFY(!mayLoseRefused(bench.window.get(), {}));
             ANSWERED(back);
-            QVERIFY2(!back.text().contains(QStringLiteral("Go on")), qPrintable(back.text()));
+            QVERIFY2(!back.text().contains(QStringLiteral("Continue")), qPrintable(back.text()));
         }
         bench.edit(31);
         trouble::write(bench.path, textWith(35));

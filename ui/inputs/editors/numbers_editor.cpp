@@ -99,12 +99,12 @@ bool NumbersEditor::isStored(const QString& text) const {
 
 QString NumbersEditor::grammar() const {
     if (field().kind == Kind::levels) {
-        return tr("values with semicolons between them, as in 300; 500; 800, or from, to and "
-                  "step, as in 300…2400 step 100");
+        return tr("values separated by semicolons, as in 300; 500; 800, or from, to and step, as "
+                  "in 300…2400 step 100");
     }
-    return field().count > 0 ? tr("%n number(s) with semicolons between them", nullptr,
+    return field().count > 0 ? tr("%n number(s) separated by semicolons", nullptr,
                                   static_cast<int>(field().count))
-                             : tr("numbers with semicolons between them, as in 1; 2; 3");
+                             : tr("numbers separated by semicolons, as in 1; 2; 3");
 }
 
 QString NumbersEditor::fault(const Levels& levels) const {

@@ -76,7 +76,7 @@ void RadiiEditor::readFrom(const QString& path) {
 }
 
 void RadiiEditor::refuse(const QString& file, const QString& reason) {
-    m_refused = reason.isEmpty() ? QString() : tr("“%1” was not taken: %2").arg(file, reason);
+    m_refused = reason.isEmpty() ? QString() : tr("“%1” was not read: %2").arg(file, reason);
     emit remarkChanged();
 }
 

@@ -68,13 +68,13 @@ QString RowsEditor::accept(const QString& text) {
     const std::optional<NumberRows> rows = rowsOf(text);
     const auto set = [this, &rows](void* to) { field().as<NumberRows>(to) = *rows; };
     if (!rows) {
-        return tr("rows of %n number(s), a semicolon between them, as in 0 50; 200 80", nullptr,
+        return tr("rows of %n number(s) separated by semicolons, as in 0 50; 200 80", nullptr,
                   static_cast<int>(field().count));
     }
     if (!fits(set)) {
         return path().starts_with("/machine/wheel_contact/")
                    ? tr("the forces must rise from row to row, the stiffnesses lie above 0")
-                   : tr("a number is outside of what is allowed");
+                   : tr("a number is out of range");
     }
     change(set);
     return {};

@@ -103,7 +103,7 @@ CatalogueDialog::CatalogueDialog(CatalogueStore& store, Project project, Setting
     , m_project(std::move(project))
     , m_settings(settings)
     , m_fault(plainLabel(this))
-    , m_aside(new QPushButton(tr("Put it a&side and begin a new one"), this))
+    , m_aside(new QPushButton(tr("Rename it, &start a new one"), this))
     , m_search(new QLineEdit(this))
     , m_found(plainLabel(this))
     , m_list(new QTreeWidget(this))

@@ -100,7 +100,7 @@ std::vector<QString> CorrelationBox::orderOf(const PastedCells& cells, QString& 
             const QString below = cells.rows[row][j];
             const QString above = cells.rows[static_cast<std::size_t>(j)][i];
             if (!above.trimmed().isEmpty() && pastedNumber(above) != pastedNumber(below)) {
-                fault = tr("row %1, column %2: “%3” is not what stands across the diagonal, “%4”")
+                fault = tr("row %1, column %2: “%3” differs from “%4” across the diagonal")
                             .arg(QString::number(j + 1), QString::number(i + 1), above, below);
                 return {};
             }

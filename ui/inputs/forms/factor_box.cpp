@@ -158,7 +158,7 @@ void FactorBox::askForFile() {
 
 void FactorBox::readFrom(const QString& path) {
     const auto refuse = [this, name = printableText(QFileInfo(path).fileName())](auto reason) {
-        m_fileFault = [name, reason] { return tr("“%1” was not taken: %2").arg(name, reason()); };
+        m_fileFault = [name, reason] { return tr("“%1” was not read: %2").arg(name, reason()); };
         showRemark();
     };
     const auto read = readFile(systemPath(path), largestTable);
@@ -171,7 +171,7 @@ void FactorBox::readFrom(const QString& path) {
     if (const auto* fault = std::get_if<TableFault>(&table)) {
         refuse([key, fault = *fault] {
             return fault.text.empty() ? tr("no column is headed “%1”").arg(key)
-                                      : tr("line %1: “%2” is no number")
+                                      : tr("line %1: “%2” is not a number")
                                             .arg(fault.line)
                                             .arg(QString::fromStdString(fault.text));
         });

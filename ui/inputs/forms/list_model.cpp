@@ -294,7 +294,7 @@ QString ListModel::takeText(Project& project, int row, const Field& column,
     if (column.relevant && !column.relevant(project, member.owner)) {
         return text.isEmpty() || text == QStringLiteral("—")
                    ? QString()
-                   : tr("“%1” has no place, the row does not use this column").arg(text);
+                   : tr("“%1” cannot be entered: this row does not use the column").arg(text);
     }
     const Range& allowed = column.allowed(project, member.owner);
     const ShownScale scale = ShownScale::ofInput(column);

@@ -78,12 +78,12 @@ const Offer usualBatch{
     {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a batch")},
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "What a batch is for"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
-                      "A batch says which share of many parts keeps the drawing when stock, "
+                      "A batch shows which share of many parts meets the drawing when stock, "
                       "runout, dullness and other factors scatter. The view Batch runs it."),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a typical batch"),
-    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
-                      "50 parts whose stock, runout and dullness scatter about the present "
-                      "inputs")};
+    QT_TRANSLATE_NOOP(
+        "sparkout::OfferHelper",
+        "50 parts whose stock, runout and dullness scatter about the current inputs")};
 
 const Offer searchOffer{
     "noSearch",
@@ -93,7 +93,7 @@ const Offer searchOffer{
     {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")},
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "What a search is for"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
-                      "A search finds the quickest cycle that holds every requirement, out of all "
+                      "A search finds the quickest cycle that meets every requirement, among all "
                       "feeds and stocks listed here. The view Optimise runs it."),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a typical search"),
     QT_TRANSLATE_NOOP(
@@ -122,8 +122,9 @@ const Offer estimatedMass{
                       "By the steps of the shaft, as solid steel of 7850 kg/m³: about %1 kg. An "
                       "estimate."),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Take the estimate"),
-    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
-                      "Without chamfers, keyways and bores; the drawing's mass goes before it"),
+    QT_TRANSLATE_NOOP(
+        "sparkout::OfferHelper",
+        "Without chamfers, keyways and bores; the mass in the drawing takes precedence"),
     [](const Project& project) { return printedNumber(estimatedMass_kg(project).value_or(0)); }};
 
 /// "1.7, 3.71, 2.68 µm", or that it was not measured.
@@ -144,11 +145,11 @@ const Offer formOfMachine{
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "The machine's form by the measured parts"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
                       "Measured by zone or section, mean in µm: roundness and radial runout %1. "
-                      "The number of lobes is not among what was measured."),
+                      "The number of lobes was not measured."),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Take it as the machine's form"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
-                      "What the process alone leaves is small beside it where the cycle sparks "
-                      "out; the number of lobes is to be given"),
+                      "In a cycle with spark-out, the form left by the process itself is small "
+                      "beside it; the number of lobes must be entered"),
     [](const Project& project) {
         const MachineForm form = measuredForm(project).value_or(MachineForm());
         return QStringLiteral("%1 / %2").arg(measuredText(form.roundness_um),
@@ -210,8 +211,8 @@ void MarkingHelper::showMarking() {
             text += u'\n' + tr("The machine's wheel speed is above what the marking allows.");
         }
     } else if (!project.wheel->marking.empty()) {
-        text = tr("Not understood as a marking; written like 500×50×203 25А F60 L 6 V 35 it fills "
-                  "the wheel's values.");
+        text = tr("This is not a marking. Write it like 500×50×203 25А F60 L 6 V 35 to fill in the "
+                  "wheel's values.");
     }
     m_meaning->setText(text);
     m_meaning->setVisible(!text.isEmpty());
@@ -372,8 +373,8 @@ KeywayHelper::Typed KeywayHelper::typed() const {
     const auto keyway = parseKeyway(text.toStdString());
     if (!keyway) {
         return {{},
-                tr("Not a keyway by width and length; write it like 12P9 × 45, or with the "
-                   "angle of its first edge like 12P9 × 45, 90°.")};
+                tr("This is not a keyway with width and length; write it like 12P9 × 45, or with "
+                   "the angle of its first edge like 12P9 × 45, 90°.")};
     }
     if (m_document.isOpen("/part/diameter_mm")) {
         return {{}, tr("The diameter is needed first.")};
@@ -423,8 +424,8 @@ void KeywayHelper::retranslate() {
     m_label->setText(tr("Keyway, width × length"));
     m_keyway->setPlaceholderText(QStringLiteral("12P9 × 45")); // “e.g.” has no room beside it
     m_keyway->setAccessibleName(m_label->text());
-    m_keyway->setToolTip(tr("12P9 × 45 makes a gap of the surface; 12P9 × 45, 90° says where its "
-                            "first edge is"));
+    m_keyway->setToolTip(tr("12P9 × 45 makes a gap of the surface; 12P9 × 45, 90° also sets the "
+                            "angle of its first edge"));
     m_meaning->setAccessibleName(tr("What the keyway is to the model"));
     showTyped();
 }

@@ -139,7 +139,7 @@ QString StageModel::takeSparkOut(Project& project, std::size_t row, const Field&
     const std::optional<double> count = pastedNumber(counted.match(said).captured(1));
     const bool isCount = count && *count == std::floor(*count) && column.hard.contains(*count);
     if (!isCount && !isWord(tr("until size"))) {
-        return tr("“%1” is no spark-out; allowed: %2, “%3”, “%4”")
+        return tr("spark-out “%1” is invalid; allowed: %2, “%3”, “%4”")
             .arg(text, rangeShown(column.hard, ""), tr("none"), tr("until size"));
     }
     if (row + 1 != project.cycle->stages.size()) {

@@ -91,8 +91,8 @@ StiffnessOffer::StiffnessOffer(Project project, QWidget* parent)
     m_take->setText(isGiven() ? tr("&Compute the compliance from its stiffness")
                               : tr("Take its &stiffness"));
     m_take->setToolTip(
-        isGiven() ? tr("The compliance is given on the page of the machine, which does not read a "
-                       "stiffness. With this the given compliance goes, and γ follows from the "
+        isGiven() ? tr("The compliance is given on the page Machine, so a stiffness is not used "
+                       "there. This removes the given compliance; γ then follows from the "
                        "stiffness of the machine and from the shaft.")
                   : tr("Without it the stiffness of the project stays as it is; the other values "
                        "of the machine are taken."));

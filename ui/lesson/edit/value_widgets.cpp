@@ -274,7 +274,7 @@ QWidget* ValueWidgets::numbersOf(const Row& row) {
                                       });
                 line->setProperty(
                     refusedNumbers,
-                    !numbers   ? tr("numbers with spaces between them")
+                    !numbers   ? tr("numbers separated by spaces")
                     : isWithin ? QVariant()
                                : tr("out of range; allowed: %1")
                                      .arg(rangeShown(spec.scale.shown(spec.hard), spec.unit)));

@@ -97,7 +97,7 @@ void AnswerFields::write(PaperWriter& paper, const StudentView& view, std::size_
         paper.figure(CurveFigure::blank(*goal.curve, project));
     }
     if (isMetBySetting(goal.kind())) {
-        paper.say(tr("What came of it:"));
+        paper.say(tr("Result:"));
         paper.add(Blank{2});
     }
 }

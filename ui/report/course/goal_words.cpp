@@ -103,22 +103,22 @@ QString GoalWords::asked(const Goal& goal, const Project& project) {
     switch (goal.kind()) {
     case GoalKind::requirements: {
         const QString holds = goal.requirements->every_stock
-                                  ? tr("Every requirement is to hold for every stock")
-                                  : tr("Every requirement is to hold");
+                                  ? tr("Every requirement must be met for every stock")
+                                  : tr("Every requirement must be met");
         return goal.requirements->least_margin_percent > 0
                    ? tr("%1, with a margin of at least %2 %.")
                          .arg(holds, printedNumber(goal.requirements->least_margin_percent))
                    : holds + u'.';
     }
     case GoalKind::time: {
-        const QString time = goal.time->below_min ? tr("The cycle is to take at most %1 min.")
+        const QString time = goal.time->below_min ? tr("The cycle must take at most %1 min.")
                                                         .arg(printedNumber(*goal.time->below_min))
                              : goal.time->within_percent_of_best
-                                 ? tr("The cycle is to take at most %1 % more than the best one.")
+                                 ? tr("The cycle must take at most %1 % more than the best one.")
                                        .arg(printedNumber(*goal.time->within_percent_of_best))
-                                 : tr("The cycle is to be quick.");
+                                 : tr("The cycle must be quick.");
         return goal.time->requirements_hold
-                   ? time + u' ' + tr("Every requirement is to hold") + u'.'
+                   ? time + u' ' + tr("Every requirement must be met") + u'.'
                    : time;
     }
     case GoalKind::figure:
@@ -127,7 +127,7 @@ QString GoalWords::asked(const Goal& goal, const Project& project) {
                  printedNumber(goal.figure->value),
                  amountOf(goal.figure->figure, goal.figure->tolerance));
     case GoalKind::prediction:
-        return tr("To be said before the run: %1.")
+        return tr("To be predicted before the run: %1.")
             .arg(Names::inSentence(
                 withUnit(quantity(goal.prediction->figure, project), goal.prediction->figure)));
     case GoalKind::curve:
@@ -135,7 +135,7 @@ QString GoalWords::asked(const Goal& goal, const Project& project) {
             .arg(Names::inSentence(
                 withUnit(quantity(goal.curve->figure, project), goal.curve->figure)));
     case GoalKind::order:
-        return tr("To be said before the run: the order by %1, the largest first.")
+        return tr("To be predicted before the run: the order by %1, the largest first.")
             .arg(Names::inSentence(quantity(goal.order->figure, project)));
     case GoalKind::choice: return tr("One or several answers are right.");
     case GoalKind::text: return tr("The answer is in words; the teacher reads it.");

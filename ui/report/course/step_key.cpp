@@ -30,7 +30,7 @@ void StepKey::write(PaperWriter& paper, const Lesson& lesson, std::size_t step) 
     const sparkout::Figure& figure = *goal.asked();
     const QString name = GoalWords::quantity(figure, project);
     if (goal.prediction && result.value) {
-        paper.say(tr("%1: %2; ± %3 are taken.")
+        paper.say(tr("%1: %2; ± %3 is accepted.")
                       .arg(GoalWords::withUnit(name, figure),
                            GoalWords::number(figure, *result.value),
                            Names::fixed(result.tolerance, rowOf(figure.name).digits + 1)));

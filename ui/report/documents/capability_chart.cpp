@@ -119,7 +119,7 @@ std::optional<Figure> CapabilityChart::figure(const BatchSummary& summary) {
                                                BatchText::capability(of.ppk));
     }
     const CapabilityChart chart(std::move(rows));
-    return Figure{tr("Ppk with its 95 % bounds, the least first; dashed: 1 and %1")
+    return Figure{tr("Ppk with its 95 % bounds, the smallest first; dashed: 1 and %1")
                       .arg(printedNumber(customaryPpk)),
                   values.join(QStringLiteral("; ")), chart.size(),
                   [chart](QPainter& painter) { chart.paint(painter); }};

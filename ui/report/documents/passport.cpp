@@ -125,7 +125,7 @@ private:
         const BatchSummary& summary = m_subject.batch->summary;
         add(PassportPrediction::values(m_subject));
         if (!summary.isSample) {
-            add(Paragraph{tr("Corners are no sample: they tell extremes and counts, no "
+            add(Paragraph{tr("Corner parts are not a sample: they give extremes and counts, but no "
                              "mean and no capability.")});
         }
         if (summary.characteristics.empty()) {
@@ -145,7 +145,8 @@ private:
             });
             add(std::move(table));
             if (hasDash) {
-                add(Paragraph{tr("–: of so few values it would be the smallest or the largest.")});
+                add(Paragraph{
+                    tr("–: with so few values it would be the smallest or the largest one.")});
             }
         }
         heading(tr("Distribution against the tolerance band"));

@@ -144,8 +144,9 @@ QString PassportInputs::law(const GivenFactor& factor) {
 std::vector<Block> PassportInputs::scenarios(const Subject& subject) {
     if (!subject.batch) {
         return {
-            Paragraph{tr("This project describes no batch, so the passport tells the nominal "
-                         "part alone: no scatter, no capability, no share out of tolerance.")},
+            Paragraph{
+                tr("This project describes no batch, so the passport covers only the nominal part: "
+                   "it gives no scatter, no capability and no share out of tolerance.")},
             Paragraph{tr("A batch is added on the page Batch of the inputs, where each factor "
                          "that scatters gets its distribution, or with “Add a typical batch” in "
                          "the view Batch.")}};

@@ -49,7 +49,7 @@ QString PassportVerdict::decision(const Subject& subject, const Judgement& judge
     return !isOfBatch ? JudgementText::headline(judgement)
            : subject.batch
                ? BatchText::decision(*subject.batch)
-               : tr("no requirement fails; no batch is described, so its scatter is not weighed");
+               : tr("all requirements are met; no batch is described, so scatter is not assessed");
 }
 
 std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
@@ -98,23 +98,22 @@ std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
     }
     facts.facts.emplace_back(tr("Machining time"), sparkout::verdict::time(outcome.result));
     const QString caution =
-        tr("This is the prediction of a model, to be confirmed at the machine; it is no assessment "
-           "of conformity and replaces no measurement.");
+        tr("This is the prediction of a model, to be confirmed at the machine; it is not an "
+           "assessment of conformity and does not replace measurement.");
     std::vector<Block> blocks{facts};
     for (const QString& reason : reasons) {
         blocks.push_back(Paragraph{reason});
     }
     blocks.push_back(Paragraph{
         subject.batch
-            ? tr("The cycle conforms when every stock within one infeed, where that is decided, "
-                 "and "
-                 "every part that was run reach size and hold every requirement, and the lower "
-                 "95 % bounds of all Ppk reach %1; it conforms conditionally when no more parts "
-                 "fail than the share allowed, or when a requirement, the capability or the "
+            ? tr("The cycle is fit when every stock within one infeed, where that is decided, and "
+                 "every part that was run reach size and meet every requirement, and the lower 95 "
+                 "% bounds of all Ppk reach %1; it is conditionally fit when no more parts are "
+                 "rejected than the share allowed, or when a requirement, the capability or the "
                  "expected share outside is not decided or falls short. %2")
                   .arg(Names::significant(subject.batch->result.project.batch->least_ppk), caution)
-            : tr("Without a batch the cycle conforms conditionally when every stock within one "
-                 "infeed, where that is decided, reaches size and holds every requirement. %1")
+            : tr("Without a batch the cycle is conditionally fit when every stock within one "
+                 "infeed, where that is decided, reaches size and meets every requirement. %1")
                   .arg(caution)});
     return blocks;
 }

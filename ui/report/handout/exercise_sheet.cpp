@@ -40,7 +40,7 @@ std::vector<Block> ExerciseSheet::answers(const std::vector<Exercise>& exercises
                                           Operation operation) {
     std::vector<Block> blocks;
     blocks.emplace_back(Paragraph{
-        tr("Computed by the engine: it has run the whole cycle with that one input changed.")});
+        tr("Computed by the engine, which ran the whole cycle with only that input changed.")});
     for (std::size_t i = 0; i < exercises.size(); ++i) {
         const Exercise& exercise = exercises[i];
         blocks.emplace_back(

@@ -39,10 +39,10 @@ QString percentileName(double order) {
 
 QString percentileHint(double order) {
     const QString text =
-        order < 0.5 ? BatchFigures::tr("Below it lie %1 % of the parts, as below mean − 3 s of a "
-                                       "normal quantity; given from 741 parts on")
-        : order > 0.5 ? BatchFigures::tr("Above it lie %1 % of the parts, as above mean + 3 s of a "
-                                         "normal quantity; given from 741 parts on")
+        order < 0.5 ? BatchFigures::tr("%1 % of the parts lie below this value, as below mean − 3 "
+                                       "s of a normal quantity; given for 741 parts or more")
+        : order > 0.5 ? BatchFigures::tr("%1 % of the parts lie above this value, as above mean + "
+                                         "3 s of a normal quantity; given for 741 parts or more")
                       : QString();
     return text.isEmpty() ? text : text.arg(QLocale().toString(100 * std::min(order, 1 - order)));
 }

@@ -156,9 +156,9 @@ QString BatchText::shortNormalityName(const BatchSummary& summary) {
 
 QString BatchText::fitness(Fitness fitness) {
     switch (fitness) {
-    case Fitness::fit: return tr("conforms to the drawing");
-    case Fitness::conditional: return tr("conforms conditionally to the drawing");
-    case Fitness::unfit: return tr("does not conform to the drawing");
+    case Fitness::fit: return tr("is fit");
+    case Fitness::conditional: return tr("is conditionally fit");
+    case Fitness::unfit: return tr("is unfit");
     }
     return {};
 }
@@ -205,7 +205,7 @@ QString BatchText::run(const BatchOutcome& outcome) {
     const QString scenarios =
         choiceText(choicesOf<Scenarios>()[static_cast<std::size_t>(batch.scenarios)].label);
     if (outcome.factors.empty()) {
-        return tr("The nominal part alone: nothing scatters.");
+        return tr("Only the nominal part was run: no factor scatters.");
     }
     if (!outcome.summary.isSample) {
         return tr("%n part(s), %1.", nullptr, static_cast<int>(outcome.summary.parts))

@@ -414,31 +414,32 @@ QString BatchView::contentNotice() const {
     }
     if (m_sensitivity->kind() == SensitivityKind::ranks) {
         return batch()->summary.isSample
-                   ? tr("This characteristic or one of the factors does not vary, or the parts are "
-                        "too few to tell which factor matters.")
-                   : tr("Corners are no sample: rank regression takes parts at random.");
+                   ? tr("This characteristic or one of the factors does not vary, or there are too "
+                        "few parts to show which factor matters.")
+                   : tr("Corner parts are not a sample: rank regression needs parts drawn at "
+                        "random.");
     }
     if (batch()->result.project.batch->correlation) {
         return tr("Sobol indices have no meaning for correlated factors.");
     }
     if (studies().indexJob().running()) {
-        return tr("Sobol indices take parts of their own; they are being run.");
+        return tr("Sobol indices need additional parts; these are being run.");
     }
     return indices() ? tr("This characteristic does not vary, or some of the parts have none.")
                      : tr("The Sobol indices were stopped. “Run” runs them again.");
 }
 
 QString BatchView::keptText() const {
-    return batch() ? tr("The inputs are refused; the batch is that of the last accepted ones.")
+    return batch() ? tr("The inputs are refused; the batch is that of the last valid inputs.")
                    : refusedText();
 }
 
 QString BatchView::remark() const {
     if (!good()->result.project.batch) {
-        return tr("This project describes no batch. A batch is a number of parts whose stock, "
-                  "runout, dullness and other factors scatter: it says which share of them keeps "
-                  "the drawing. Choose the factors on the page Batch of the inputs, or start with "
-                  "usual ones.");
+        return tr(
+            "This project describes no batch. A batch is a number of parts whose stock, runout, "
+            "dullness and other factors scatter: it shows which share of them meets the drawing. "
+            "Choose the factors on the page Batch of the inputs, or start with the usual factors.");
     }
     if (studies().batch.refusal()) {
         return tr("The batch cannot be run:") + QLatin1Char('\n')
@@ -477,9 +478,9 @@ void BatchView::nameParts() {
     fillChoice(*m_weights, {tr("Rank regression"), tr("Sobol indices")});
     m_weights->setAccessibleName(tr("How the weight of a factor is expressed"));
     m_weights->setToolTip(
-        tr("Rank regression: standardised coefficients, of the parts of the batch; sign and weight "
-           "as far as the dependence is monotone, which R² says. Sobol indices: share of the "
-           "variance, of parts of their own."));
+        tr("Rank regression: standardised coefficients from the parts of the batch; sign and "
+           "weight are valid as far as the dependence is monotone, which R² shows. Sobol indices: "
+           "shares of the variance, from additional parts."));
     tell(*m_across, tr("Quantity across"));
     tell(*m_up, tr("Quantity upwards"));
     tell(*content(), tr("What is shown of the batch"));
@@ -494,17 +495,18 @@ void BatchView::nameParts() {
 void BatchView::nameButtons() {
     tellButton(*m_bar->run(), tr("Run"),
                tr("Run the parts of the batch; a quick one runs by itself"));
-    tellButton(*m_bar->stop(), tr("Stop"), tr("End the batch; what was done is kept and shown"));
+    tellButton(*m_bar->stop(), tr("Stop"),
+               tr("Stop the batch; the completed parts are kept and shown"));
     tellButton(*m_worst, tr("Worst part"),
-               tr("Keep the part with the minimum margin as a run beside this project and compare "
-                  "the two; the project stays as it is"));
+               tr("Keep the part with the minimum margin as a run and compare it with this "
+                  "project, which stays unchanged"));
     tellButton(*m_rows, tr("All parts as CSV"),
-               tr("Run the batch again and save a row for every part: its factors, every quantity, "
-                  "every requirement held or not"));
+               tr("Run the batch again and save a row for every part: its factors, all quantities, "
+                  "and whether each requirement is met"));
     m_rows->menu()->actions()[0]->setText(tableFormatText(TableFormat::csvRussian));
     m_rows->menu()->actions()[1]->setText(tableFormatText(TableFormat::csvEnglish));
     tellButton(*m_add, tr("Add a typical batch"),
-               tr("50 parts whose stock, runout and dullness scatter about the present inputs; can "
+               tr("50 parts whose stock, runout and dullness scatter about the current inputs; can "
                   "be undone and changed on the page Batch"));
 }
 

@@ -43,7 +43,7 @@ std::vector<std::string> headOfParts(const PartColumns& columns) {
         names << QStringLiteral("%1, %2").arg(BatchText::full(of), unitText(of.unit));
     }
     for (const ConstraintKind kind : columns.requirements) {
-        names << PartRows::tr("%1: holds", "a requirement").arg(Names::constraint(kind));
+        names << PartRows::tr("%1: met", "a requirement").arg(Names::constraint(kind));
     }
     std::vector<std::string> head;
     for (const QString& name : names) {

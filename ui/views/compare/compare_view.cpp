@@ -216,7 +216,7 @@ std::optional<ComparedFeeds> CompareView::feedsOf(int run) const {
 void CompareView::showCurves() {
     std::vector<ComparedFeeds> runs;
     if (good() && m_wanted < good()->feeds.columns.size()) {
-        runs.push_back({tr("Present run"), {good(), &good()->feeds}, m_wanted});
+        runs.push_back({tr("Current run"), {good(), &good()->feeds}, m_wanted});
         int number = 0;
         for (const int run : chosenRuns()) {
             ++number; // also of one that is not drawn yet
@@ -237,7 +237,7 @@ void CompareView::showTable() {
     const std::vector<int> chosen = chosenRuns();
     computed.reserve(chosen.size());
     if (m_present && !chosen.empty()) {
-        names << tr("Present run");
+        names << tr("Current run");
         runs.push_back({&good()->result.project, &*m_present});
         for (const int run : chosen) {
             const QString name = m_runs->nameOf(run);
@@ -362,23 +362,24 @@ QString CompareView::title() const {
 }
 
 QString CompareView::hint() const {
-    return tr("Point at a curve to read its values beside those of the present run.");
+    return tr("Point at a curve to read its values beside those of the current run.");
 }
 
 QString CompareView::emptyText() const {
     if (m_kept.listed() == 0) {
-        return tr("No run is kept yet. Keep the present one, change the inputs, and see here what "
-                  "it did: the curves of both, and the inputs and results that differ.");
+        return tr("No run is kept yet. Keep the current run and change the inputs; the curves of "
+                  "both runs, and the inputs and results that differ, are shown here.");
     }
     if (chosenRuns().empty()) {
-        return tr("Check a run in the list to lay it over the present one.");
+        return tr("Check a run in the list to draw it over the current run.");
     }
-    return m_rows.empty() ? tr("The chosen runs have the inputs and results of the present one.")
-                          : QString();
+    return m_rows.empty()
+               ? tr("The chosen runs have the same inputs and results as the current run.")
+               : QString();
 }
 
 QString CompareView::keptText() const {
-    return tr("The inputs are refused; the present run is that of the last accepted ones.");
+    return tr("The inputs are refused; the current run is that of the last valid inputs.");
 }
 
 QString CompareView::remark() const {
@@ -412,7 +413,8 @@ QStringList CompareView::runNotes(int run) const {
         if (all.size() > mostChanges) {
             named += tr("; and %n more", nullptr, static_cast<int>(all.size()) - mostChanges);
         }
-        return {tr("“%1” was kept by version %2 of the program and comes out differently now: %3")
+        return {tr("“%1” was kept by version %2 of the program; this version gives different "
+                   "results: %3")
                     .arg(name, QString::fromStdString(kept.engine_version), named)};
     }
     if (now && now->feeds && now->feeds->columns.empty()) {
@@ -456,7 +458,7 @@ void CompareView::nameParts() {
     m_empty->setAccessibleName(tr("What to do"));
     tell(*m_zone, tr("Zone or section whose curves are drawn"));
     tell(*m_axis, tr("Horizontal axis"));
-    m_keepHere->setText(tr("Keep the present run"));
+    m_keepHere->setText(tr("Keep the current run"));
     m_table->retranslate();
     fillAxes();
     fillZones();

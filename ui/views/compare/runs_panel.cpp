@@ -136,7 +136,7 @@ void RunsPanel::setRuns(const ReadSummary* present) {
     m_present = present;
     const int kept = selected();
     std::vector<RunsModel::Run> rows{
-        {tr("Present run"), detailOf(-1), descriptionOf(-1), lightOf(-1)}};
+        {tr("Current run"), detailOf(-1), descriptionOf(-1), lightOf(-1)}};
     int number = 0;
     for (int run = 0; run < m_kept.listed(); ++run) {
         const bool chosen = m_kept.isChosen(run);
@@ -180,7 +180,7 @@ std::optional<Light> RunsPanel::lightOf(int run) const {
 }
 
 QString RunsPanel::descriptionOf(int run) const {
-    QStringList lines{run < 0 ? tr("Present run, always drawn") : nameOf(run)};
+    QStringList lines{run < 0 ? tr("Current run, always drawn") : nameOf(run)};
     lines << detailOf(run).split(u'\n');
     if (const std::optional<Light> light = lightOf(run)) {
         lines << lightName(*light);
@@ -202,17 +202,16 @@ QString RunsPanel::descriptionOf(int run) const {
 }
 
 void RunsPanel::retranslate() {
-    m_list->setAccessibleName(tr("Runs; a check mark lays one over the present run"));
+    m_list->setAccessibleName(tr("Runs; a check mark draws a run over the current one"));
     const auto name = [](QAction* action, const QString& text, const QString& tip) {
         action->setText(text);
         action->setToolTip(tip);
         nameShortcut(*action);
     };
-    name(m_keep, tr("Keep the present run"),
-         tr("Keep the present run: its inputs and results, for comparison"));
+    name(m_keep, tr("Keep the current run"),
+         tr("Keep the inputs and results of the current run for comparison"));
     name(m_restore, tr("Restore the inputs"),
-         tr("Take the inputs of the selected run in place of the present ones; the kept runs "
-            "stay"));
+         tr("Replace the current inputs with those of the selected run; the kept runs remain"));
     name(m_rename, tr("Rename"), tr("Rename the selected run"));
     name(m_delete, tr("Delete"), tr("Delete the selected run"));
 }

@@ -162,18 +162,18 @@ QString ComplianceView::remark() const {
     const Project& project = good()->result.project;
     switch (m_plot->content()) {
     case ComplianceContent::compliance:
-        return m_plot->gamma().places().empty() ? tr(
-                   "The compliance is given, zone by zone or section by section. Choose \"from "
-                   "stiffness and shaft\" on the page Machine to see what it is made of.")
-                                                : QString();
+        return m_plot->gamma().places().empty()
+                   ? tr("The compliance is given, zone by zone or section by section. Choose “from "
+                        "stiffness and shaft” on the page Machine to see its components.")
+                   : QString();
     case ComplianceContent::gauge:
         if (project.gauge->control == Control::position) {
-            return tr("Stages end by the position of the wheel head: the gauge has no say, and all "
-                      "its places are alike.");
+            return tr("Stages end by the position of the wheel head: the gauge has no effect, "
+                      "wherever it is placed.");
         }
         return project.operation->hasZones
-                   ? tr("In traverse grinding the gauge stands in the middle of %1. The curves say "
-                        "what it would do in another zone.")
+                   ? tr("In traverse grinding the gauge is in the middle of %1. The curves show "
+                        "its effect in another zone.")
                          .arg(Names::zone(Zone::nz))
                    : QString();
     case ComplianceContent::coupling: break;
@@ -183,8 +183,9 @@ QString ComplianceView::remark() const {
         return tr("Sections are coupled in plunge grinding only: there the wheel touches all of "
                   "them at once.");
     case CouplingAnswer::givenCompliance:
-        return tr("The compliance is given section by section, which does not say how one section "
-                  "moves another. Choose \"from stiffness and shaft\" on the page Machine.");
+        return tr(
+            "The compliance is given section by section, which does not determine how a force in "
+            "one section moves another. Choose “from stiffness and shaft” on the page Machine.");
     case CouplingAnswer::comparable: break;
     }
     return {};
@@ -211,13 +212,13 @@ QString ComplianceView::gaugeSummary() const {
     const GaugeCurves& gauge = m_plot->gauge();
     const GaugePosition* best = gauge.best();
     if (!best) {
-        return tr("From no place of the gauge does the cycle reach size.");
+        return tr("The cycle does not reach size with the gauge in any place.");
     }
     const QString place = best->zone == Zone::section
                               ? tr("%1 mm").arg(QLocale().toString(best->position_mm, 'f', 1))
                               : Names::zone(best->zone);
-    return tr("Best place: %1; there no diameter is farther than %2 µm from the middle of the "
-              "field. At present, at %3 mm: %4 µm.")
+    return tr("Best place: %1; there all diameters are within %2 µm of the middle of the tolerance "
+              "band. Current place, %3 mm: %4 µm.")
         .arg(place, Names::micrometres(gauge.farthest_um(*best)),
              QLocale().toString(m_plot->gaugePlace_mm(), 'f', 1),
              Names::micrometres(gauge.farthestNow_um()));
@@ -245,7 +246,7 @@ void ComplianceView::nameParts() {
     m_summary->setAccessibleName(tr("Where it yields most"));
     fillChoice(*m_content, {tr("Compliance along the part"), tr("Where to put the gauge"),
                             tr("Coupled against independent sections")});
-    tell(*m_content, tr("What stands below the part"));
+    tell(*m_content, tr("Curves below the part"));
     m_put->setText(tr("Put the gauge there"));
     m_put->setAccessibleName(m_put->text());
     m_put->setToolTip(tr("Make the best place the gauge's free position; can be undone"));

@@ -64,8 +64,8 @@ QString CouplingCurves::summary() const {
     };
     const auto time = [](const SimulationResult& result) { return Names::time(result.time_s, 4); };
     QString text =
-        tr("Coupled less independent at most %1 µm of diameter, at %2 mm. Spread over "
-           "the length: independent %3 µm, coupled %4 µm. Time %5 and %6.")
+        tr("Coupling changes the diameter most at %2 mm, by %1 µm. Spread over the length: "
+           "independent %3 µm, coupled %4 µm. Time: %5 and %6.")
             .arg(fine(*largest * units::umPerMm),
                  Names::significant(m_comparison->independent.sections[at].position_mm, 4),
                  spread(m_comparison->independent), spread(m_comparison->coupled),

@@ -142,7 +142,7 @@ LegendEntries GaugeCurves::legendEntries() const {
         entry(farthestKey, text, Qt::SolidLine, tr("farthest from the middle")),
         entry(bestKey, plot().toned(style::Drawn::bestGaugePlace), Qt::NoPen, tr("best place")),
         entry(presentKey, plot().toned(style::Drawn::presentGaugePlace), Qt::NoPen,
-              tr("present place")),
+              tr("current place")),
         entry(spreadKey, plot().toned(style::Drawn::allDiameters), Qt::NoPen, tr("all diameters"))};
     const std::vector<std::size_t> sections = drawnSections();
     for (std::size_t i = 0; i < sections.size(); ++i) {

@@ -350,11 +350,11 @@ void ConstraintsView::showSheet() {
     m_goTo->setEnabled(about.has_value());
     QStringList text;
     if (!about) {
-        text << tr("Choose a requirement to see where it was worst and how its number came about.");
+        text << tr("Choose a requirement to see where it was worst and how its value arose.");
     } else {
         text << verdict::why(*good(), *about);
         if (text.back().isEmpty()) {
-            text.back() = tr("%1, %2: a setting held against its range.")
+            text.back() = tr("%1, %2: a setting compared with its range.")
                               .arg(Names::constraint(about->kind), Names::where(*about));
         }
         if (const auto sheet = constraintSheet(good()->result, good()->accuracy, *about)) {
@@ -393,9 +393,8 @@ QString ConstraintsView::remark() const {
     }
     return limitsGroups(good()->limits, good()->result.project)
                ? QString()
-               : tr(
-                   "Coupled sections share the power of the drives, so it limits no section's feed "
-                   "by itself. The requirements below hold it against the whole length.");
+               : tr("Coupled sections share the power of the drives, so it does not limit the feed "
+                    "of a single section. The requirements below apply to the whole length.");
 }
 
 void ConstraintsView::showState() {
@@ -417,16 +416,16 @@ void ConstraintsView::nameParts() {
     m_plot->setAccessibleName(tr("Actual feed under its limits"));
     m_off->setAccessibleName(tr("Requirements that are not checked"));
     m_table->setAccessibleName(tr("Requirements by how much of their limit they use up"));
-    m_sheet->setAccessibleName(tr("How the number came about"));
+    m_sheet->setAccessibleName(tr("Origin of the value"));
     m_logarithmic->setText(tr("Logarithmic"));
     m_places->setText(tr("Every place"));
     m_goTo->setText(tr("Show where"));
     m_table->retranslate();
     m_table->horizontalHeader()->setMinimumSectionSize(atFontSize(leastColumn));
-    tell(*m_zone, tr("Zone or section; in a reversal zone the wheel stands or travels, which "
-                     "differ in the width of cut. With the share of its limit it comes to."));
-    tell(*m_logarithmic, tr("Actual feeds on a logarithmic axis: sparking out and far limits in "
-                            "one picture"));
+    tell(*m_zone, tr("Zone or section with the used share of its limit. In a reversal zone, the "
+                     "width of cut depends on whether the wheel stands or travels."));
+    tell(*m_logarithmic,
+         tr("Actual feeds on a logarithmic axis: spark-out and distant limits in one plot"));
     tell(*m_places, tr("Every zone, section and stage; else the worst of each requirement"));
     tell(*m_goTo, tr("To the passes, the profile or the field behind the requirement; also Enter "
                      "or a double click on its row"));

@@ -106,11 +106,11 @@ void FeedsNote::retranslate() {
                    "the same number is another step in another zone. They are shown when a few "
                    "double strokes are shown.");
         if (m_infeed != ReversalInfeed::entry) {
-            text << tr("Fed at the exit, RZ2 is ground in E4 between its E1 and E2.");
+            text << tr("With infeed at the exit, RZ2 is ground in E4 between its E1 and E2.");
         }
         text
-            << tr("A zone is shown as ground during the whole stroke, as the model has it: where "
-                  "the wheel stands within a stroke is not distinguished.")
+            << tr("A zone is shown as ground during the whole stroke, as in the model: the "
+                  "position of the wheel within a stroke is not resolved.")
             << tr("Over the whole cycle a point is a double stroke: feeds are summed over its "
                   "passes, the force is that of its hardest pass. Closer, a point is one pass, and "
                   "within one double stroke it is one radius under the wheel.");
@@ -119,10 +119,11 @@ void FeedsNote::retranslate() {
              << tr("A point is one revolution, in long cycles several of them; closer, it is one "
                    "radius under the wheel.");
     }
-    text << tr("The spread reaches from the minimum to the maximum value over the radii of a "
-               "cross-section, the line is their mean.")
-         << tr("The thick upright line is where the cycle stands: the bar below the views moves "
-               "it, and so does a click into a plot. Without it the cycle is at its end.");
+    text
+        << tr("The spread reaches from the minimum to the maximum value over the radii of a "
+              "cross-section, the line is their mean.")
+        << tr("The thick vertical line marks the moment of the cycle; the bar below the views or a "
+              "click in a plot moves it. Without the line, the plots show the end of the cycle.");
     m_text->setText(text.join(QStringLiteral("\n\n")));
     m_close->setText(tr("C&lose"));
     paintSteps();

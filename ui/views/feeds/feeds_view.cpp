@@ -294,7 +294,7 @@ QString FeedsView::noticeText() const {
     }
     if (!refused() && m_plot->series().dropped > 0) {
         text += QLatin1Char(' ')
-                + tr("%1 values that are no numbers are not drawn.").arg(m_plot->series().dropped);
+                + tr("%1 values are not numbers and are not drawn.").arg(m_plot->series().dropped);
     }
     return text;
 }

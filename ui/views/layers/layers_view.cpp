@@ -150,7 +150,7 @@ QString LayersView::hint() const {
 }
 
 QString LayersView::keptText() const {
-    return tr("The inputs are refused; the layers are those of the last accepted ones.");
+    return tr("The inputs are refused; the layers are those of the last valid inputs.");
 }
 
 QString LayersView::remark() const {
@@ -200,8 +200,8 @@ void LayersView::nameParts() {
     m_plot->setAccessibleName(tr("Layers of the stock along the part"));
     m_surface->setAccessibleName(tr("Accumulated actual feed over length and number"));
     m_side->setAccessibleName(tr("Wheel and part from the side, heights exaggerated"));
-    m_side->setToolTip(tr("Heights are exaggerated. As the model has it, a zone is ground during "
-                          "the whole stroke; and all that yields is drawn at the part."));
+    m_side->setToolTip(tr("Heights are exaggerated. As in the model, a zone is ground during the "
+                          "whole stroke; the whole deflection is drawn at the part."));
     m_summary->setAccessibleName(tr("How much has come off"));
     fillChoice(*content(), {tr("Stacked layers"), tr("Surface"), tr("Wheel and part")});
     tell(*content(), tr("How the layers are drawn"));

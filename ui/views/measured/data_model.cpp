@@ -285,7 +285,7 @@ QString DataModel::take(void* item, const Field& field, const QString& text) con
     for (const QString& part : text.split(gap, Qt::SkipEmptyParts)) {
         const std::optional<double> value = parseNumber(part);
         if (!value || !field.hard.contains(*value)) {
-            return tr("“%1” is no number out of %2; several are parted by semicolons")
+            return tr("“%1” is not a number from %2; separate several by semicolons")
                 .arg(part, rangeShown(field.hard, field.unit));
         }
         numbers.push_back(*value);

@@ -122,13 +122,12 @@ void DataSheet::retranslate() {
     case DataModel::List::parts:
         m_table->setAccessibleName(tr("Measured parts"));
         m_note->setText(tr("A row for each zone or section of a part. Double click or F2 edits a "
-                           "cell; several diameters are parted by semicolons."));
+                           "cell; separate several diameters by semicolons."));
         break;
     case DataModel::List::summaries:
         m_table->setAccessibleName(tr("Measured statistics"));
-        m_note->setText(tr("Statistics of parts that are not listed one by one, as a printed "
-                           "table has them: the mean with what stands behind ±, and how many "
-                           "parts it is of."));
+        m_note->setText(tr("Statistics of parts that are not listed one by one, as in a printed "
+                           "table: the mean with the value after ±, and the number of parts."));
         break;
     case DataModel::List::traces:
         m_table->setAccessibleName(tr("Measured traces"));

@@ -296,7 +296,7 @@ QString MeasuredView::stateText() const {
         tr("Predicted of %n part(s).", nullptr, static_cast<int>(batch()->summary.parts));
     return predicted + u' '
            + (speaksForModel(m_rows)
-                  ? tr("Nothing speaks against the model; %1 of %2 comparisons agree.")
+                  ? tr("No contradiction with the model; %1 of %2 comparisons agree.")
                   : tr("The model does not agree with the parts; %1 of %2 comparisons agree."))
                  .arg(agreeing)
                  .arg(m_rows.size());
@@ -328,7 +328,7 @@ QString MeasuredView::hint() const {
 QString MeasuredView::keptText() const {
     return m_rows.empty()
                ? refusedText()
-               : tr("The inputs are refused; the prediction is that of the last accepted ones.");
+               : tr("The inputs are refused; the prediction is that of the last valid inputs.");
 }
 
 void MeasuredView::offerCalibration(bool offers) {
@@ -361,14 +361,13 @@ QString MeasuredView::remark() const {
         if (const QString recorded = recordedText(); !recorded.isEmpty()) {
             return recorded;
         }
-        return tr("No part is measured yet. Here measured diameters, runout, roundness, "
-                  "cylindricity and roughness will stand beside those that the batch predicts, "
-                  "with a verdict on the model. Import a table of a measuring machine, paste one "
-                  "from a spreadsheet (Ctrl+V), or type the statistics of a printed table under "
-                  "“Statistics”.");
+        return tr("No part is measured yet. Measured diameters, runout, roundness, cylindricity "
+                  "and roughness will be shown here beside the predicted batch, with a verdict on "
+                  "the model. Import a table of a measuring machine, paste one from a spreadsheet "
+                  "(Ctrl+V), or enter the statistics of a printed table under “Statistics”.");
     }
     if (studies().prediction.refusal()) {
-        return tr("The batch that predicts cannot be run:") + QLatin1Char('\n')
+        return tr("The predicted batch cannot be run:") + QLatin1Char('\n')
                + Names::refusal(studies().prediction.refusal()->issues, 2);
     }
     if (batch() && stale()) {
@@ -376,8 +375,8 @@ QString MeasuredView::remark() const {
     }
     if (!batch()) {
         return busy() ? QString()
-                      : tr("The batch that predicts takes a while: press “Run”. It "
-                           "can be stopped at any time.");
+                      : tr("The predicted batch takes a while: press “Run”. It can be stopped at "
+                           "any time.");
     }
     return good()->result.project.batch
                ? QString()
@@ -401,9 +400,9 @@ void MeasuredView::nameParts() {
     fillChoice(*m_sheet, {tr("Comparison"), tr("Parts"), tr("Statistics"), tr("Traces")});
     tell(*m_sheet, tr("What is shown of the measurements"));
     tell(*m_quantity, tr("Measured quantity"));
-    tellButton(*m_bar->run(), tr("Run"),
-               tr("Run the batch that predicts; a quick one runs by itself"));
-    tellButton(*m_bar->stop(), tr("Stop"), tr("End the batch; what was done is kept and shown"));
+    tellButton(*m_bar->run(), tr("Run"), tr("Run the predicted batch; a quick one runs by itself"));
+    tellButton(*m_bar->stop(), tr("Stop"),
+               tr("Stop the batch; the completed parts are kept and shown"));
     tellButton(*m_import, tr("Import…"),
                tr("Read a table of measured parts or of traces from a file"));
     tellButton(*m_paste, tr("Paste…"),

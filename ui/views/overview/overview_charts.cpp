@@ -435,7 +435,8 @@ BarChart OverviewCharts::runs(const std::vector<RunBars>& runs, int kept) {
     QStringList remarks{tr("Margin: that of the requirement nearest to its limit, below 0 where "
                            "one fails.")};
     if (shown < kept) {
-        remarks << tr("The present run and the newest %1 of %2 kept ones.").arg(shown).arg(kept);
+        remarks
+            << tr("The current run and the newest %1 of the %2 kept runs.").arg(shown).arg(kept);
     }
     chart.remark = remarks.join(u' ');
     return chart;

@@ -206,23 +206,24 @@ void OverviewView::showBatch() {
     m_batchChanged = false;
     QString text, step;
     if (!good()->result.project.batch) {
-        text = tr("This project describes no batch. A batch of parts whose stock, runout and wheel "
-                  "scatter shows here how the sizes scatter and how many parts are good.");
+        text = tr(
+            "This project describes no batch. With a batch of parts whose stock, runout and wheel "
+            "scatter, the scatter of the sizes and the number of good parts are shown here.");
         step = tr("Add a batch…");
     } else if (!m_batch || !m_batch->ran()) {
-        text = tr("The batch has not been run: here will be how its sizes scatter and how many "
-                  "parts are good.");
+        text = tr("The batch has not been run. The scatter of its sizes and the number of good "
+                  "parts will be shown here.");
         step = tr("Run the batch…");
     } else {
         tile(parts)->setChart(OverviewCharts::parts(*m_batch));
         BarChart scatter =
             OverviewCharts::boxes(*m_batch, statisticsOfMeasured(good()->result.project));
         if (scatter.empty()) {
-            tile(boxes)->setEmpty(
-                m_batch->summary.isSample
-                    ? tr("No part of the batch has a size to show.")
-                    : tr("The batch is of corners: they are no sample and have no quartiles."),
-                tr("To the batch…"));
+            tile(boxes)->setEmpty(m_batch->summary.isSample
+                                      ? tr("No part of the batch has a size to show.")
+                                      : tr("The batch consists of corner parts: they are not a "
+                                           "sample and have no quartiles."),
+                                  tr("To the batch…"));
         } else {
             tile(boxes)->setChart(std::move(scatter));
         }
@@ -238,7 +239,7 @@ std::vector<RunBars> OverviewView::shownRuns() const {
         return RunBars{name, summary.cycle_time_min, marginOf(summary)};
     };
     std::vector<RunBars> shown{barsOf(
-        tr("present", "run"), summarise(good()->result, good()->accuracy, good()->constraints))};
+        tr("current", "run"), summarise(good()->result, good()->accuracy, good()->constraints))};
     for (int run = std::max(m_kept.count() - OverviewCharts::mostRuns, 0); run < m_kept.count();
          ++run) {
         const KeptRun& kept = m_kept.all()[static_cast<std::size_t>(run)];
@@ -264,8 +265,8 @@ void OverviewView::showRuns() {
     }
     m_runsChanged = false;
     if (m_kept.count() == 0) {
-        tile(runs)->setEmpty(tr("No run is kept yet: here will be its time and margin beside those "
-                                "of the present run."),
+        tile(runs)->setEmpty(tr("No run is kept yet. Its time and margin will be shown here beside "
+                                "those of the current run."),
                              m_offersKeeping ? tr("Keep this run") : QString());
     } else {
         tile(runs)->setChart(OverviewCharts::runs(shownRuns(), m_kept.count()));
@@ -344,7 +345,7 @@ QString OverviewView::remark() const {
     }
     texts << Names::uncutStrips(good()->result.project);
     if (good()->result.project.batch && m_batch && isBatchStale()) {
-        texts << tr("The batch is of the inputs before the last edit.");
+        texts << tr("The inputs have changed since the batch was run.");
     }
     texts.removeAll(QString());
     return texts.join(u'\n');

@@ -316,7 +316,7 @@ void ProfilesView::showSpectrum() {
 }
 
 QString ProfilesView::keptText() const {
-    return tr("The inputs are refused; the profiles are those of the last accepted ones.");
+    return tr("The inputs are refused; the profiles are those of the last valid inputs.");
 }
 
 QString ProfilesView::remark() const {
@@ -616,13 +616,13 @@ void ProfilesView::nameCircles() {
     fillChoice(*m_filter, filters);
     m_measured->setText(tr("Measured"));
     m_readMeasured->setText(tr("&Read a measured profile…"));
-    m_removeMeasured->setText(tr("&Take it away"));
+    m_removeMeasured->setText(tr("&Remove profile"));
     tell(*m_circles, tr("Reference circles of the roundness (ISO 12181): LSCI, the least-squares "
                         "circle; MZCI, the two circles of the minimum zone; MICI, the maximum "
                         "inscribed, or MCCI, the minimum circumscribed circle"));
     tell(*m_filter,
-         tr("Gaussian filter of the cross-sections (ISO 16610-21): waves up to about "
-            "so many undulations per revolution stay, as roundness machines state them"));
+         tr("Gaussian filter of the cross-sections (ISO 16610-21): keeps waves up to about this "
+            "number of undulations per revolution, as on roundness machines"));
     tell(*m_measured, tr("A profile recorded by a roundness machine, beside the predicted ones: a "
                          "table of the angle in ° and the radius in mm or its deviation in µm"));
 }

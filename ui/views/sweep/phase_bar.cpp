@@ -169,7 +169,8 @@ QString PhaseBar::remark() const {
         return PhaseText::undecidable();
     }
     if (range().from_mm > range().to_mm) {
-        return tr("The range has to go upwards: it begins at %1 mm and ends at %2 mm.")
+        return tr("The upper end of the range must lie above the lower end: it begins at %1 mm and "
+                  "ends at %2 mm.")
             .arg(PhaseText::millimetres(range().from_mm), PhaseText::millimetres(range().to_mm));
     }
     if (m_phases && !m_stale) {
@@ -181,7 +182,7 @@ QString PhaseBar::remark() const {
         return m_phases ? StudyView::staleText(true, {}) : QString();
     }
     return m_phases ? StudyView::staleText(false, m_bar->run()->text())
-                    : tr("Stopped before anything was decided. Press “Run”.");
+                    : tr("Stopped before a result. Press “Run”.");
 }
 
 void PhaseBar::showState(bool accepted) {
@@ -198,14 +199,17 @@ void PhaseBar::retranslate() {
         widget.setAccessibleName(text);
         widget.setToolTip(text);
     };
-    name(*m_from, tr("Minimum stock per side decided; empty: half the maximum infeed below"));
-    name(*m_to, tr("Maximum stock per side decided; empty: half the maximum infeed above"));
+    name(*m_from, tr("Minimum stock per side to check; empty: half the maximum infeed below the "
+                     "given stock"));
+    name(*m_to, tr("Maximum stock per side to check; empty: half the maximum infeed above the "
+                   "given stock"));
     m_bar->run()->setText(tr("Run"));
-    name(*m_bar->run(), tr("Decide the phases of the range; that runs by itself after an edit"));
+    name(*m_bar->run(),
+         tr("Check all stocks of the range; this also starts by itself after an edit"));
     m_bar->stop()->setText(tr("Stop"));
-    name(*m_bar->stop(), tr("End the run; what was decided before is kept"));
-    m_bar->state()->setAccessibleName(tr("What was decided"));
-    m_bar->progress()->setAccessibleName(tr("Progress of the decision"));
+    name(*m_bar->stop(), tr("Stop the run; the results so far are kept"));
+    m_bar->state()->setAccessibleName(tr("Result"));
+    m_bar->progress()->setAccessibleName(tr("Progress of the check"));
     m_from->retranslate();
     m_to->retranslate();
     if (m_project) {

@@ -52,7 +52,7 @@ std::vector<FailingStocks> joinedRanges(const std::vector<FailingStocks>& failin
 } // namespace
 
 QString PhaseText::progress(qint64, qint64, double) {
-    return tr("The phases of the stock are being decided");
+    return tr("The stocks are being checked");
 }
 
 QString PhaseText::counted(const PhaseDecision& decision) {
@@ -60,9 +60,9 @@ QString PhaseText::counted(const PhaseDecision& decision) {
 }
 
 QString PhaseText::undecidable() {
-    return tr("Under position control the phases of the stock cannot be decided: the first step "
-              "meets the part somewhere within its infeed. Vary the stock in a sweep, or let it "
-              "scatter in a batch.");
+    return tr("Under position control the stocks within one infeed cannot be decided: the wheel "
+              "touches the part at an unknown point within the first infeed. Vary the stock in a "
+              "sweep, or let it scatter in a batch.");
 }
 
 QString PhaseText::millimetres(double stock_mm) {
@@ -80,11 +80,11 @@ QString PhaseText::reason(RunStatus status, const std::optional<ConstraintResult
 
 QString PhaseText::verdict(const PhaseDecision& decision) {
     if (decision.hasTooMany) {
-        return tr("The range has more than %1 pieces: type a narrower one.")
+        return tr("The range has more than %1 pieces: enter a narrower range.")
             .arg(QLocale().toString(qulonglong{mostDecidedPieces}));
     }
     if (decision.holds()) {
-        return tr("Holds for every stock per side from %1 to %2 mm.")
+        return tr("The cycle is fit for every stock per side from %1 to %2 mm.")
             .arg(millimetres(decision.range.from_mm), millimetres(decision.range.to_mm));
     }
     std::vector<std::pair<QString, QStringList>> byReason;
@@ -100,11 +100,11 @@ QString PhaseText::verdict(const PhaseDecision& decision) {
     QStringList lines;
     for (const auto& [why, ranges] : byReason) {
         if (lines.size() == mostReasonsNamed) {
-            lines << tr("Other stocks fail by other requirements: see the table of the plot.");
+            lines << tr("Other stocks do not meet other requirements: see the table of the plot.");
             break;
         }
         const auto more = ranges.size() - mostRangesNamed;
-        lines << tr("Fails for stocks per side %1 mm%2: %3.")
+        lines << tr("The cycle is unfit for stocks per side %1 mm%2: %3.")
                      .arg(ranges.mid(0, mostRangesNamed).join(QStringLiteral(", ")),
                           more > 0 ? tr(" (further ranges: %1)").arg(more) : QString(), why);
     }
@@ -125,8 +125,7 @@ QString PhaseText::share(const Project& project, const PhaseDecision& decision) 
     const auto percent = [](double share) {
         return printedNumber(100 * share, percentDigits) + QStringLiteral("\u00a0%");
     };
-    const QString failing =
-        tr("Of the parts of the batch %1 fail by their stock alone.").arg(percent(shares.failing));
+    const QString failing = tr("Rejected by stock alone: %1.").arg(percent(shares.failing));
     return shares.undecided < leastShareNamed
                ? failing
                : failing + u' '
@@ -143,13 +142,13 @@ QString PhaseText::steps(const DecidedPiece& decided) {
 
 QString PhaseText::pieceVerdict(const DecidedPiece& decided) {
     if (decided.holdsWhole()) {
-        return tr("holds");
+        return tr("fit");
     }
     const QString why = reason(decided.piece.status, decided.worst);
-    return decided.holds ? tr("holds from %1 to %2 mm, else fails: %3")
+    return decided.holds ? tr("fit from %1 to %2 mm, otherwise unfit: %3")
                                .arg(millimetres(decided.holds->from_mm),
                                     millimetres(decided.holds->to_mm), why)
-                         : tr("fails: %1").arg(why);
+                         : tr("unfit: %1").arg(why);
 }
 
 std::optional<DeviationRange> PhaseText::sizes(const PieceEnd& end) {
@@ -190,8 +189,8 @@ QString PhaseText::stock(const PhaseDecision& decision, double stock_mm) {
     });
     return text + QStringLiteral("; ")
            + (failing == decision.failing.end()
-                  ? tr("every requirement holds")
-                  : tr("fails: %1").arg(reason(failing->status, failing->worst)));
+                  ? tr("all requirements are met")
+                  : tr("unfit: %1").arg(reason(failing->status, failing->worst)));
 }
 
 } // namespace sparkout

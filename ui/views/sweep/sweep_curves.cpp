@@ -258,10 +258,10 @@ LegendEntries SweepCurves::legendEntries() const {
     }
     if (!m_bands.empty()) {
         entries.push_back(
-            areaEntry(holdsKey, m_bands.front()->brush().color(), tr("every requirement holds")));
+            areaEntry(holdsKey, m_bands.front()->brush().color(), tr("requirements met")));
     }
     if (m_hasPresent) {
-        entries.push_back(lineEntry(presentKey, m_present->pen(), tr("present value")));
+        entries.push_back(lineEntry(presentKey, m_present->pen(), tr("current value")));
     }
     addStatusEntries(entries);
     return entries;

@@ -230,13 +230,12 @@ LegendEntries SweepMap::legendEntries() const {
         entries.back().halo = m_limitHalo->pen().color();
     }
     if (!m_holds->data()->isEmpty()) {
-        entries.push_back(
-            lineEntry(holdsKey, m_holds->pen(), tr("every requirement holds: its edge")));
+        entries.push_back(lineEntry(holdsKey, m_holds->pen(), tr("requirements met: edge")));
         entries.back().halo = m_holdsHalo->pen().color();
     }
     if (!m_present->data()->isEmpty()) {
         entries.push_back(
-            areaEntry(presentKey, palette().color(QPalette::Text), tr("present values")));
+            areaEntry(presentKey, palette().color(QPalette::Text), tr("current values")));
         entries.back().swatch = Swatch::rhombus;
     }
     if (!m_chosenMark->data()->isEmpty()) {

@@ -101,7 +101,7 @@ QString SweepText::status(const SweepPoint& point) {
     case SweepStatus::notReached: return tr("does not reach size");
     case SweepStatus::done: break;
     }
-    return point.good ? tr("holds") : tr("does not hold");
+    return point.good ? tr("fit") : tr("unfit");
 }
 
 QString SweepText::progress(qint64 done, qint64 points, double left_s) {
@@ -142,7 +142,7 @@ QString SweepText::inputs(const SweepResult& sweep, std::size_t point) {
 /// Whether the drawing holds there, and what breaks it.
 QString SweepText::verdict(const SweepResult& sweep, const SweepPoint& point) {
     if (point.good) {
-        return tr("every requirement holds");
+        return tr("all requirements are met");
     }
     QStringList failing;
     for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
@@ -153,7 +153,7 @@ QString SweepText::verdict(const SweepResult& sweep, const SweepPoint& point) {
         }
     }
     const bool more = failing.size() > mostNamed;
-    return tr("does not hold: %1")
+    return tr("not met: %1")
         .arg(failing.mid(0, mostNamed).join(QStringLiteral(", "))
              + (more ? QStringLiteral(" …") : QString()));
 }

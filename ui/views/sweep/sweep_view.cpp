@@ -416,11 +416,11 @@ QString SweepView::hint() const {
 
 QString SweepView::keptText() const {
     if (showsPhases()) {
-        return m_phaseBar->phases() ? tr("The inputs are refused; the phases of the stock are "
-                                         "those of the last accepted ones.")
+        return m_phaseBar->phases() ? tr(
+                   "The inputs are refused; the stocks shown are those of the last valid inputs.")
                                     : refusedText();
     }
-    return sweep() ? tr("The inputs are refused; the sweep is that of the last accepted ones.")
+    return sweep() ? tr("The inputs are refused; the sweep is that of the last valid inputs.")
                    : refusedText();
 }
 
@@ -455,14 +455,13 @@ QString SweepView::sweepRemark() const {
         const auto refused =
             std::ranges::find(result.points, SweepStatus::refused, &SweepPoint::status);
         return refused == result.points.end()
-                   ? tr("The cycle reaches size at no point of the range.")
+                   ? tr("The cycle does not reach size at any point of the range.")
                    : tr("No point has a result. Refused:") + QLatin1Char('\n')
                          + Names::refusal(refused->issues, 2);
     }
-    return changesNothing(result)
-               ? tr("Nothing changes over this range: the model does not read the "
-                    "input as this project is set.")
-               : QString();
+    return changesNothing(result) ? tr("Nothing changes over this range: with the settings of this "
+                                       "project, the model does not use this input.")
+                                  : QString();
 }
 
 QStringList SweepView::subheading() const {
@@ -482,8 +481,7 @@ void SweepView::nameParts() {
          tr("Results over one or two inputs, or, exactly, the size over the stock of the blank"));
     tell(*m_entry, tr("Result shown"), tr("The result that is shown over the varied inputs"));
     tell(*m_side, tr("Values or margins"),
-         tr("The values themselves, or how far they are from their limits: above 0 the requirement "
-            "holds"));
+         tr("The values, or their distances from the limits: above 0 the requirement is met"));
     tell(*m_point, tr("Point chosen"),
          tr("The point whose values can be taken; a click in the plot chooses one, too"));
     fillChoice(*m_subject, {tr("Inputs varied"), tr("Size against stock")});
@@ -502,12 +500,14 @@ void SweepView::nameParts() {
 void SweepView::nameButtons() {
     tellButton(*m_bar->run(), tr("Run"),
                tr("Run the points of the sweep; a quick one runs by itself"));
-    tellButton(*m_bar->stop(), tr("Stop"), tr("End the sweep; what was done is kept and shown"));
+    tellButton(*m_bar->stop(), tr("Stop"),
+               tr("Stop the sweep; the completed points are kept and shown"));
     tellButton(*m_add, tr("Vary the dullness"),
                tr("A sweep of the wheel's dullness from half to twice its value; can be undone"));
     m_take->setText(tr("Take these values"));
     tellButton(*m_takeButton, m_take->text(),
-               tr("Put the inputs of the chosen point into this project; undo brings yours back"));
+               tr("Use the inputs of the chosen point in this project; Undo restores the previous "
+                  "inputs"));
 }
 
 } // namespace sparkout

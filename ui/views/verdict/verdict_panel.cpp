@@ -205,10 +205,10 @@ void VerdictPanel::showTexts() {
     if (incomplete) {
         notice = tr("Not checked: requirements or other inputs are missing. Still needed:");
     } else if (refused) {
-        notice = (m_good ? tr("The inputs are refused; the numbers are those of the last "
-                              "accepted ones.")
-                         : tr("The inputs are refused:"))
-                 + QLatin1Char('\n') + Names::refusal(m_latest->issues);
+        notice =
+            (m_good ? tr("The inputs are refused; the numbers are those of the last valid inputs.")
+                    : tr("The inputs are refused:"))
+            + QLatin1Char('\n') + Names::refusal(m_latest->issues);
     } else if (!m_good) {
         notice = tr("No result yet.");
     }
@@ -281,11 +281,11 @@ void VerdictPanel::setRefusedFields(int n) {
 }
 
 void VerdictPanel::showRefusedFields() {
-    m_refused->setText(m_refusedFields > 0
-                           ? tr("%n fields hold a refused text; the verdict is of the values "
-                                "before it.",
-                                nullptr, m_refusedFields)
-                           : QString());
+    m_refused->setText(
+        m_refusedFields > 0 ? tr(
+            "%n fields contain invalid entries; the verdict is based on their last valid values.",
+            nullptr, m_refusedFields)
+                            : QString());
     m_refused->setVisible(m_refusedFields > 0);
 }
 
@@ -358,7 +358,7 @@ void VerdictPanel::retranslate() {
     m_off->setAccessibleName(tr("Requirements that are not checked"));
     m_table->setAccessibleName(tr("Requirements of the drawing"));
     m_table->retranslate();
-    m_refused->setAccessibleName(tr("Fields that hold a refused text"));
+    m_refused->setAccessibleName(tr("Fields with invalid entries"));
     m_remedies->retranslate();
     m_form->retranslate();
     m_shop->retranslate();

@@ -33,7 +33,7 @@ QString status(const SimulationResult& result) {
     if (result.status != RunStatus::cannotReachSize && result.status != RunStatus::tooLong) {
         return Names::status(result.status);
     }
-    return VerdictText::tr("%1: the gauge reads %2 mm, %3 µm a side remain")
+    return VerdictText::tr("%1: the gauge reads %2 mm, %3 µm per side remain")
         .arg(Names::status(result.status), Names::millimetres(result.gaugeReading_mm),
              Names::micrometres(result.remainingStock_mm * units::umPerMm));
 }

@@ -33,8 +33,8 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
     icon->setAccessibleName(tr("Icon of the program"));
     const QStringList paragraphs{
         tr("Sparkout %1").arg(QString::fromUtf8(version)),
-        tr("A workbench for cylindrical grinding cycles: computes a cycle pass by pass and holds "
-           "it against the drawing."),
+        tr("A workbench for cylindrical grinding cycles: it computes a cycle pass by pass and "
+           "checks it against the drawing."),
         versions(),
         tr("Free software under the GNU General Public License, version 3 or later. It comes "
            "without any warranty."),

@@ -38,8 +38,8 @@ QString stateText(const RecoveryItem& item) {
 } // namespace
 
 QString RecoveryDialog::offeredElsewhereText() {
-    return tr("Another window is offering the unsaved work that was found. When it has answered, "
-              "ask again for what it left.");
+    return tr("Another window already offers the unsaved work that was found. Answer there first, "
+              "then try again.");
 }
 
 RecoveryDialog::RecoveryDialog(const RecoveryStore& store, std::vector<RecoveryItem> items,

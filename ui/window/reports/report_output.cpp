@@ -96,8 +96,7 @@ void ReportOutput::print(const report::Report& report) {
         printed = report::printPages(pages, printer);
     });
     if (!printed) {
-        showFailure(m_window, tr("Not printed"),
-                    tr("The printer or the file did not take the pages."));
+        showFailure(m_window, tr("Not printed"), tr("Output failed. Check printer and disk."));
     }
 }
 

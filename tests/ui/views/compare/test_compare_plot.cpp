@@ -158,7 +158,7 @@ private slots:
         QVERIFY(!desk.plot().curve(1, Quantity::force)->visible());
         QVERIFY(desk.plot().curve(0, Quantity::force)->visible());
         for (const std::vector<CsvCell>& row : desk.plot().table().rows) {
-            QCOMPARE(std::get<QString>(row[0]), QStringLiteral("Present run"));
+            QCOMPARE(std::get<QString>(row[0]), QStringLiteral("Current run"));
         }
     }
 
@@ -169,7 +169,7 @@ private slots:
         const QPoint at(rect.left() + rect.width() / 4, rect.center().y());
         fixtures::hover(&desk.plot(), at);
         const QString told = desk.text("compareValues");
-        QVERIFY2(told.contains(QStringLiteral("Present run, double stroke")), qPrintable(told));
+        QVERIFY2(told.contains(QStringLiteral("Current run, double stroke")), qPrintable(told));
         QVERIFY2(told.contains(QStringLiteral("\nRun 1, double stroke")), qPrintable(told));
         QTest::mouseClick(&desk.plot(), Qt::LeftButton, {}, at);
         const double wanted_s =

@@ -36,7 +36,7 @@ private slots:
         const Project first = desk.document.project();
         desk.keep();
         QCOMPARE(desk.view.table()->rowCount(), 0);
-        QVERIFY(desk.text("compareEmpty").contains(QStringLiteral("have the inputs")));
+        QVERIFY(desk.text("compareEmpty").contains(QStringLiteral("have the same inputs")));
         desk.change(quicker);
         const Project& now = desk.document.project();
         QStringList inputs;

@@ -633,14 +633,14 @@ private slots:
         const auto says = [&](const char* words) {
             return OptimiseText::notes(outcome).contains(QString::fromLatin1(words));
         };
-        QVERIFY(says("from being quicker is not known: the search was stopped"));
+        QVERIFY(says("What limits the time is not known: the search was stopped"));
         outcome.binding.emplace();
         QVERIFY(!says("not known") && says("No cycle of the grid that differs in one setting"));
         outcome.search.status =
             SearchStatus::stopped; // of the best so far nothing of the kind is proved
         QVERIFY(!says("not known") && !says("No cycle of the grid that differs"));
         outcome.binding->push_back(ConstraintKind::wheelPower);
-        QVERIFY(!says("not known") && says("What keeps it from being quicker: "));
+        QVERIFY(!says("not known") && says("Limited by: "));
     }
 
     /// Where the answer stands at the edge of its grid, the line below it says so.

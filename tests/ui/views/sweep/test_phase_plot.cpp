@@ -149,7 +149,8 @@ private slots:
             QVERIFY(hatched.upper == drawn.range.to_mm || !fails(hatched.upper + 1e-7));
         }
         QCOMPARE(plot.statedStock_mm(), project.part->stock_mm);
-        QVERIFY2(bench.notice().startsWith(QStringLiteral("Fails for stocks per side from ")),
+        QVERIFY2(bench.notice().startsWith(
+                     QStringLiteral("The cycle is unfit for stocks per side from ")),
                  qPrintable(bench.notice()));
         QVERIFY(bench.notice().contains(QStringLiteral("maximum diameter")));
         const CsvTable table = plot.table();
@@ -158,7 +159,7 @@ private slots:
         for (std::size_t i = 0; i < decided.pieces.size(); ++i) {
             QCOMPARE(std::get<double>(table.rows[i][0]), decided.pieces[i].piece.from_mm);
             QCOMPARE(std::get<double>(table.rows[i][2]), double(decided.pieces[i].piece.counts[0]));
-            QCOMPARE(std::get<QString>(table.rows[i].back()) == QStringLiteral("holds"),
+            QCOMPARE(std::get<QString>(table.rows[i].back()) == QStringLiteral("fit"),
                      decided.pieces[i].holdsWhole());
         }
     }
@@ -182,10 +183,9 @@ private slots:
         QVERIFY(failing_mm > 0);
         const QString failing = QString::number(100 * failing_mm / (4 * beyond_mm), 'g', 3);
         QVERIFY2(
-            bench.notice().contains(
-                QStringLiteral("Of the parts of the batch %1\u00a0% fail by their stock alone. The "
-                               "stock of 50\u00a0% lies outside the range.")
-                    .arg(failing)),
+            bench.notice().contains(QStringLiteral("Rejected by stock alone: %1\u00a0%. The stock "
+                                                   "of 50\u00a0% lies outside the range.")
+                                        .arg(failing)),
             qPrintable(bench.notice() + failing));
         project.batch.reset();
         bench.edit(project);
@@ -198,7 +198,7 @@ private slots:
         const Project project = shaft();
         Bench bench(project);
         QVERIFY(bench.settled());
-        QVERIFY2(bench.notice().startsWith(QStringLiteral("Holds for every stock")),
+        QVERIFY2(bench.notice().startsWith(QStringLiteral("The cycle is fit for every stock")),
                  qPrintable(bench.notice()));
         QVERIFY(bench.view.phases()->failing().empty());
         for (const DecidedPiece& each : bench.decision().pieces) {
@@ -240,8 +240,9 @@ private slots:
         QTest::keyClick(&bench.part<NumberField>("phasesFrom"), Qt::Key_Escape);
         bench.type("phasesFrom", QLocale().toString(usual.to_mm, 'f', 4));
         QVERIFY(bench.settled());
-        QVERIFY2(bench.notice().startsWith(QStringLiteral("The range has to go upwards")),
-                 qPrintable(bench.notice()));
+        QVERIFY2(
+            bench.notice().startsWith(QStringLiteral("The upper end of the range must lie above")),
+            qPrintable(bench.notice()));
         QVERIFY(!bench.part<QPushButton>("phasesRun").isEnabled());
         QVERIFY(!bench.view.phases()->isVisible());
         bench.type("phasesFrom", {});
@@ -295,7 +296,7 @@ private slots:
         project.part->stock_mm = -1;
         bench.edit(project);
         QVERIFY(bench.settled());
-        QVERIFY2(bench.notice().startsWith(QStringLiteral("The inputs are refused; the phases")),
+        QVERIFY2(bench.notice().startsWith(QStringLiteral("The inputs are refused; the stocks")),
                  qPrintable(bench.notice()));
         QVERIFY(bench.view.phases()->isDimmed());
     }

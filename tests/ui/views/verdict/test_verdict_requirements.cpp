@@ -274,8 +274,8 @@ private slots:
         QVERIFY(!notice.isVisible());
         bench.panel.setRefusedFields(2);
         QVERIFY(notice.isVisible() && isInSight(notice, bench.panel));
-        QCOMPARE(notice.text(), QStringLiteral("2 fields hold a refused text; the verdict is of "
-                                               "the values before it."));
+        QCOMPARE(notice.text(), QStringLiteral("2 fields contain invalid entries; the verdict is "
+                                               "based on their last valid values."));
         bench.show(m_plunge); // a newer run of the values before it says nothing else
         QVERIFY(notice.isVisible());
         bench.panel.setRefusedFields(0);
