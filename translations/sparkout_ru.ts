@@ -11880,8 +11880,8 @@ With another name both versions stay as they are.</source>
             <translation>&amp;Добавить поверхность…</translation>
         </message>
         <message>
-            <source>&amp;Duplicate the surface</source>
-            <translation>&amp;Копия поверхности</translation>
+            <source>&amp;Duplicate the surface…</source>
+            <translation>&amp;Копия поверхности…</translation>
         </message>
         <message>
             <source>&amp;Rename the surface…</source>
@@ -18701,6 +18701,14 @@ good</source>
         <message>
             <source>From its drawing</source>
             <translation>С её чертежа</translation>
+        </message>
+        <message>
+            <source>Duplicate the surface</source>
+            <translation>Копия поверхности</translation>
+        </message>
+        <message>
+            <source>&amp;Duplicate</source>
+            <translation>&amp;Копировать</translation>
         </message>
     </context>
     <context>
