@@ -1675,7 +1675,7 @@
         </message>
         <message>
             <source>Overlap B/s</source>
-            <translation>Коэф. перекрытия B/s</translation>
+            <translation>Перекрытие B/s</translation>
         </message>
         <message>
             <source>Overlap ratio B/s_ax, s_ax = S_ax/n: how many revolutions a place of the surface is under the wheel in one stroke. Below 1 strips stay unground. For the cycle: the least of its stages.</source>
