@@ -1675,7 +1675,7 @@
         </message>
         <message>
             <source>Overlap B/s</source>
-            <translation>Коэф. перекрытия B/s</translation>
+            <translation>Перекрытие B/s</translation>
         </message>
         <message>
             <source>Overlap ratio B/s_ax, s_ax = S_ax/n: how many revolutions a place of the surface is under the wheel in one stroke. Below 1 strips stay unground. For the cycle: the least of its stages.</source>
@@ -11744,8 +11744,8 @@ With another name both versions stay as they are.</source>
             <translation>&amp;Добавить поверхность…</translation>
         </message>
         <message>
-            <source>&amp;Duplicate the surface</source>
-            <translation>&amp;Копия поверхности</translation>
+            <source>&amp;Duplicate the surface…</source>
+            <translation>&amp;Копия поверхности…</translation>
         </message>
         <message>
             <source>&amp;Rename the surface…</source>
@@ -18771,6 +18771,14 @@ good</source>
         <message>
             <source>From its drawing</source>
             <translation>С её чертежа</translation>
+        </message>
+        <message>
+            <source>Duplicate the surface</source>
+            <translation>Копия поверхности</translation>
+        </message>
+        <message>
+            <source>&amp;Duplicate</source>
+            <translation>&amp;Копировать</translation>
         </message>
     </context>
     <context>

@@ -88,7 +88,7 @@ QString BarChart::described(std::size_t of, std::size_t category) const {
         for (std::size_t i = 0; i < names.size(); ++i) {
             texts << QStringLiteral("%1 %2").arg(names[i], numberText(values[i]));
         }
-        return QStringLiteral("%1: %2 %3")
+        return QStringLiteral("%1: %2\u00a0%3")
             .arg(name, texts.join(QStringLiteral(", ")), unit)
             .trimmed();
     }
@@ -97,7 +97,7 @@ QString BarChart::described(std::size_t of, std::size_t category) const {
     const QString who = shape == Shape::ring ? part
                         : part.isEmpty()     ? name
                                              : QStringLiteral("%1, %2").arg(name, part);
-    return QStringLiteral("%1: %2 %3")
+    return QStringLiteral("%1: %2\u00a0%3")
         .arg(who, numberText(value(of, category), bars.onSecond), bars.onSecond ? secondUnit : unit)
         .trimmed();
 }

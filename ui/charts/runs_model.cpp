@@ -11,6 +11,7 @@
 #include <QPalette>
 
 #include <algorithm>
+#include <utility>
 
 namespace sparkout {
 
@@ -37,6 +38,13 @@ void RunsModel::setRuns(std::vector<Run> runs) {
     }
 }
 
+void RunsModel::setPresent(Run run) {
+    if (!m_runs.empty() && m_runs.front() != run) {
+        m_runs.front() = std::move(run);
+        emit dataChanged(index(0), index(0));
+    }
+}
+
 int RunsModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(m_runs.size());
 }
@@ -51,7 +59,7 @@ QPixmap RunsModel::markOf(const Run& run, const QColor& text, const QColor& behi
     painter.fillRect(sample.width() - side - metrics::tight, 0, side + metrics::tight, side,
                      Qt::transparent);
     painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
-    if (run.light) {
+    if (run.judged || run.light) {
         constexpr int rim = 2, round = 4;
         const QRect box(sample.width() - side, 0, side, side);
         painter.setRenderHint(QPainter::Antialiasing);
@@ -59,8 +67,10 @@ QPixmap RunsModel::markOf(const Run& run, const QColor& text, const QColor& behi
         painter.setBrush(behindLight);
         painter.drawRoundedRect(box, round, round);
         const int inside = behindLight.alpha() > 0 ? rim : 0;
+        const int size = side - 2 * inside;
         painter.drawPixmap(box.topLeft() + QPoint(inside, inside),
-                           lightPixmap(*run.light, side - 2 * inside, ratio, false));
+                           run.judged ? judgedPixmap(*run.judged, size, ratio, false)
+                                      : lightPixmap(*run.light, size, ratio, false));
     }
     return mark;
 }

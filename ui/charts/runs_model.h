@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/judgement/judgement.h"
 #include "ui/charts/verdict_table.h"
 
 #include <QAbstractListModel>
@@ -25,7 +26,8 @@ public:
         std::optional<Light> light;
         int number = 0; ///< of its dash; below 0: it is not drawn
         bool chosen = true;
-        bool isOwn = true; ///< else its name is not edited here
+        bool isOwn = true;                   ///< else its name is not edited here
+        std::optional<JudgedState> judged{}; ///< whose mark stands in place of the light
         friend bool operator==(const Run&, const Run&) = default;
     };
     using QAbstractListModel::QAbstractListModel;
@@ -33,6 +35,7 @@ public:
     static constexpr QSize sample{42, 12}; ///< of a line, and the light beside it
 
     void setRuns(std::vector<Run> runs); ///< the present one first; it cannot be unchecked
+    void setPresent(Run run);            ///< the others stay
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;

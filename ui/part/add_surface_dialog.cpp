@@ -60,6 +60,7 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     , m_state(state)
     , m_outline(PartOutline::of(state))
     , m_isFree(std::move(isFree))
+    , m_form(new QFormLayout)
     , m_drawing(new PartDrawing(this))
     , m_places(new QListWidget(this))
     , m_begin(new QComboBox(this))
@@ -88,11 +89,10 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     m_name->setObjectName(QStringLiteral("surfaceName"));
     m_name->setAccessibleName(tr("Name"));
     fillPlaces();
-    auto* form = new QFormLayout;
-    form->addRow(tr("Name"), m_name);
-    form->addRow(tr("Begins with"), m_begin);
-    askWhatComesAlong(*form);
-    form->addRow(tr("Place"), m_places);
+    m_form->addRow(tr("Name"), m_name);
+    m_form->addRow(tr("Begins with"), m_begin);
+    askWhatComesAlong();
+    m_form->addRow(tr("Place"), m_places);
     auto* add = m_buttons->addButton(tr("&Add"), QDialogButtonBox::AcceptRole);
     m_buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
     add->setDefault(true);
@@ -104,7 +104,7 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     }
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_drawing, 1);
-    layout->addLayout(form);
+    layout->addLayout(m_form);
     layout->addWidget(m_buttons);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -125,7 +125,7 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
 }
 
 /// Of the drawing of the surface that is copied, as far as it has it.
-void AddSurfaceDialog::askWhatComesAlong(QFormLayout& form) {
+void AddSurfaceDialog::askWhatComesAlong() {
     const Part& part = *m_state.inFront().project.part;
     const Tolerance& of = part.tolerance;
     const bool hasTolerances = of.radial_runout_um || of.total_runout_um || of.roundness_um
@@ -146,7 +146,22 @@ void AddSurfaceDialog::askWhatComesAlong(QFormLayout& form) {
     for (QCheckBox* box : {m_gaps, m_deviations, m_tolerances}) {
         boxes->addWidget(box);
     }
-    form.addRow(tr("From its drawing"), m_along);
+    m_form->addRow(tr("From its drawing"), m_along);
+}
+
+void AddSurfaceDialog::onlyDuplicate() {
+    setWindowTitle(tr("Duplicate the surface"));
+    m_buttons->buttons().front()->setText(tr("&Duplicate"));
+    m_begin->setCurrentIndex(m_begin->findData(int(BeginWith::copy)));
+    m_places->setCurrentRow(m_places->count() - 1); // where the present one is
+    m_drawing->hide();
+    m_form->setRowVisible(m_begin, false);
+    m_form->setRowVisible(m_places, false);
+    adjustSize();
+}
+
+bool AddSurfaceDialog::hasAnythingToAsk() const {
+    return !m_gaps->isHidden() || !m_tolerances->isHidden();
 }
 
 void AddSurfaceDialog::fillPlaces() {
@@ -219,6 +234,12 @@ std::vector<std::string> AddSurfaceDialog::openInputs() const {
         }
     }
     return open;
+}
+
+/// A copy of a surface that is yet to be drawn has no cycle of its own yet.
+bool AddSurfaceDialog::startsWhenDrawn() const {
+    const SurfaceState& present = m_state.inFront();
+    return !isCopy() || (!present.open.empty() && present.startsWhenDrawn);
 }
 
 Project AddSurfaceDialog::project() const {

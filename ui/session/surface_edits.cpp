@@ -61,22 +61,14 @@ QString SurfaceEdits::nameOf(const SetupState& state, std::size_t surface) {
 }
 
 void SurfaceEdits::add(Project project, const QString& name, std::vector<std::string> open,
-                       bool startsWhenDrawn) {
+                       bool startsWhenDrawn, bool isDuplicate) {
     copyShared(m_document.project(), project);
     project.runs.clear();
     SurfaceState made = surfaceState(m_document.newSurfaceId(), name.simplified().toStdString(),
                                      std::move(project));
     made.open = std::move(open);
     made.startsWhenDrawn = startsWhenDrawn;
-    insert(std::move(made), addSurfaceText);
-}
-
-void SurfaceEdits::duplicate() {
-    SurfaceState made = m_document.state().inFront();
-    made.id = m_document.newSurfaceId();
-    made.name = freeName().toStdString();
-    made.runs = std::make_shared<const std::vector<KeptRun>>();
-    insert(std::move(made), duplicateSurfaceText);
+    insert(std::move(made), isDuplicate ? duplicateSurfaceText : addSurfaceText);
 }
 
 void SurfaceEdits::insert(SurfaceState surface, const EditText& text) {

@@ -31,8 +31,7 @@ public:
     /// Behind the one in front, and in front from then on. It keeps no runs; `open`: the numbers of
     /// its drawing that are yet to be given, and whether a starting cycle is made once they are.
     void add(Project project, const QString& name, std::vector<std::string> open = {},
-             bool startsWhenDrawn = true);
-    void duplicate();                                      ///< the one in front
+             bool startsWhenDrawn = true, bool isDuplicate = false);
     bool rename(std::size_t surface, const QString& name); ///< false, and nothing done: not free
     void remove();                                         ///< the one in front
     void move(int by); ///< the one in front, in the order of grinding

@@ -12,7 +12,7 @@ namespace {
 
 /// A number, or what stands for one in a text to be filled, a space and the sign of per cent.
 QString withPercentsKept(QString text) {
-    static const QRegularExpression parted(QStringLiteral("(?<=\\d) %(?![0-9A-Za-z])"));
+    static const QRegularExpression parted(QStringLiteral("(?<=[\\d}]) %(?![0-9A-Za-z])"));
     return text.contains(u" %") ? text.replace(parted, QStringLiteral("\u00a0%")) : text;
 }
 

@@ -322,7 +322,7 @@ void Actions::retranslate() {
     editLesson->setText(tr("&Edit a work…"));
     markWorks->setText(tr("&Mark works…"));
     addSurface->setText(tr("&Add a surface…"));
-    duplicateSurface->setText(tr("&Duplicate the surface"));
+    duplicateSurface->setText(tr("&Duplicate the surface…"));
     renameSurface->setText(tr("&Rename the surface…"));
     moveSurfaceLeft->setText(tr("Grind it &earlier"));
     moveSurfaceRight->setText(tr("Grind it &later"));

@@ -147,13 +147,13 @@ void MainWindow::buildViews() {
     connect(optimise, &OptimiseView::editWanted, this, edit);
     auto* sweep = new SweepView(this, &m_settings, &m_studies);
     connect(sweep, &SweepView::editWanted, this, edit);
-    auto* compare = new CompareView(*m_kept, this, &m_settings);
+    m_compare = new CompareView(*m_kept, this, &m_settings);
     m_overview = new OverviewView(*m_kept, this, &m_settings);
     connectOverview();
     m_measured = new MeasuredView(m_document, this, &m_settings, &m_studies);
     connectMeasured();
     m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
-    connect(compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
+    connect(m_compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
     connect(m_keeper, &RunKeeper::reported, this,
             [this](const QString& text) { m_status->showForAWhile(text); });
     const auto reportEnd = [this](const View* view) { // its notice says how: done, stopped, refused
@@ -163,11 +163,10 @@ void MainWindow::buildViews() {
          std::initializer_list<StudyView*>{m_batch, m_measured, sweep, optimise}) {
         connect(view, &StudyView::ended, this, reportEnd(view));
     }
-    connect(m_keeper, &RunKeeper::compareWanted, this,
-            [this, compare] { m_tabs->showView(compare); });
+    connect(m_keeper, &RunKeeper::compareWanted, this, [this] { m_tabs->showView(m_compare); });
     for (View* view :
          std::initializer_list<View*>{m_overview, m_feeds, m_profiles, m_constraints, compliance,
-                                      layers, m_batch, sweep, optimise, compare, m_measured}) {
+                                      layers, m_batch, sweep, optimise, m_compare, m_measured}) {
         m_tabs->addView(view);
         view->shareCycle(&m_cursor);
     }
@@ -701,6 +700,7 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
 void MainWindow::showJudged() {
     m_partRuns->setJudged(m_judge->judged());
     m_verdict->setJudged(m_judge->judged());
+    m_compare->setJudged(m_judge->judged());
 }
 
 void MainWindow::protect(const QString& stateFolder) {

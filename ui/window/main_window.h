@@ -18,6 +18,7 @@ namespace sparkout {
 
 class Actions;
 class BatchView;
+class CompareView;
 class ConstraintsView;
 class CycleJudge;
 class FeedsView;
@@ -137,6 +138,7 @@ private:
     BatchView* m_batch = nullptr;
     OptimiseView* m_optimise = nullptr;
     OverviewView* m_overview = nullptr;
+    CompareView* m_compare = nullptr;
     MeasuredView* m_measured = nullptr;
     MeasuredImport* m_import;
     VerdictPanel* m_verdict;

@@ -41,6 +41,15 @@ void PartCommands::showNext(int by) {
 }
 
 void PartCommands::add(std::optional<std::size_t> step) {
+    addAsked(step, false);
+}
+
+void PartCommands::duplicate() {
+    addAsked({}, true);
+}
+
+/// A duplicate of which nothing can stay behind needs no question.
+void PartCommands::addAsked(std::optional<std::size_t> step, bool isDuplicate) {
     if (!m_edits.canAdd() || !m_mayLeave()) {
         return;
     }
@@ -48,18 +57,16 @@ void PartCommands::add(std::optional<std::size_t> step) {
         return m_edits.isFreeName(name, m_document.surfaceCount());
     };
     AddSurfaceDialog dialog(m_document.state(), m_edits.freeName(), isFree, step, m_window);
-    if (dialog.exec() == QDialog::Accepted) {
+    if (isDuplicate) {
+        dialog.onlyDuplicate();
+    }
+    const bool isAsked = !isDuplicate || dialog.hasAnythingToAsk();
+    if (!isAsked || dialog.exec() == QDialog::Accepted) {
         const std::vector<std::string> open = dialog.openInputs();
-        m_edits.add(dialog.project(), dialog.name(), open, !dialog.isCopy());
+        m_edits.add(dialog.project(), dialog.name(), open, dialog.startsWhenDrawn(), isDuplicate);
         if (!open.empty()) {
             emit begun(open.front());
         }
-    }
-}
-
-void PartCommands::duplicate() {
-    if (m_mayLeave()) {
-        m_edits.duplicate();
     }
 }
 

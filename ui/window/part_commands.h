@@ -27,7 +27,7 @@ public:
     void show(std::size_t surface); ///< brings it to the front
     void showNext(int by);
     void add(std::optional<std::size_t> step = {}); ///< on a step of the shaft, or as is chosen
-    void duplicate();
+    void duplicate();                               ///< the one in front
     void rename();
     void move(int by);
     void remove();
@@ -39,6 +39,8 @@ signals:
     void begun(const std::string& path); ///< a new surface, whose first input is asked for
 
 private:
+    void addAsked(std::optional<std::size_t> step, bool isDuplicate);
+
     Document& m_document;
     const PartRuns& m_runs;
     SurfaceEdits m_edits;

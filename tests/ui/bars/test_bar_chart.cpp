@@ -450,6 +450,7 @@ private slots:
         const auto [series, category] = entered.front();
         QCOMPARE(told.last(), plot.chart().described(series, category));
         QCOMPARE(plot.accessibleDescription(), told.last());
+        QVERIFY(told.last().endsWith(QChar(0xa0) + plot.chart().unit)); // they stay on one line
         QTest::keyClick(&plot, Qt::Key_Up);
         QVERIFY(told.last() != plot.chart().described(series, category));
         for (int i = 0; i < 20; ++i) {

@@ -184,6 +184,7 @@ void checkHeader(QStringList& without, const QHeaderView& header) {
     }
 }
 
+/// By the usual margins; a delegate may have narrower ones of its own.
 void checkItems(QStringList& without, const QAbstractItemView& view) {
     const int margin = view.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &view) + 1;
     const bool wraps = view.property("wordWrap").toBool();
@@ -199,8 +200,10 @@ void checkItems(QStringList& without, const QAbstractItemView& view) {
             const QVariant font = index.data(Qt::FontRole);
             const QFontMetrics metrics(font.isNull() ? view.font() : font.value<QFont>());
             const int flags = wraps ? int(Qt::TextWordWrap) : 0;
-            if (!rect.isEmpty() && !text.isEmpty()
-                && !fits(metrics.boundingRect(all, flags, text).size(), room)) {
+            const bool hasRoom = fits(metrics.boundingRect(all, flags, text).size(), room)
+                                 || (!wraps && metrics.height() <= rect.height()
+                                     && view.sizeHintForIndex(index).width() <= rect.width());
+            if (!rect.isEmpty() && !text.isEmpty() && !hasRoom) {
                 without += pathOf(&view) + QStringLiteral(": ") + text;
             }
         }

@@ -11,7 +11,7 @@
 
 namespace sparkout::test_language {
 
-const QRegularExpression parted(QStringLiteral("\\d %(?![0-9A-Za-z])"));
+const QRegularExpression parted(QStringLiteral("[\\d}] %(?![0-9A-Za-z])"));
 
 /// The texts with a percent sign as the sources have them, with their contexts.
 std::vector<std::pair<QByteArray, QByteArray>> textsWithPercents() {
@@ -64,6 +64,7 @@ private slots:
         QCOMPARE(shown("%1 %2, %3 %n"), QStringLiteral("%1 %2, %3 %n"));
         QCOMPARE(shown("Share, %"), QStringLiteral("Share, %"));
         QCOMPARE(shown("%1 % (95 %)"), QStringLiteral("%1\u00a0% (95\u00a0%)"));
+        QCOMPARE(shown("{bad} (≤ {high} %)"), QStringLiteral("{bad} (≤ {high}\u00a0%)"));
     }
 };
 

@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QTest>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -57,7 +58,7 @@ private slots:
                                                   "/part/lower_deviation_um"};
         QCOMPARE(dialog.openInputs(), deviations);
         SurfaceEdits edits(document);
-        edits.add(dialog.project(), dialog.name(), dialog.openInputs(), !dialog.isCopy());
+        edits.add(dialog.project(), dialog.name(), dialog.openInputs(), dialog.startsWhenDrawn());
         const std::vector<Stage> stages = document.project().cycle->stages;
         Project given = document.project();
         given.part->upper_deviation_um = part.upper_deviation_um; // the very same is given, too
@@ -67,6 +68,39 @@ private slots:
         QCOMPARE(document.project().cycle->stages.size(), stages.size());
         QCOMPARE(document.project().cycle->stages.front().radial_feed_mm_min,
                  stages.front().radial_feed_mm_min);
+    }
+
+    /// It asks as a copy does that is added, but stays where the other is.
+    void aDuplicateStaysInItsPlace() {
+        Setup setup = plainSetup(newProject(Operation::plunge));
+        Part& part = *setup.surfaces.front().project.part;
+        part.shaft.segments = {{part.length_mm, part.diameter_mm}, {60, part.diameter_mm + 5}};
+        const auto isFree = [](const QString&) { return true; };
+        const auto duplicateOf = [&](const SetupState& state) {
+            auto dialog = std::make_unique<AddSurfaceDialog>(state, QStringLiteral("second"),
+                                                             isFree, std::nullopt);
+            dialog->onlyDuplicate();
+            return dialog;
+        };
+        Untitled document(setup);
+        auto dialog = duplicateOf(document.state());
+        QVERIFY(dialog->isCopy() && dialog->hasAnythingToAsk() && !dialog->startsWhenDrawn());
+        QVERIFY(sameProject(dialog->project(), document.project()));
+        dialog->findChild<QCheckBox*>(QStringLiteral("copyDeviations"))->setChecked(false);
+        QCOMPARE(dialog->openInputs().size(), std::size_t{2});
+        part.tolerance = {};
+        QVERIFY(!duplicateOf(Untitled(setup).state())->hasAnythingToAsk());
+    }
+
+    /// As the surface itself would.
+    void aDuplicateThatIsYetToBeDrawnGetsItsCycleThen() {
+        Document document;
+        document.startIncomplete(undrawnProject(Operation::plunge), drawingInputs());
+        const auto isFree = [](const QString&) { return true; };
+        AddSurfaceDialog dialog(document.state(), QStringLiteral("second"), isFree, std::nullopt);
+        dialog.onlyDuplicate();
+        QVERIFY(dialog.startsWhenDrawn());
+        QCOMPARE(dialog.openInputs(), drawingInputs());
     }
 };
 

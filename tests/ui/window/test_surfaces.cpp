@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window on a set-up of several surfaces, as its user has it.
+#include "core/project/part.h"
 #include "core/setup/setup_run.h"
 #include "core/setup/worn_project.h"
 #include "core/study/batch_edits.h"
@@ -30,7 +31,9 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QListView>
+#include <QListWidget>
 #include <QSignalSpy>
 #include <QTabBar>
 #include <QTableView>
@@ -57,6 +60,12 @@ struct Desk {
     void press(const char* action) {
         bench.action(action)->trigger();
         calm();
+    }
+    /// With what is offered of its drawing.
+    void duplicate() {
+        const DialogAnswers answers({QStringLiteral("Enter")});
+        press("duplicateSurface");
+        QVERIFY2(answers.fault().isEmpty(), qPrintable(answers.fault()));
     }
     /// Searches all surfaces and takes what was found.
     void optimiseAll() {
@@ -138,14 +147,14 @@ private slots:
         QVERIFY(desk.isOpen);
         QVERIFY(!desk.strip().isVisible());
         const QByteArray before = bytesOf(desk.path);
-        desk.press("duplicateSurface");
+        desk.duplicate();
         QVERIFY(desk.strip().isVisible());
         QCOMPARE(desk.tabs().count(), 2);
         desk.press("undo");
         QVERIFY(!desk.strip().isVisible());
         QVERIFY(desk.bench.window->files().save());
         QCOMPARE(bytesOf(desk.path), before); // version 1, to the byte
-        desk.press("duplicateSurface");
+        desk.duplicate();
         desk.press("removeSurface");
         QVERIFY(desk.bench.window->files().save());
         QCOMPARE(bytesOf(desk.path), before);
@@ -260,7 +269,7 @@ private slots:
         desk.press("renameSurface");
         QVERIFY2(rename.fault().isEmpty(), qPrintable(rename.fault()));
         QCOMPARE(desk.names().at(1), QStringLiteral("Cone <b>"));
-        desk.press("duplicateSurface");
+        desk.duplicate();
         QCOMPARE(desk.tabs().count(), 4);
         QCOMPARE(desk.document().surface(), std::size_t{2});
         desk.press("removeSurface");
@@ -275,6 +284,46 @@ private slots:
             desk.press("redo");
         }
         QCOMPARE(desk.names(), QStringList({names[1], QStringLiteral("Cone <b>")}));
+    }
+
+    /// What is not ticked is left behind, as of a copy that is added.
+    void aDuplicateAsksWhatComesAlong() {
+        Setup setup = plainSetup(newProject(Operation::plunge));
+        Part& part = *setup.surfaces.front().project.part;
+        part.gaps.push_back({.from_deg = 0, .width_deg = 30});
+        Desk desk(setup);
+        DialogAnswers answers({QStringLiteral("Escape"), QStringLiteral("Enter")});
+        answers.seen = [](QDialog& dialog) {
+            QCOMPARE(dialog.windowTitle(), QStringLiteral("Duplicate the surface"));
+            QVERIFY(!dialog.findChild<QComboBox*>(QStringLiteral("begin"))->isVisible());
+            QVERIFY(!dialog.findChild<QListWidget*>(QStringLiteral("places"))->isVisible());
+            QVERIFY(textsWithoutRoom(dialog).isEmpty());
+            dialog.findChild<QCheckBox*>(QStringLiteral("copyGaps"))->setChecked(true);
+            dialog.findChild<QCheckBox*>(QStringLiteral("copyTolerances"))->setChecked(false);
+        };
+        desk.press("duplicateSurface");
+        QCOMPARE(desk.document().surfaceCount(), std::size_t{1});
+        desk.press("duplicateSurface");
+        QVERIFY2(answers.fault().isEmpty(), qPrintable(answers.fault()));
+        QCOMPARE(desk.document().surfaceCount(), std::size_t{2});
+        QCOMPARE(desk.document().undoText(), QStringLiteral("Duplicate a surface"));
+        const Part made = *desk.document().project().part;
+        QCOMPARE(made.gaps.size(), std::size_t{1});
+        QVERIFY(part.tolerance.radial_runout_um && !made.tolerance.radial_runout_um);
+        QCOMPARE(made.lower_deviation_um, part.lower_deviation_um);
+        QVERIFY(desk.document().openInputs().empty());
+    }
+
+    void aDuplicateWithoutKeywayAndTolerancesIsMadeAtOnce() {
+        Setup setup = plainSetup(newProject(Operation::plunge));
+        setup.surfaces.front().project.part->tolerance = {};
+        Desk desk(setup);
+        const DialogAnswers none({});
+        desk.press("duplicateSurface");
+        QVERIFY2(none.fault().isEmpty(), qPrintable(none.fault()));
+        QCOMPARE(desk.document().surfaceCount(), std::size_t{2});
+        const auto& surfaces = desk.document().state().surfaces;
+        QVERIFY(sameProject(surfaces[0]->project, surfaces[1]->project));
     }
 
     void theLastSurfaceStays() {

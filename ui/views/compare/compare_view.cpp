@@ -189,8 +189,21 @@ void CompareView::takeOutcome(const OutcomePtr& before) {
     fillZones();
 }
 
+void CompareView::setJudged(const JudgedRun& judged) {
+    if (judged.outcome && judged.outcome->ran()) {
+        m_judged = judged;
+    }
+    showJudged();
+}
+
+/// What has come may be of a run that this view does not show yet.
+void CompareView::showJudged() {
+    m_runs->setJudgement(good() && m_judged.outcome == good() ? &m_judged.judgement : nullptr);
+}
+
 void CompareView::dropOutcome() {
     m_present.reset();
+    m_judged = {};
     fillAxes();
     fillZones();
 }
@@ -343,6 +356,7 @@ bool CompareView::drawn() const {
 
 void CompareView::showState() {
     m_runs->setRuns(m_present ? &*m_present : nullptr);
+    showJudged();
     showCurves();
     showTable();
     followCycle();

@@ -3,6 +3,7 @@
 
 #include "ui/charts/run_table.h"
 #include "ui/plot/plot_view.h"
+#include "ui/session/cycle_judge.h"
 #include "ui/session/kept_runs.h"
 
 #include <optional>
@@ -29,6 +30,8 @@ class CompareView : public PlotView {
 public:
     explicit CompareView(KeptRuns& kept, QWidget* parent = nullptr, Settings* settings = nullptr);
 
+    /// Of the newest run; one that was refused leaves the last.
+    void setJudged(const JudgedRun& judged);
     [[nodiscard]] ComparePlot* plot() const { return m_plot; }
     [[nodiscard]] ValueModel* table() const { return m_tableModel; }
     [[nodiscard]] const std::vector<RunRow>& rows() const { return m_rows; } ///< of the table
@@ -59,6 +62,7 @@ private:
     QWidget* buildCurves();
     QWidget* buildTable();
     void connectParts();
+    void showJudged();
     void showCurves();
     void showTable();
     void shareHeight(bool withTable);
@@ -87,7 +91,8 @@ private:
     QSplitter* m_halves;
     QList<int> m_heights;                 ///< of the halves, while there is a table
     std::optional<ReadSummary> m_present; ///< of the present run
-    std::size_t m_wanted = 1;             ///< zone or section the user chose, of the present run
+    JudgedRun m_judged;
+    std::size_t m_wanted = 1; ///< zone or section the user chose, of the present run
 };
 
 } // namespace sparkout

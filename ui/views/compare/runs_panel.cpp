@@ -2,13 +2,13 @@
 #include "ui/views/compare/runs_panel.h"
 
 #include "ui/charts/run_table.h"
-#include "ui/charts/runs_model.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/keyboard.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/text/example_texts.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
@@ -135,8 +135,7 @@ void RunsPanel::enableActions() {
 void RunsPanel::setRuns(const ReadSummary* present) {
     m_present = present;
     const int kept = selected();
-    std::vector<RunsModel::Run> rows{
-        {tr("Current run"), detailOf(-1), descriptionOf(-1), lightOf(-1)}};
+    std::vector<RunsModel::Run> rows{presentRow()};
     int number = 0;
     for (int run = 0; run < m_kept.listed(); ++run) {
         const bool chosen = m_kept.isChosen(run);
@@ -148,6 +147,19 @@ void RunsPanel::setRuns(const ReadSummary* present) {
         m_list->setCurrentIndex(m_runs->index(m_kept.count()));
     }
     enableActions();
+}
+
+void RunsPanel::setJudgement(const Judgement* judgement) {
+    m_judgement = judgement;
+    m_runs->setPresent(presentRow());
+}
+
+RunsModel::Run RunsPanel::presentRow() const {
+    RunsModel::Run row{tr("Current run"), detailOf(-1), descriptionOf(-1), lightOf(-1)};
+    if (m_judgement) {
+        row.judged = m_judgement->state;
+    }
+    return row;
 }
 
 // --- what there is to say of a run --------------------------------------------------------------
@@ -182,7 +194,9 @@ std::optional<Light> RunsPanel::lightOf(int run) const {
 QString RunsPanel::descriptionOf(int run) const {
     QStringList lines{run < 0 ? tr("Current run, always drawn") : nameOf(run)};
     lines << detailOf(run).split(u'\n');
-    if (const std::optional<Light> light = lightOf(run)) {
+    if (run < 0 && m_judgement) {
+        lines << JudgementText::headline(*m_judgement);
+    } else if (const std::optional<Light> light = lightOf(run)) {
         lines << lightName(*light);
     }
     if (run < 0) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/charts/verdict_table.h"
+#include "ui/charts/runs_model.h"
 #include "ui/session/kept_runs.h"
 
 #include <QWidget>
@@ -13,8 +13,6 @@ class QListView;
 
 namespace sparkout {
 
-class RunsModel;
-
 /// The list of the view "Compare": the present run and the kept ones, each with what came out. A
 /// check mark chooses a kept run; buttons and keys keep, restore, rename and delete.
 class RunsPanel : public QWidget {
@@ -23,6 +21,9 @@ public:
     explicit RunsPanel(KeptRuns& kept, QWidget* parent = nullptr);
 
     void setRuns(const ReadSummary* present); ///< the kept ones of now; null: none is computed
+    /// Of the present run, whose mark and words stand in place of the light by its summary; null:
+    /// it is not known.
+    void setJudgement(const Judgement* judgement);
     void retranslate();
 
     [[nodiscard]] QListView* list() const { return m_list; }
@@ -35,6 +36,7 @@ private:
     void connectParts();
     void enableActions();
     [[nodiscard]] int selected() const; ///< of the kept ones; −1: none
+    [[nodiscard]] RunsModel::Run presentRow() const;
     /// The summary as kept, of the present run for −1; null: there is none.
     [[nodiscard]] const ReadSummary* summaryOf(int run) const;
     [[nodiscard]] std::optional<Light> lightOf(int run) const;
@@ -43,6 +45,7 @@ private:
 
     KeptRuns& m_kept;
     const ReadSummary* m_present = nullptr;
+    const Judgement* m_judgement = nullptr;
     QListView* m_list;
     RunsModel* m_runs;
     QAction *m_keep, *m_restore, *m_rename, *m_delete;

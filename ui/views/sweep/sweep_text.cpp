@@ -23,7 +23,7 @@ QString withUnit(const QString& text, const std::string& unit, const QString& be
 }
 
 QString amount(double value, const std::string& unit) {
-    return withUnit(Names::significant(value, sweepDigits), unit, QStringLiteral(" "));
+    return withUnit(Names::significant(value, sweepDigits), unit, QStringLiteral("\u00a0"));
 }
 
 } // namespace

@@ -6,18 +6,23 @@
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/views/compare/compare_bench.h"
+#include "ui/charts/light_icon.h"
 #include "ui/charts/runs_model.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/session/project_io.h"
 #include "ui/text/example_texts.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/language.h"
 #include "ui/window/file_commands.h"
 
 #include <QAction>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QIcon>
+#include <QImage>
 #include <QLineEdit>
+#include <QPixmap>
 #include <QPushButton>
 #include <QTemporaryDir>
 
@@ -26,6 +31,15 @@
 namespace sparkout::test_compare_view {
 
 using namespace compare_bench;
+
+/// The light of a run in the list.
+QImage markOf(const QModelIndex& row) {
+    const QPixmap mark = row.data(Qt::DecorationRole).value<QIcon>().pixmap(RunsModel::sample);
+    const int side = RunsModel::sample.height();
+    return mark.toImage()
+        .copy(RunsModel::sample.width() - side, 0, side, side)
+        .convertToFormat(QImage::Format_ARGB32);
+}
 
 class TestCompareView : public QObject {
     Q_OBJECT
@@ -254,6 +268,41 @@ private slots:
         QCOMPARE(kept.project->part->initial_runout_mm, project.part->initial_runout_mm);
     }
 
+    /// The present run has the mark and the words of the headline, whatever its summary says.
+    void thePresentRunIsMarkedAsTheHeadlineIs_data() {
+        QTest::addColumn<int>("state");
+        for (const JudgedState state :
+             {JudgedState::fails, JudgedState::stocksFail, JudgedState::undecided,
+              JudgedState::stocksHold, JudgedState::nominal}) {
+            QTest::newRow(stateKey(state)) << static_cast<int>(state);
+        }
+    }
+
+    void thePresentRunIsMarkedAsTheHeadlineIs() {
+        QFETCH(int, state);
+        KeptDesk desk;
+        const QImage kept = markOf(desk.row(0)), before = markOf(desk.row(-1));
+        JudgedRun judged;
+        judged.outcome = desk.outcome;
+        judged.judgement = judge(desk.outcome->result, desk.outcome->constraints, JudgedStocks{});
+        judged.judgement.state = static_cast<JudgedState>(state);
+        desk.view.setJudged(judged);
+        const auto told = [&desk] { return desk.row(-1).data(Qt::ToolTipRole).toString(); };
+        const QImage wanted =
+            judgedPixmap(judged.judgement.state, RunsModel::sample.height(), 1, false)
+                .toImage()
+                .convertToFormat(QImage::Format_ARGB32);
+        QCOMPARE(markOf(desk.row(-1)), wanted);
+        QVERIFY(told().contains(JudgementText::headline(judged.judgement)));
+        QCOMPARE(markOf(desk.row(0)), kept);
+        desk.view.setOutcome(fixtures::refused()); // the last one stands, with its mark
+        desk.view.setJudged({.outcome = fixtures::refused(), .judgement = {}});
+        desk.settle();
+        QCOMPARE(markOf(desk.row(-1)), wanted);
+        desk.compute(); // the same inputs, but nobody has judged the run yet
+        QCOMPARE(markOf(desk.row(-1)), before);
+    }
+
     /// The summary was kept by another version and one value of it is another.
     void aRunWithoutItsResultsHasNoLight_data() {
         QTest::addColumn<QByteArray>("summary");
@@ -274,12 +323,7 @@ private slots:
         project.runs[1].summary.text = summary.toStdString();
         Desk desk(project);
         const auto told = [&](int run) { return desk.row(run).data(Qt::ToolTipRole).toString(); };
-        const auto light = [&](int run) {
-            const QPixmap mark =
-                desk.row(run).data(Qt::DecorationRole).value<QIcon>().pixmap(RunsModel::sample);
-            return mark.toImage().copy(RunsModel::sample.width() - RunsModel::sample.height(), 0,
-                                       RunsModel::sample.height(), RunsModel::sample.height());
-        };
+        const auto light = [&](int run) { return markOf(desk.row(run)); };
         const auto isBlank = [](const QImage& image) {
             for (int y = 0; y < image.height(); ++y) {
                 for (int x = 0; x < image.width(); ++x) {

@@ -246,7 +246,9 @@ private slots:
         QVERIFY(!bench.part<QPushButton>("sweepTake").isEnabled());
         bench.clickPoint(*bench.view.curves(), 6);
         QCOMPARE(bench.part<QSpinBox>("sweepPoint").value(), 7);
-        QVERIFY(bench.part<QLabel>("sweepValues").text().contains(QStringLiteral("0.04")));
+        const QString values = bench.part<QLabel>("sweepValues").text();
+        QVERIFY(values.contains(QStringLiteral("0.04"))
+                && values.contains(QStringLiteral("\u00a0s;")));
         const SweepResultPtr shown = bench.view.sweep();
         bench.click("sweepTake");
         QCOMPARE(bench.document.project().wheel->dullness, 0.04);

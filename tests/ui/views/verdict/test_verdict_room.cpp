@@ -2,9 +2,11 @@
 // The room of the verdict panel: what fits, what scrolls, what stays in sight.
 #include "tests/registry.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
+#include "ui/text/language.h"
 
 #include <QApplication>
 #include <QHeaderView>
+#include <QScopeGuard>
 #include <QScrollBar>
 #include <QWheelEvent>
 
@@ -22,11 +24,23 @@ class TestVerdictRoom : public VerdictTest {
 private slots:
     void initTestCase() { begin(); }
 
+    /// That of the panel in a window of 1366 pixels.
+    void threeStagesFitIntoTheUsualWidth_data() {
+        QTest::addColumn<QString>("code");
+        QTest::newRow("English") << QStringLiteral("en");
+        QTest::newRow("Russian") << QStringLiteral("ru");
+    }
+
     void threeStagesFitIntoTheUsualWidth() {
+        QFETCH(QString, code);
+        constexpr int width = 310;
+        Language language;
+        language.apply(code);
+        const auto back = qScopeGuard([] { QLocale::setDefault(QLocale::c()); });
         for (const OutcomePtr& outcome : {run(traverseProject(3)), run(plungeProject(4, 3))}) {
-            Bench bench(outcome, {320, 400});
+            Bench bench(outcome, {width, 400});
             QVERIFY(bench.area().verticalScrollBar()->isVisible()); // the narrow case
-            QCOMPARE(bench.panel.width(), 320);
+            QCOMPARE(bench.panel.width(), width);
             QVERIFY(!bench.table().horizontalScrollBar()->isVisible());
             QCOMPARE(bench.table().horizontalHeader()->length(), bench.table().viewport()->width());
             checkNothingIsCut(bench);
