@@ -846,12 +846,8 @@
     <context>
         <name>CompareChart</name>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
-        </message>
-        <message>
-            <source>Time, s</source>
-            <translation>Время, с</translation>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
         <message>
             <source>Double strokes or revolutions done</source>
@@ -2848,8 +2844,8 @@ axial feed, mm/min</source>
             <translation>Обороты</translation>
         </message>
         <message>
-            <source>Machining time, min</source>
-            <translation>Время основное, мин</translation>
+            <source>Machining time</source>
+            <translation>Время основное</translation>
         </message>
         <message>
             <source>Spark-out</source>
@@ -12541,12 +12537,8 @@ With another name both versions stay as they are.</source>
             <translation>«%1» слишком долгий для записи: его кривые не показаны.</translation>
         </message>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
-        </message>
-        <message>
-            <source>Time, s</source>
-            <translation>Время, с</translation>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
         <message>
             <source>Double strokes</source>
@@ -13425,12 +13417,8 @@ With another name both versions stay as they are.</source>
             <translation>Номер оборота</translation>
         </message>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
-        </message>
-        <message>
-            <source>Time, s</source>
-            <translation>Время, с</translation>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
         <message>
             <source>Double strokes</source>
@@ -17688,12 +17676,8 @@ target, µm</source>
     <context>
         <name>FeedsChart</name>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
-        </message>
-        <message>
-            <source>Time, s</source>
-            <translation>Время, с</translation>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
         <message>
             <source>Double strokes done</source>
@@ -20762,8 +20746,8 @@ s</source>
             <translation>заданное время</translation>
         </message>
         <message>
-            <source>Machining time, min</source>
-            <translation>Время основное, мин</translation>
+            <source>Machining time</source>
+            <translation>Время основное</translation>
         </message>
         <message>
             <source>Minimum margin, %</source>
@@ -21723,8 +21707,8 @@ s</source>
             <translation>Результат проверки: %1.</translation>
         </message>
         <message>
-            <source>The cycle takes %1 min.</source>
-            <translation>Время цикла — %1 мин.</translation>
+            <source>The cycle takes %1.</source>
+            <translation>Время цикла — %1.</translation>
         </message>
         <message>
             <source>Attempts: %1.</source>

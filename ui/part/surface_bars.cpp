@@ -2,14 +2,12 @@
 #include "ui/part/surface_bars.h"
 
 #include "core/study/run_comparison.h"
-#include "core/units.h"
 #include "ui/bars/bar_plot.h"
 #include "ui/kit/hatch.h"
 #include "ui/kit/metrics.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/session/surface_edits.h"
 #include "ui/text/names.h"
-#include "ui/text/texts.h"
 
 #include <QVBoxLayout>
 
@@ -47,7 +45,6 @@ BarChart SurfaceBars::chartOf(const SetupState& state, const std::vector<Surface
     chart.shape = BarChart::Shape::grouped;
     chart.what = tr("Surface");
     chart.axis = tr("Cycle time");
-    chart.unit = unitText("min");
     chart.secondAxis = tr("Margin");
     chart.secondUnit = QStringLiteral("%");
     chart.number = [](double value) { return Names::significant(value, barDigits); };
@@ -63,11 +60,11 @@ BarChart SurfaceBars::chartOf(const SetupState& state, const std::vector<Surface
     for (std::size_t i = 0; i < statuses.size(); ++i) {
         const SurfaceStatus& status = statuses[i];
         chart.categories << printableText(SurfaceEdits::nameOf(state, i));
-        chart.series[0].values.push_back(status.ran() ? status.time_s / units::secondsPerMinute
-                                                      : noNumber);
+        chart.series[0].values.push_back(status.ran() ? status.time_s : noNumber);
         const auto least = leastMargin(status.requirements);
         chart.series[1].values.push_back(least ? 100 * least->relativeMargin : noNumber);
     }
+    chart.fitTimeUnit();
     chart.remark = tr("Margin: that of the requirement nearest to its limit, below 0 where one "
                       "fails.");
     return chart;
