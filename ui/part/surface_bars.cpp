@@ -8,6 +8,7 @@
 #include "ui/plot/legend_strip.h"
 #include "ui/session/surface_edits.h"
 #include "ui/text/names.h"
+#include "ui/text/texts.h"
 
 #include <QVBoxLayout>
 
