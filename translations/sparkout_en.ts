@@ -455,10 +455,10 @@
     <context>
         <name>StateGridText</name>
         <message numerus="yes">
-            <source>takes %1 min in %n stage(s)</source>
+            <source>takes %1 in %n stage(s)</source>
             <translation>
-                <numerusform>takes %1 min in %n stage</numerusform>
-                <numerusform>takes %1 min in %n stages</numerusform>
+                <numerusform>takes %1 in %n stage</numerusform>
+                <numerusform>takes %1 in %n stages</numerusform>
             </translation>
         </message>
         <message numerus="yes">

@@ -846,12 +846,8 @@
     <context>
         <name>CompareChart</name>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
-        </message>
-        <message>
-            <source>Time, s</source>
-            <translation>Время, с</translation>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
         <message>
             <source>Double strokes or revolutions done</source>
@@ -2319,10 +2315,6 @@ axial feed, mm/min</source>
             <translation>Подача</translation>
         </message>
         <message>
-            <source>T, min</source>
-            <translation>T, мин</translation>
-        </message>
-        <message>
             <source>Moves struck out</source>
             <translation>Вычеркнутые ходы</translation>
         </message>
@@ -2335,8 +2327,8 @@ axial feed, mm/min</source>
             <translation>В клетке [n, m] записаны наименьшее время T[n,m], за которое снимаются n уровней припуска, последний с подачей m, и m* — номер подачи перед ним: T[n,m] = min по m&apos; (T[n−1,m&apos;] + τ), T[0,0] = 0, по ходам, не нарушающим требований. Наименьшее время последнего уровня — время цикла; его подачи читаются обратным ходом по m*.</translation>
         </message>
         <message>
-            <source>The grid of dynamic programming: T in minutes and m*</source>
-            <translation>Координатная сетка динамического программирования: T в минутах и m*</translation>
+            <source>The grid of dynamic programming: T, %1, and m*</source>
+            <translation>Координатная сетка динамического программирования: T, %1, и m*</translation>
         </message>
     </context>
     <context>
@@ -2394,16 +2386,16 @@ axial feed, mm/min</source>
             <translation>Доказательство прервано: цикл пока не найден, %1.</translation>
         </message>
         <message>
-            <source>struck out, although the proven cycle reaches it after %1 min</source>
-            <translation>вычеркнуто, хотя доказанный цикл достигает его через %1 мин</translation>
+            <source>struck out, although the proven cycle reaches it after %1</source>
+            <translation>вычеркнуто, хотя доказанный цикл достигает его через %1</translation>
         </message>
         <message>
-            <source>its time is not the least: the proven cycle reaches it after %1 min</source>
-            <translation>его время не наименьшее: доказанный цикл достигает его через %1 мин</translation>
+            <source>its time is not the least: the proven cycle reaches it after %1</source>
+            <translation>его время не наименьшее: доказанный цикл достигает его через %1</translation>
         </message>
         <message>
-            <source>the way kept is not the one to go on from: the proven cycle reaches it after %1 min and goes on; the way kept, with the same feeds from here on, %2</source>
-            <translation>запомнен не тот путь, который следует продолжать: доказанный цикл достигает состояния через %1 мин и продолжается; запомненный путь с теми же дальнейшими подачами %2</translation>
+            <source>the way kept is not the one to go on from: the proven cycle reaches it after %1 and goes on; the way kept, with the same feeds from here on, %2</source>
+            <translation>запомнен не тот путь, который следует продолжать: доказанный цикл достигает состояния через %1 и продолжается; запомненный путь с теми же дальнейшими подачами %2</translation>
         </message>
         <message>
             <source>does not reach the size</source>
@@ -2414,11 +2406,11 @@ axial feed, mm/min</source>
             <translation>нарушает: %1</translation>
         </message>
         <message numerus="yes">
-            <source>takes %1 min in %n stage(s)</source>
+            <source>takes %1 in %n stage(s)</source>
             <translation>
-                <numerusform>длится %1 мин за %n ступень</numerusform>
-                <numerusform>длится %1 мин за %n ступени</numerusform>
-                <numerusform>длится %1 мин за %n ступеней</numerusform>
+                <numerusform>длится %1 за %n ступень</numerusform>
+                <numerusform>длится %1 за %n ступени</numerusform>
+                <numerusform>длится %1 за %n ступеней</numerusform>
             </translation>
         </message>
         <message numerus="yes">
@@ -2459,12 +2451,12 @@ axial feed, mm/min</source>
             <translation>нет допустимого хода</translation>
         </message>
         <message>
-            <source>T = %1 min, from the blank</source>
-            <translation>T = %1 мин, от заготовки</translation>
+            <source>T = %1 %2, from the blank</source>
+            <translation>T = %1 %2, от заготовки</translation>
         </message>
         <message>
-            <source>T = %1 min = %2 + %3, m* = %4</source>
-            <translation>T = %1 мин = %2 + %3, m* = %4</translation>
+            <source>T = %1 %2 = %3 + %4, m* = %5</source>
+            <translation>T = %1 %2 = %3 + %4, m* = %5</translation>
         </message>
         <message>
             <source>; not quicker: %1</source>
@@ -2848,8 +2840,8 @@ axial feed, mm/min</source>
             <translation>Обороты</translation>
         </message>
         <message>
-            <source>Machining time, min</source>
-            <translation>Время основное, мин</translation>
+            <source>Machining time</source>
+            <translation>Время основное</translation>
         </message>
         <message>
             <source>Spark-out</source>
@@ -9649,8 +9641,8 @@ With another name both versions stay as they are.</source>
     <context>
         <name>ShopText</name>
         <message>
-            <source>%1 kJ for %2 mm³ in %3 min of grinding</source>
-            <translation>%1 кДж на %2 мм³ за %3 мин шлифования</translation>
+            <source>%1 kJ for %2 mm³ in %3 of grinding</source>
+            <translation>%1 кДж на %2 мм³ за %3 шлифования</translation>
         </message>
         <message>
             <source>a = %1 µm: %2</source>
@@ -12405,12 +12397,8 @@ With another name both versions stay as they are.</source>
             <translation>«%1» слишком долгий для записи: его кривые не показаны.</translation>
         </message>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
-        </message>
-        <message>
-            <source>Time, s</source>
-            <translation>Время, с</translation>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
         <message>
             <source>Double strokes</source>
@@ -13289,12 +13277,8 @@ With another name both versions stay as they are.</source>
             <translation>Номер оборота</translation>
         </message>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
-        </message>
-        <message>
-            <source>Time, s</source>
-            <translation>Время, с</translation>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
         <message>
             <source>Double strokes</source>
@@ -17758,12 +17742,8 @@ target, µm</source>
     <context>
         <name>FeedsChart</name>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
-        </message>
-        <message>
-            <source>Time, s</source>
-            <translation>Время, с</translation>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
         <message>
             <source>Double strokes done</source>
@@ -20840,8 +20820,8 @@ s</source>
             <translation>заданное время</translation>
         </message>
         <message>
-            <source>Machining time, min</source>
-            <translation>Время основное, мин</translation>
+            <source>Machining time</source>
+            <translation>Время основное</translation>
         </message>
         <message>
             <source>Minimum margin, %</source>
@@ -21801,8 +21781,8 @@ s</source>
             <translation>Результат проверки: %1.</translation>
         </message>
         <message>
-            <source>The cycle takes %1 min.</source>
-            <translation>Время цикла — %1 мин.</translation>
+            <source>The cycle takes %1.</source>
+            <translation>Время цикла — %1.</translation>
         </message>
         <message>
             <source>Attempts: %1.</source>

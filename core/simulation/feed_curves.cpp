@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/feed_curves.h"
 
-#include "core/units.h"
+#include "core/short_time.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,10 +36,9 @@ double grownBy(const FeedPoint& point, Quantity quantity, Edge edge) {
 
 } // namespace
 
-CycleScale::CycleScale(const FeedSeries& series, CycleAxis axis) {
+CycleScale::CycleScale(const FeedSeries& series, CycleAxis axis, double longest_s) {
     switch (axis) {
-    case CycleAxis::minutes: m_factor = 1 / units::secondsPerMinute; break;
-    case CycleAxis::seconds: break;
+    case CycleAxis::time: m_factor = 1 / timeUnit_s(longest_s); break;
     case CycleAxis::revolutions: m_factor = std::max(series.revolutions_per_s, 1e-9); break;
     case CycleAxis::strokes:
         m_bounds_s = series.strokeStart_s;

@@ -8,14 +8,16 @@
 /// Feed points as curves over a chosen horizontal axis.
 namespace sparkout {
 
-enum class CycleAxis { minutes, seconds, strokes, revolutions };
+enum class CycleAxis { time, strokes, revolutions };
 
-/// Time to the chosen axis and back; both grow strictly. Strokes are counted as done: the first one
+/// Time to the chosen axis and back; both grow strictly. Time is in seconds or minutes, by the
+/// longest that is shown, else the whole cycle. Strokes are counted as done: the first one
 /// runs from 0 to 1.
 class CycleScale {
 public:
     CycleScale() = default;
-    CycleScale(const FeedSeries& series, CycleAxis axis);
+    CycleScale(const FeedSeries& series, CycleAxis axis) : CycleScale(series, axis, series.end_s) {}
+    CycleScale(const FeedSeries& series, CycleAxis axis, double longest_s);
     [[nodiscard]] double at(double time_s) const;
     [[nodiscard]] double time_s(double x) const;
 

@@ -3,6 +3,7 @@
 
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
+#include "core/project/machine_steps.h"
 #include "core/project/wheel.h"
 #include "core/trimmed.h"
 #include "core/units.h"
@@ -26,29 +27,6 @@ bool isPerMinute(const Field& column) {
 bool isAlong(const Project& project, const Field& column) {
     const StageFeed* axial = project.operation->axial();
     return axial && std::string_view(axial->key) == column.key;
-}
-
-/// What the machine can be set to; null where it is not limited.
-const std::vector<double>* rangeOfFeed(const Project& project, const Field& column) {
-    const MachineLimits& limits = project.machine->limits;
-    for (const StageFeed& feed : project.operation->feeds) {
-        if (std::string_view(feed.key) == column.key && limits.*feed.range) {
-            return &*(limits.*feed.range);
-        }
-    }
-    return std::string_view(column.key) == "continuous_feed_mm_min" && limits.continuous_feed_mm_min
-               ? &*limits.continuous_feed_mm_min
-               : nullptr;
-}
-
-/// The nearest value that a range [lowest, highest, step] has.
-double toStep(const std::vector<double>* range, double value) {
-    constexpr double tidy = 1e9; // of last bits
-    if (range && range->size() == 3 && (*range)[2] > 0) {
-        const double steps = std::round((value - range->front()) / (*range)[2]);
-        value = range->front() + steps * (*range)[2];
-    }
-    return std::round(value * tidy) / tidy;
 }
 
 constexpr std::string_view blanks(" \u00a0");
@@ -96,7 +74,9 @@ std::optional<double> feedFromForm(const Project& project, const Field& column,
     if (unit_mm == 0 || !isNumber) {
         return {};
     }
-    return toStep(rangeOfFeed(project, column), value * unit_mm * project.machine->work_speed_rpm);
+    const double feed_mm_min = value * unit_mm * project.machine->work_speed_rpm;
+    const auto steps = machineSteps(project, std::string("/cycle/stages/0/") + column.key);
+    return steps ? steps->nearest(feed_mm_min) : tidyStock(feed_mm_min);
 }
 
 double tidyStock(double stock_mm) {

@@ -3,9 +3,11 @@
 
 #include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
+#include "ui/text/time_unit.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -56,6 +58,30 @@ QString BarChart::secondAxisText() const {
 QString BarChart::numberText(double value, bool onSecond) const {
     const Number& text = onSecond ? secondNumber : number;
     return text ? text(value) : Names::significant(value);
+}
+
+void BarChart::fitTimeUnit() {
+    double longest_s = 0;
+    for (const BarLimit& limit : limits) {
+        longest_s = std::max(longest_s, limit.at);
+    }
+    for (std::size_t category = 0; category < static_cast<std::size_t>(categories.size());
+         ++category) {
+        for (std::size_t i = 0; i < series.size(); ++i) {
+            const double time_s = shape == Shape::stacked ? total(category) : value(i, category);
+            longest_s = series[i].onSecond ? longest_s : std::fmax(longest_s, time_s);
+        }
+    }
+    const TimeUnit fitting(longest_s);
+    unit = fitting.text();
+    for (BarLimit& limit : limits) {
+        limit.at = fitting.of(limit.at);
+    }
+    for (BarSeries& bars : series) {
+        for (double& value : bars.values) {
+            value = bars.onSecond ? value : fitting.of(value);
+        }
+    }
 }
 
 const BarColour& BarChart::colourOfBox(std::size_t category) const {

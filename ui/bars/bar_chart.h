@@ -92,6 +92,9 @@ struct BarChart {
     /// The name of a series in a category, where it has one of its own.
     std::function<QString(std::size_t series, std::size_t category)> partName = {};
 
+    /// Of values and limits in seconds: all in the unit of the longest.
+    void fitTimeUnit();
+
     [[nodiscard]] bool empty() const { return categories.isEmpty(); }
     [[nodiscard]] const BarColour& colourOfBox(std::size_t category) const;
     [[nodiscard]] QString axisText() const;       ///< "Time, min"

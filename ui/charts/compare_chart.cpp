@@ -4,6 +4,7 @@
 #include "ui/plot/feed_text.h"
 #include "ui/plot/read_curves.h"
 #include "ui/text/names.h"
+#include "ui/text/time_unit.h"
 
 #include <algorithm>
 #include <utility>
@@ -25,7 +26,7 @@ void CompareChart::setAxis(CycleAxis axis) {
     m_axis = axis;
     m_scales.clear();
     for (const ComparedFeeds& run : m_runs) {
-        m_scales.emplace_back(*run.feeds, m_axis);
+        m_scales.emplace_back(*run.feeds, m_axis, longest_s());
     }
 }
 
@@ -39,6 +40,14 @@ const FeedPoints& CompareChart::pointsOf(std::size_t run) const {
 
 std::vector<XY> CompareChart::line(std::size_t run, Quantity quantity) const {
     return polyline(pointsOf(run), quantity, Edge::mean, m_scales[run]);
+}
+
+double CompareChart::longest_s() const {
+    double longest_s = 0;
+    for (const ComparedFeeds& run : m_runs) {
+        longest_s = std::max(longest_s, run.feeds->end_s);
+    }
+    return longest_s;
 }
 
 double CompareChart::end() const {
@@ -57,8 +66,7 @@ QString CompareChart::timeLabel() const {
         (run.feeds->operation->countsStrokes ? strokes : turns) = true;
     }
     switch (m_axis) {
-    case CycleAxis::minutes: return tr("Time, min");
-    case CycleAxis::seconds: return tr("Time, s");
+    case CycleAxis::time: return TimeUnit(longest_s()).titled(tr("Time"));
     case CycleAxis::strokes:
         return strokes && turns ? tr("Double strokes or revolutions done")
                : turns          ? tr("Revolutions done")

@@ -55,10 +55,11 @@ public:
 private:
     [[nodiscard]] const FeedPoints& pointsOf(std::size_t run) const;
     [[nodiscard]] QString shortName(std::size_t run) const;
+    [[nodiscard]] double longest_s() const; ///< of the runs
 
     std::vector<ComparedFeeds> m_runs;
     std::vector<CycleScale> m_scales; ///< of each run
-    CycleAxis m_axis = CycleAxis::minutes;
+    CycleAxis m_axis = CycleAxis::time;
     std::array<Quantity, rowCount> m_second{secondQuantities[0][0], secondQuantities[1][0]};
 };
 

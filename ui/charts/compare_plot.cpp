@@ -105,9 +105,10 @@ void ComparePlot::setSecond(std::size_t row, Quantity quantity) {
 
 void ComparePlot::setRuns(std::vector<ComparedFeeds> runs) {
     const bool all = m_fitted.empty() || visibleRange() == m_fitted;
+    const QString axis = m_chart.timeLabel();
     m_chart.setRuns(std::move(runs));
     fill();
-    if (all) {
+    if (all || m_chart.timeLabel() != axis) { // what was in sight is in another unit
         fit();
     }
     setTexts();

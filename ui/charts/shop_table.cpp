@@ -47,10 +47,9 @@ QString detailOf(std::string_view key, const ShopColumn& column, Operation opera
         return Names::place(column.normalForce_n.at, operation);
     }
     if (key == "specific_energy_j_mm3" || key == "mean_power_w") {
-        return ShopText::tr("%1 kJ for %2 mm³ in %3 min of grinding")
+        return ShopText::tr("%1 kJ for %2 mm³ in %3 of grinding")
             .arg(Names::significant(column.energy_j / units::jPerKj),
-                 Names::significant(column.removedVolume_mm3),
-                 Names::significant(column.time_s / units::secondsPerMinute));
+                 Names::significant(column.removedVolume_mm3), Names::time(column.time_s));
     }
     if (key == "removal_rate_mm3_mm_s" || key == "equivalent_chip_um" || key == "aggressiveness") {
         return ShopText::tr("a = %1 µm: %2")

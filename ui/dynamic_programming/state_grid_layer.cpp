@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dynamic_programming/state_grid_layer.h"
 
-#include "core/units.h"
+#include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/hatch.h"
 #include "ui/text/names.h"
@@ -35,6 +35,7 @@ StateGridLayer::StateGridLayer(QCPAxisRect& rect)
 
 void StateGridLayer::setGrid(StateGridOutcomePtr outcome) {
     m_outcome = std::move(outcome);
+    m_unit = m_outcome ? StateGridText::unit(grid()) : TimeUnit();
     m_number = m_outcome ? momentCount(grid()) : 0;
 }
 
@@ -62,11 +63,11 @@ bool StateGridLayer::isFilled(int level, std::size_t feed) const {
     return momentOf(grid(), level, feed) <= m_number;
 }
 
-QString StateGridLayer::textOf(const GridState& state, int level, Room room) {
+QString StateGridLayer::textOf(const GridState& state, int level, Room room) const {
     if (!state.time_s || room == Room::none) {
         return {};
     }
-    const QString time = Names::significant(*state.time_s / units::secondsPerMinute, cellDigits);
+    const QString time = Names::significant(m_unit.of(*state.time_s), cellDigits);
     if (level == 1 || room == Room::time) {
         return time;
     }

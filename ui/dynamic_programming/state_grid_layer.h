@@ -4,6 +4,7 @@
 #include "ui/dynamic_programming/grid_moment.h"
 #include "ui/dynamic_programming/state_grid_outcome.h"
 #include "ui/plot/painted_layer.h"
+#include "ui/text/time_unit.h"
 
 #include <optional>
 #include <set>
@@ -42,7 +43,7 @@ protected:
 private:
     enum class Room { none, time, twoLines, oneLine };
 
-    [[nodiscard]] static QString textOf(const GridState& state, int level, Room room);
+    [[nodiscard]] QString textOf(const GridState& state, int level, Room room) const;
     [[nodiscard]] const StateGrid& grid() const { return m_outcome->grid; }
     [[nodiscard]] bool shows(GridPart part) const { return !m_hidden.contains(part); }
     [[nodiscard]] bool isFilled(int level, std::size_t feed) const;
@@ -56,6 +57,7 @@ private:
     void drawWrong(QCPPainter& painter) const;
 
     StateGridOutcomePtr m_outcome;
+    TimeUnit m_unit;
     int m_number = 0;
     std::set<GridPart> m_hidden;
     Colours m_colours;

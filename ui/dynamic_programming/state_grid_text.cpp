@@ -2,7 +2,6 @@
 #include "ui/dynamic_programming/state_grid_text.h"
 
 #include "core/project/cycle.h"
-#include "core/units.h"
 #include "ui/dynamic_programming/state_grid_outcome.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
@@ -49,8 +48,18 @@ QString StateGridText::fault(StateGridFault fault) {
     return {};
 }
 
-QString StateGridText::minutes(double time_s) {
-    return Names::significant(time_s / units::secondsPerMinute, timeDigits);
+TimeUnit StateGridText::unit(const StateGrid& grid) {
+    double longest_s = 0;
+    for (const std::vector<GridState>& level : grid.states) {
+        for (const GridState& state : level) {
+            longest_s = std::max(longest_s, state.time_s.value_or(0));
+        }
+    }
+    return TimeUnit(longest_s);
+}
+
+QString StateGridText::amount(double time_s, const TimeUnit& unit) {
+    return Names::significant(unit.of(time_s), timeDigits);
 }
 
 QString StateGridText::time(double time_s) {
@@ -118,24 +127,23 @@ QString StateGridText::provenAnswer(const ExactAnswer& exact) {
 QString StateGridText::wrong(const StateFault& fault) {
     switch (fault.wrong) {
     case WrongState::struckOut:
-        return tr("struck out, although the proven cycle reaches it after %1 min")
-            .arg(minutes(fault.reached_s));
+        return tr("struck out, although the proven cycle reaches it after %1")
+            .arg(time(fault.reached_s));
     case WrongState::slower:
-        return tr("its time is not the least: the proven cycle reaches it after %1 min")
-            .arg(minutes(fault.reached_s));
+        return tr("its time is not the least: the proven cycle reaches it after %1")
+            .arg(time(fault.reached_s));
     case WrongState::misleads: break;
     }
     const QString kept = tr("the way kept is not the one to go on from: the proven cycle reaches "
-                            "it after %1 min and goes on; the way kept, with the same feeds from "
+                            "it after %1 and goes on; the way kept, with the same feeds from "
                             "here on, %2");
     QString comes = tr("does not reach the size");
     if (fault.breaks) {
         comes = tr("breaks: %1").arg(Names::inSentence(Names::constraint(*fault.breaks)));
     } else if (fault.time_s) {
-        comes =
-            tr("takes %1 min in %n stage(s)", nullptr, fault.stages).arg(minutes(*fault.time_s));
+        comes = tr("takes %1 in %n stage(s)", nullptr, fault.stages).arg(time(*fault.time_s));
     }
-    return kept.arg(minutes(fault.reached_s), comes);
+    return kept.arg(time(fault.reached_s), comes);
 }
 
 QString StateGridText::faults(const StateGrid& grid, const ExactAnswer& exact) {
@@ -188,17 +196,19 @@ QString StateGridText::struckOut(const GridState& state) {
 
 QString StateGridText::moves(const StateGrid& grid, int level, std::size_t feed) {
     const GridState& at = grid.state(level, feed);
+    const TimeUnit unit = StateGridText::unit(grid);
+    const auto inUnit = [&unit](double time_s) { return amount(time_s, unit); };
     QString text;
     if (!at.time_s) {
         text = tr("no admissible move");
     } else if (level == 1) {
-        text = tr("T = %1 min, from the blank").arg(minutes(*at.time_s));
+        text = tr("T = %1 %2, from the blank").arg(inUnit(*at.time_s), unit.text());
     } else {
         const StateMove& kept = at.moves[at.from];
-        text =
-            tr("T = %1 min = %2 + %3, m* = %4")
-                .arg(minutes(*at.time_s), minutes(*at.time_s - kept.move_s), minutes(kept.move_s))
-                .arg(at.from + 1);
+        text = tr("T = %1 %2 = %3 + %4, m* = %5")
+                   .arg(inUnit(*at.time_s), unit.text(), inUnit(*at.time_s - kept.move_s),
+                        inUnit(kept.move_s))
+                   .arg(at.from + 1);
     }
     const auto slower = std::ranges::count(at.moves, MoveEnd::slower, &StateMove::end);
     if (slower > 0) {

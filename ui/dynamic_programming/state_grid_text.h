@@ -4,6 +4,7 @@
 #include "core/dynamic_programming/exact_answer.h"
 #include "core/dynamic_programming/state_grid.h"
 #include "ui/dynamic_programming/grid_moment.h"
+#include "ui/text/time_unit.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -17,9 +18,10 @@ class StateGridText {
     Q_DECLARE_TR_FUNCTIONS(StateGridText)
 public:
     static QString progress(qint64 done, qint64 parts, double left_s);
-    static QString fault(StateGridFault fault); ///< why there is no grid; empty: there is
-    static QString minutes(double time_s);      ///< "0.412", without unit
-    static QString time(double time_s);         ///< of a whole cycle, with its unit
+    static QString fault(StateGridFault fault);  ///< why there is no grid; empty: there is
+    static TimeUnit unit(const StateGrid& grid); ///< of the times of its states
+    static QString amount(double time_s, const TimeUnit& unit); ///< "8.241", without the unit
+    static QString time(double time_s);                         ///< of a whole cycle, with its unit
     static QString feed(const StageSetting& setting, Operation operation); ///< "0.004 · 1800"
     static QString state(int level, std::size_t feed);                     ///< "[5, 3]"
     static QString cycle(const Cycle& cycle);

@@ -257,6 +257,13 @@ void NumberField::settle() {
     updateRemark();
 }
 
+QString NumberField::stepped(int steps) const {
+    const auto value = read();
+    const auto next = m_steps && value ? m_steps(*value, steps) : std::nullopt;
+    return next ? written(*next)
+                : stepNumber(text(), steps, m_spec.integer || m_spec.hard.contains(0));
+}
+
 void NumberField::step(int steps) {
     if (refused()) {
         return;
@@ -264,11 +271,10 @@ void NumberField::step(int steps) {
     if (!result().isEmpty()) {
         settle();
     }
-    const QString before = text();
-    if (before.trimmed().isEmpty()) {
+    if (text().trimmed().isEmpty()) {
         return;
     }
-    const QString after = stepNumber(before, steps, m_spec.integer || m_spec.hard.contains(0));
+    const QString after = stepped(steps);
     const auto value = m_spec.scale.kept(parseNumber(after));
     if (value && m_spec.hard.contains(*value)) {
         setText(after);

@@ -53,6 +53,11 @@ public:
     void setReads(std::function<std::optional<double>(const QString&)> reads) {
         m_reads = std::move(reads);
     }
+    /// Gives the value so many steps up or down, by which the arrow keys go; nothing where the last
+    /// digit is stepped.
+    void setSteps(std::function<std::optional<double>(double value, int steps)> steps) {
+        m_steps = std::move(steps);
+    }
     /// Says whether a value goes with the other inputs.
     void setFits(std::function<bool(std::optional<double>)> fits) { m_fits = std::move(fits); }
 
@@ -87,6 +92,7 @@ private:
     /// Of arithmetic or another form, "= 0.125 mm"; else empty.
     [[nodiscard]] QString result() const;
     void showResult();
+    [[nodiscard]] QString stepped(int steps) const; ///< the text after so many steps
     void step(int steps);
     void showValue();
     [[nodiscard]] QString written(double value) const;
@@ -100,6 +106,7 @@ private:
     std::optional<double> m_settled; ///< before the running edit: what a refused text falls back to
     std::function<bool(std::optional<double>)> m_fits;
     std::function<std::optional<double>(const QString&)> m_reads;
+    std::function<std::optional<double>(double, int)> m_steps;
     bool m_waits = false; ///< the text is good, but not taken before a pause
     Remark m_own;         ///< of the text
     Remark m_issue;       ///< of the value, from validation

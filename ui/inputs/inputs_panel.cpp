@@ -135,10 +135,6 @@ QSize InputsPanel::minimumSizeHint() const {
             QWidget::minimumSizeHint().height()};
 }
 
-int InputsPanel::twoColumnWidth() const {
-    return std::max(2 * panelWidth(), minimumSizeHint().width());
-}
-
 void InputsPanel::showPage(int index) {
     m_buttons[std::size_t(index)]->setChecked(true);
     m_stack->setCurrentIndex(index);

@@ -28,7 +28,6 @@ public:
     ~InputsPanel() override;
 
     [[nodiscard]] QSize minimumSizeHint() const override;
-    [[nodiscard]] int twoColumnWidth() const; ///< that its pages stand in two columns
 
     void setOutcome(const sparkout::OutcomePtr& outcome);
     void forgetResults(); ///< that it tells beside the inputs

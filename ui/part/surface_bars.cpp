@@ -2,7 +2,6 @@
 #include "ui/part/surface_bars.h"
 
 #include "core/study/run_comparison.h"
-#include "core/units.h"
 #include "ui/bars/bar_plot.h"
 #include "ui/kit/hatch.h"
 #include "ui/kit/metrics.h"
@@ -47,7 +46,6 @@ BarChart SurfaceBars::chartOf(const SetupState& state, const std::vector<Surface
     chart.shape = BarChart::Shape::grouped;
     chart.what = tr("Surface");
     chart.axis = tr("Cycle time");
-    chart.unit = unitText("min");
     chart.secondAxis = tr("Margin");
     chart.secondUnit = QStringLiteral("%");
     chart.number = [](double value) { return Names::significant(value, barDigits); };
@@ -63,11 +61,11 @@ BarChart SurfaceBars::chartOf(const SetupState& state, const std::vector<Surface
     for (std::size_t i = 0; i < statuses.size(); ++i) {
         const SurfaceStatus& status = statuses[i];
         chart.categories << printableText(SurfaceEdits::nameOf(state, i));
-        chart.series[0].values.push_back(status.ran() ? status.time_s / units::secondsPerMinute
-                                                      : noNumber);
+        chart.series[0].values.push_back(status.ran() ? status.time_s : noNumber);
         const auto least = leastMargin(status.requirements);
         chart.series[1].values.push_back(least ? 100 * least->relativeMargin : noNumber);
     }
+    chart.fitTimeUnit();
     chart.remark = tr("Margin: that of the requirement nearest to its limit, below 0 where one "
                       "fails.");
     return chart;

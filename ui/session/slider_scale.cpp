@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/slider_scale.h"
 
-#include "core/project/machine.h"
-#include "core/project/project.h"
+#include "core/project/machine_steps.h"
 
 #include <algorithm>
 #include <charconv>
@@ -46,37 +45,19 @@ double roundAbove(double x) {
     return tidy(below * (lead > 1.5 && lead < 3 ? 2.5 : 2));
 }
 
-/// [lowest, highest, step] the machine states for an input; null when it states none.
-const std::optional<std::vector<double>>* machineRange(const MachineLimits& limits,
-                                                       const std::string& path) {
-    const std::string key = path.substr(path.rfind('/') + 1);
-    const bool stage = path.starts_with("/cycle/stages/");
-    if (stage && key == "radial_feed_mm") {
-        return &limits.radial_feed_mm;
-    }
-    if (stage && key == "axial_feed_mm_min") {
-        return &limits.axial_feed_mm_min;
-    }
-    if (stage && key == "radial_feed_mm_min") {
-        return &limits.plunge_feed_mm_min;
-    }
-    return path == "/machine/work_speed_rpm" ? &limits.work_speed_rpm : nullptr;
-}
-
 } // namespace
 
 SliderSpec sliderSpec(const Project& project, const std::string& path, const Field& field) {
     SliderSpec spec{field.soft.unbounded() ? field.stated() : field.soft, field.stated(),
                     field.kind == Kind::integer || field.kind == Kind::optionalInteger, false,
                     std::nullopt};
-    const auto* machine = machineRange(project.machine->limits, path);
-    if (machine && *machine && (*machine)->size() == 3) {
-        const double low = std::max((**machine)[0], field.stated().low);
-        const double high = std::min((**machine)[1], field.stated().high);
+    if (const std::vector<double>* machine = machineRange(project, path)) {
+        const double low = std::max((*machine)[0], field.stated().low);
+        const double high = std::min((*machine)[1], field.stated().high);
         if (low < high) {
             spec.usual = {low, high};
-            if ((**machine)[2] > 0) {
-                spec.step = (**machine)[2];
+            if ((*machine)[2] > 0) {
+                spec.step = (*machine)[2];
             }
             return spec;
         }

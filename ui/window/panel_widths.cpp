@@ -119,7 +119,7 @@ bool PanelWidths::restoreState(const QByteArray& state) {
             return false;
         }
         wanted[panel] = width;
-        wantedWide[panel] = wide;
+        wantedWide[panel] = wide > 0 ? m_wantedWide.value(panel) : 0; // else it was dragged
     }
     m_wanted = wanted;
     m_wantedWide = wantedWide;

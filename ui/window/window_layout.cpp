@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/window_layout.h"
 
-#include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/keyboard.h"
@@ -32,7 +31,7 @@ namespace {
 constexpr QSize usualWindow(1366, 768);
 constexpr QSize frameAllowance(8, 40);
 constexpr int verdictWidth = 310;
-constexpr int wideVerdictWidth = 350;  ///< in a wide window: most rows on one line
+constexpr int wideVerdictWidth = 450;  ///< in a wide window: no name of a requirement wraps
 constexpr int leastVerdictWidth = 292; ///< in smaller type: frames and gaps do not shrink
 constexpr int messagesHeight = 96;
 
@@ -62,7 +61,6 @@ WindowLayout::WindowLayout(QMainWindow& window, const Panels& panels, ViewTabs& 
     , m_tabs(tabs)
     , m_playback(playback)
     , m_settings(settings)
-    , m_inputs(*panels.inputs)
     , m_inputsDock(addDock(panels.inputs, QStringLiteral("inputs"), Qt::LeftDockWidgetArea))
     , m_verdictDock(addDock(panels.verdict, QStringLiteral("verdict"), Qt::RightDockWidgetArea))
     , m_messagesDock(addDock(panels.messages, QStringLiteral("messages"), Qt::BottomDockWidgetArea))
@@ -189,7 +187,6 @@ bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
 
 void WindowLayout::fitPanels() {
     m_widths->want(m_inputsDock, 0); // as narrow as it can be, in any type and language
-    m_widths->wantInWideWindow(m_inputsDock, m_inputs.twoColumnWidth());
     m_widths->want(m_verdictDock, std::max(atFontSize(verdictWidth), leastVerdictWidth));
     m_widths->wantInWideWindow(m_verdictDock, atFontSize(wideVerdictWidth));
 }

@@ -15,7 +15,6 @@ class QWidget;
 namespace sparkout {
 
 class MessagesDock;
-class InputsPanel;
 class MessagesPanel;
 class PanelWidths;
 class PlaybackBar;
@@ -29,7 +28,7 @@ class WindowLayout : public QObject {
 public:
     /// What stands in the panels beside the views.
     struct Panels {
-        InputsPanel* inputs;
+        QWidget* inputs;
         QWidget* verdict;
         MessagesPanel* messages;
         QWidget* sheet;
@@ -63,7 +62,6 @@ private:
     ViewTabs& m_tabs;
     PlaybackBar& m_playback;
     Settings& m_settings;
-    InputsPanel& m_inputs;
     QDockWidget* m_inputsDock;
     QDockWidget* m_verdictDock;
     QDockWidget* m_messagesDock;

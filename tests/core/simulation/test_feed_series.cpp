@@ -113,7 +113,7 @@ private slots:
     void theLastAccumulatedFeedIsTheProgrammedInfeed() {
         const SimulationResult& result = m_traverse.result;
         const double total = 4.0 * result.countsByStage[0] + 1.0 * result.countsByStage[1];
-        const CycleScale scale(m_traverse.series, CycleAxis::minutes);
+        const CycleScale scale(m_traverse.series, CycleAxis::time); // minutes
         for (const FeedColumn& column : m_traverse.series.columns) {
             const std::vector<XY> line =
                 polyline(column.strokes, Quantity::programmedSum, Edge::mean, scale);
@@ -125,8 +125,7 @@ private slots:
 
     void theStrokeAxisCountsStrokesAndInverts() {
         const FeedSeries& series = m_traverse.series;
-        for (CycleAxis axis :
-             {CycleAxis::minutes, CycleAxis::seconds, CycleAxis::strokes, CycleAxis::revolutions}) {
+        for (CycleAxis axis : {CycleAxis::time, CycleAxis::strokes, CycleAxis::revolutions}) {
             const CycleScale scale(series, axis);
             for (double part : {0.0, 0.123, 0.5, 0.77, 1.0}) {
                 const double time = part * series.end_s;
@@ -137,6 +136,16 @@ private slots:
         QVERIFY(std::abs(strokes.at(series.end_s) - series.strokeCount()) < 1e-9);
         QVERIFY(std::abs(strokes.at(series.strokeStart_s[26]) - 26) < 1e-9);
         QCOMPARE(series.strokeAt(series.strokeStart_s[26] + 0.01), 27);
+    }
+
+    void shortTimesAreInSecondsUnlessALongerOneIsShownBeside() {
+        FeedSeries series;
+        series.end_s = 119.9;
+        QCOMPARE(CycleScale(series, CycleAxis::time).at(90), 90.0);
+        QCOMPARE(CycleScale(series, CycleAxis::time).time_s(90), 90.0);
+        QCOMPARE(CycleScale(series, CycleAxis::time, 120).at(90), 1.5);
+        series.end_s = 120;
+        QCOMPARE(CycleScale(series, CycleAxis::time).at(90), 1.5);
     }
 
     /// The table of the model, section 5.

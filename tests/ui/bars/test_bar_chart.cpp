@@ -415,6 +415,32 @@ private slots:
         QCOMPARE(plot.drawing().parts().size(), std::size_t(3));
     }
 
+    /// Of stacks their height, of bars side by side the longest; those of a second axis stay.
+    void timesAreAllInTheUnitOfTheLongest() {
+        BarChart chart = chartOf(Shape::stacked, false, 1, 2);
+        chart.series[0].values = {70};
+        chart.series[1].values = {49};
+        chart.fitTimeUnit();
+        QCOMPARE(chart.unit, QStringLiteral("s"));
+        QCOMPARE(chart.value(0, 0), 70.0);
+        chart.series[1].values = {50};
+        chart.fitTimeUnit();
+        QCOMPARE(chart.unit, QStringLiteral("min"));
+        QCOMPARE(chart.total(0), 2.0);
+        BarChart beside = chartOf(Shape::grouped, false, 1, 2);
+        beside.series[0].values = {70};
+        beside.series[1].values = {300};
+        beside.series[1].onSecond = true;
+        beside.limits = {{119, QStringLiteral("limit")}};
+        beside.fitTimeUnit();
+        QCOMPARE(beside.unit, QStringLiteral("s"));
+        beside.limits = {{120, QStringLiteral("limit")}};
+        beside.fitTimeUnit();
+        QCOMPARE(beside.unit, QStringLiteral("min"));
+        QCOMPARE(beside.limits[0].at, 2.0);
+        QCOMPARE(beside.value(1, 0), 300.0);
+    }
+
     void aTableHasEveryValueWithAllItsDigits() {
         BarChart chart = chartOf(Shape::stacked, false, 3, 2);
         chart.series[0].values[1] = 1.0 / 3;

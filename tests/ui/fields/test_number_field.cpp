@@ -233,6 +233,25 @@ private slots:
         QCOMPARE(field.value().value(), 0.0009);
     }
 
+    void arrowKeysGoByTheStepsThatAreGiven() {
+        QLocale::setDefault(QLocale(QLocale::Russian, QLocale::Russia));
+        NumberSpec onDiameter = spec({0, 5});
+        onDiameter.scale.factor = 2;
+        NumberField field(onDiameter);
+        field.setSteps([](double value, int steps) -> std::optional<double> {
+            return value < 1 ? std::optional(value + steps * 0.0005) : std::nullopt;
+        });
+        field.reset(0.1);
+        QTest::keyClick(&field, Qt::Key_Up);
+        QCOMPARE(field.value().value(), 0.1005);
+        QCOMPARE(field.text(), QStringLiteral("0,201"));
+        QTest::keyClick(&field, Qt::Key_Down);
+        QCOMPARE(field.text(), QStringLiteral("0,2"));
+        field.reset(2); // where none are given
+        QTest::keyClick(&field, Qt::Key_Up);
+        QCOMPARE(field.text(), QStringLiteral("5"));
+    }
+
     void anUnusualValueIsTakenAndMarked() {
         NumberSpec soft = spec({0, 1000});
         soft.soft = {3, 500};

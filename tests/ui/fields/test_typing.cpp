@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // What happens while one types: in the cells of the stages, in the forms, and when it is undone.
+#include "core/project/machine.h"
 #include "core/study/evaluate.h"
 #include "core/study/new_project.h"
 #include "tests/whole_project.h"
@@ -121,6 +122,24 @@ private slots:
                      qPrintable(bench.reasons()));
         QCOMPARE(bench.stage(0).radial_feed_mm.value(), 0.004);
         QCOMPARE(bench.table->refusals().size(), std::size_t(1));
+    }
+
+    void arrowKeysStepTheWorkSpeedByTheMachine() {
+        Bench bench;
+        Project project = bench.document.project();
+        project.machine->work_speed_rpm = 182;
+        bench.document.edit(project, {"Input", "Machine"});
+        bench.panel.revealPath("/machine/work_speed_rpm");
+        NumberField* speed = bench.field("/machine/work_speed_rpm");
+        QVERIFY(speed);
+        QTest::keyClick(speed, Qt::Key_Up);
+        QCOMPARE(bench.document.project().machine->work_speed_rpm, 183.0); // by its last digit
+        project.machine->limits.work_speed_rpm = {{60, 600, 10}};
+        bench.document.edit(project, {"Input", "Machine"}); // to 182 again
+        QTest::keyClick(speed, Qt::Key_Up);
+        QCOMPARE(bench.document.project().machine->work_speed_rpm, 190.0);
+        QTest::keyClick(speed, Qt::Key_Down);
+        QCOMPARE(bench.document.project().machine->work_speed_rpm, 180.0);
     }
 
     void hintAndMessageStateTheSameRange() {

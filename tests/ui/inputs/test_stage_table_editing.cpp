@@ -132,6 +132,32 @@ private slots:
         }
     }
 
+    /// A stock goes by the steps of the wheel slide, which are those of the radial feed.
+    void arrowKeysStepACellByTheMachine() {
+        Bench bench;
+        Project project = bench.document.project();
+        project.machine->limits.radial_feed_mm = {{0.0005, 0.02, 0.0005}};
+        project.machine->limits.axial_feed_mm_min = {{20, 1850, 50}};
+        bench.document.edit(project, {"Input", "Machine"});
+        const auto press = [&bench](int column, Qt::Key key) {
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            bench.select(0, column);
+            NumberField* editor = bench.openEditor();
+            QTest::keyClick(editor, key);
+            QTest::keyClick(editor, Qt::Key_Return);
+            QTRY_VERIFY(!bench.table.view().findChild<NumberField*>());
+        };
+        press(0, Qt::Key_Up);
+        QCOMPARE(bench.stages()[0].radial_feed_mm.value(), 0.0045);
+        press(1, Qt::Key_Up); // 1800 lies between 1770 and 1820
+        QCOMPARE(bench.stages()[0].axial_feed_mm_min.value(), 1820.0);
+        press(1, Qt::Key_Up); // 1870 is beyond the machine
+        QCOMPARE(bench.stages()[0].axial_feed_mm_min.value(), 1820.0);
+        const double stock_mm = bench.stages()[0].stock_mm;
+        press(2, Qt::Key_Down);
+        QVERIFY(std::abs(bench.stages()[0].stock_mm - (stock_mm - 0.0005)) < 1e-12);
+    }
+
     void aRefusedTextStaysInTheCellMarkedAndTheStageKeepsItsValue() {
         Bench bench(1, 2);
         auto* editor = bench.openEditor();

@@ -15,6 +15,7 @@
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/output_text.h"
+#include "ui/text/time_unit.h"
 #include "ui/views/verdict/verdict_text.h"
 #include "ui/window/dialogs/examples_dialog.h"
 
@@ -46,7 +47,9 @@ QByteArray made(const OutcomePtr& outcome, Format format, const QDate& date = da
 
 /// Numbers that the card must hold, from the engine's result.
 QStringList numbersOf(const Outcome& outcome) {
-    QStringList numbers{verdict::time(outcome.result), threeDigits(outcome.shop.cycle.time_s / 60)};
+    QStringList numbers{
+        verdict::time(outcome.result),
+        threeDigits(TimeUnit(outcome.shop.cycle.time_s).of(outcome.shop.cycle.time_s))};
     for (const Stage& stage : outcome.result.project.cycle->stages) {
         const auto& feed = outcome.result.project.operation == Operation::traverse
                                ? stage.radial_feed_mm

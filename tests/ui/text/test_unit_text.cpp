@@ -6,6 +6,7 @@
 #include "tests/registry.h"
 #include "ui/text/language.h"
 #include "ui/text/texts.h"
+#include "ui/text/time_unit.h"
 
 #include <QRegularExpression>
 #include <QSet>
@@ -42,6 +43,17 @@ private slots:
         }
         language.apply(QStringLiteral("en"));
         QCOMPARE(unitText("kg/m³"), QStringLiteral("kg/m³"));
+    }
+
+    void timesAreInSecondsWhereTheLongestIsBelowTwoMinutes() {
+        Language language;
+        language.apply(QStringLiteral("ru"));
+        QCOMPARE(TimeUnit(119.9).titled(QStringLiteral("Время")), QStringLiteral("Время, с"));
+        QCOMPARE(TimeUnit(120).titled(QStringLiteral("Время")), QStringLiteral("Время, мин"));
+        language.apply(QStringLiteral("en"));
+        QCOMPARE(TimeUnit(119.9).text(), QStringLiteral("s"));
+        QCOMPARE(TimeUnit(119.9).of(90), 90.0);
+        QCOMPARE(TimeUnit(120).of(90), 1.5);
     }
 };
 

@@ -2,6 +2,8 @@
 // Labels: own_language
 // Torn-off views, the layout that is remembered, and what becomes of a damaged one.
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/kit/font_size.h"
@@ -11,12 +13,14 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDataStream>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
 #include <QRandomGenerator>
 #include <QScrollBar>
 #include <QTabBar>
+#include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -445,28 +449,53 @@ private slots:
         QCOMPARE(verdict->width(), wanted);
     }
 
-    // A wide window gives its inputs two columns, until one drags them to another width.
-    void aWideWindowHasRoomForTwoColumnsOfInputs() {
+    // A wide window gives its room to the views and the verdict; the inputs have what they need.
+    void aWideWindowHasRoomForTheNamesOfTheVerdict_data() { addLongerLanguages(); }
+    void aWideWindowHasRoomForTheNamesOfTheVerdict() {
+        QFETCH(QString, language);
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
+        MainWindow& window = *bench.window;
+        const auto* inputs = window.findChild<InputsPanel*>();
+        const auto* verdict = window.findChild<QDockWidget*>(QStringLiteral("verdict"));
+        const auto* table = verdict->findChild<QTableView*>(QStringLiteral("requirements"));
+        const int narrowInputs = inputs->width(), narrowVerdict = verdict->width();
+        for (const char* example : {"shaft-30h6-factory", "plunge-shaft-two-stage"}) {
+            QVERIFY(bench.open(examplePath(example)));
+            window.resize(1920, 1080);
+            QTRY_VERIFY(verdict->width() >= 440);
+            QCOMPARE(inputs->width(), narrowInputs);
+            QVERIFY(window.findChild<ViewTabs*>()->width() > 1050);
+            bench.settle();
+            QTest::qWait(60);
+            int names = 0;
+            const int line = table->rowHeight(0); // the name of a group
+            for (int row = 0; row < table->model()->rowCount(); ++row) {
+                const QString name = table->model()->index(row, 0).data().toString();
+                if (!name.contains(u'\n')) { // else its light is named below
+                    ++names;
+                    QVERIFY2(table->rowHeight(row) < 1.5 * line, qPrintable(name));
+                }
+            }
+            QVERIFY(names > 10);
+            window.resize(1366, 768);
+            QTRY_COMPARE(verdict->width(), narrowVerdict);
+            QCOMPARE(inputs->width(), narrowInputs);
+        }
+    }
+
+    void theInputsOfAWideWindowAreAsWideAsOneDragsThem() {
         OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         MainWindow& window = *bench.window;
         auto* inputs = window.findChild<InputsPanel*>();
-        const int one = inputs->width();
+        const int before = inputs->width();
         window.resize(1920, 1080);
-        QTRY_VERIFY(inputs->width() >= inputs->twoColumnWidth());
-        QVERIFY(window.findChild<ViewTabs*>()->width() > 850);
-        auto* verdict = window.findChild<QDockWidget*>(QStringLiteral("verdict"));
-        QTRY_VERIFY(verdict->width() >= 340); // it shares in the room
-        window.resize(1366, 1080);
-        QTRY_COMPARE(inputs->width(), one);
-        window.resize(1920, 1080);
-        QTRY_VERIFY(inputs->width() >= inputs->twoColumnWidth());
-        QTest::qWait(60);
+        QTest::qWait(100);
         const QPoint edge(inputs->mapTo(&window, QPoint(inputs->width() + 2, 300)));
         QTest::mousePress(&window, Qt::LeftButton, {}, edge);
-        QTest::mouseMove(&window, edge - QPoint(200, 0));
+        QTest::mouseMove(&window, edge + QPoint(140, 0));
         bench.settle();
-        QTest::mouseRelease(&window, Qt::LeftButton, {}, edge - QPoint(200, 0));
-        QTRY_VERIFY(inputs->width() < inputs->twoColumnWidth() - 150);
+        QTest::mouseRelease(&window, Qt::LeftButton, {}, edge + QPoint(140, 0));
+        QTRY_VERIFY(inputs->width() > before + 100);
         QTest::qWait(100);
         const int dragged = inputs->width();
         window.resize(1366, 1080);
@@ -481,27 +510,45 @@ private slots:
         QTRY_COMPARE(again.findChild<InputsPanel*>()->width(), dragged);
     }
 
-    // Large type has two columns, too, where the views keep what they need beside them.
-    void aWideWindowHasRoomForTwoColumnsInLargeType() {
+    // Two columns of inputs, which no hand has dragged, were wanted in a wide window once.
+    void aWidthThatTheProgramChoseBeforeGivesWay() {
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
+        const int narrow = bench.window->findChild<InputsPanel*>()->width();
+        bench.window->resize(1920, 1080);
+        QTest::qWait(100);
+        const int verdict =
+            bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"))->width();
+        QVERIFY(bench.window->close());
+        auto parts = unsealed(bench.settings.windowState(), 3);
+        QVERIFY(parts);
+        parts->back().clear();
+        QDataStream stream(&parts->back(), QIODevice::WriteOnly);
+        stream.setVersion(QDataStream::Qt_6_0);
+        stream << qint32(0) << qint32(694) << qint32(310) << qint32(350);
+        bench.settings.setWindow(bench.settings.windowGeometry(), sealed(*parts));
+        MainWindow again(bench.settings, bench.language);
+        again.resize(1920, 1080);
+        again.show();
+        QTRY_COMPARE(again.findChild<InputsPanel*>()->width(), narrow);
+        QTRY_COMPARE(again.findChild<QDockWidget*>(QStringLiteral("verdict"))->width(), verdict);
+    }
+
+    // Large type widens the panels, and the views keep what they have in a small window.
+    void theViewsOfAWideWindowKeepTheirRoomInLargeType() {
         OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         MainWindow& window = *bench.window;
         auto* inputs = window.findChild<InputsPanel*>();
-        const auto* views = window.findChild<ViewTabs*>();
-        for (const auto& [percent, width] : {std::pair(115, 1920), {130, 2100}, {90, 1920}}) {
+        const auto* verdict = window.findChild<QDockWidget*>(QStringLiteral("verdict"));
+        window.resize(1920, 1080);
+        for (const int percent : {90, 115, 130}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-            window.resize(width, 1080);
-            QTRY_VERIFY2(inputs->width() >= inputs->twoColumnWidth(),
-                         qPrintable(QString::number(percent)));
-            QVERIFY(views->width() >= 690); // and the lines that part them
+            QTRY_VERIFY(verdict->width() >= atFontSize(450) - 1);
+            QVERIFY(window.findChild<ViewTabs*>()->width() >= 690); // and the lines that part them
             for (std::size_t page = 0; page < inputs->pages().size(); ++page) {
                 inputs->showPage(static_cast<int>(page));
                 QTRY_COMPARE(inputs->pages()[page]->horizontalScrollBar()->maximum(), 0);
             }
         }
-        bench.action("fontSize-130")->trigger();
-        window.resize(1920, 1080);
-        QTRY_VERIFY(inputs->width() < inputs->twoColumnWidth());
-        QVERIFY(views->width() > 900);
     }
 
     void aThemeSwitchLeavesTheLayoutAsItIs() {

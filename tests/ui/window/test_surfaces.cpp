@@ -563,7 +563,8 @@ private slots:
         const std::vector<SurfaceStatus>& statuses = desk.runs().statuses();
         QCOMPARE(bars.chart().categories.size(), qsizetype(statuses.size()));
         for (std::size_t i = 0; i < statuses.size(); ++i) {
-            QCOMPARE(bars.chart().value(0, i), statuses[i].time_s / 60);
+            const double unit_s = bars.chart().unit == QStringLiteral("s") ? 1 : 60;
+            QCOMPARE(bars.chart().value(0, i), statuses[i].time_s / unit_s);
             QCOMPARE(bars.chart().value(1, i) < 0, !statuses[i].judgement.isNominalGood());
         }
         QTRY_VERIFY(!bars.drawing().parts().empty());

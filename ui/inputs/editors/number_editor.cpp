@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/editors/number_editor.h"
 
+#include "core/project/machine_steps.h"
 #include "core/project/member.h"
 #include "ui/fields/value_slider.h"
 #include "ui/session/document.h"
@@ -17,6 +18,9 @@ NumberEditor::NumberEditor(const std::string& path, const Field& field, Document
     connect(m_field, &NumberField::valueEdited, this, [this] { store(m_field->value()); });
     m_field->setFits([this](std::optional<double> value) {
         return fits([this, value](void* to) { setNumberIn(this->field(), to, value); });
+    });
+    m_field->setSteps([this](double value, int steps) {
+        return steppedOnMachine(this->document().project(), this->path(), value, steps);
     });
     connect(m_field, &NumberField::remarkChanged, this, &FieldEditor::remarkChanged);
     connect(m_field, &QLineEdit::editingFinished, this, [this] { this->document().endMerge(); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/list_delegate.h"
 
+#include "core/project/machine_steps.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/forms/list_model.h"
 #include "ui/session/document.h"
@@ -41,6 +42,9 @@ QWidget* ListDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
             [self, editor] { self->commit(editor); });
     editor->setFits([&model, cell = QPersistentModelIndex(index)](std::optional<double> value) {
         return !cell.isValid() || model.fits(cell, value);
+    });
+    editor->setSteps([this, path = model.path(index)](double value, int steps) {
+        return steppedOnMachine(m_document.project(), path, value, steps);
     });
     return editor;
 }

@@ -270,7 +270,7 @@ void StepResults::write(PaperWriter& paper, std::size_t step) {
         sentences << tr("Found: %1.").arg(GoalWords::finding(result.finding));
     }
     if (result.time_min && isMetBySetting(of.goal.kind())) {
-        sentences << tr("The cycle takes %1 min.").arg(Names::fixed(*result.time_min, 3));
+        sentences << tr("The cycle takes %1.").arg(Names::timeOfMinutes(*result.time_min, 4));
     }
     sentences << tr("Attempts: %1.").arg(record.attempts);
     if (!record.hints.empty()) {

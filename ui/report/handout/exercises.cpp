@@ -52,8 +52,8 @@ const char* unitOf(Asked asked) {
     case Asked::runout_um: return "µm";
     case Asked::stepForce_n:
     case Asked::peakForce_n: return "N";
-    case Asked::time_min: return "min";
     case Asked::peakPower_kw: return "kW";
+    case Asked::time_min: // its numbers have their own
     case Asked::count: break;
     }
     return "";
@@ -180,7 +180,7 @@ QString whyTime(const std::vector<double>& was_s, const std::vector<double>& is_
         }
         firstLonger = firstLonger || (z == 0 && more_min > 0);
         laterShorter = laterShorter || (z > 0 && more_min < 0);
-        const QString amount = withUnit(Names::significant(std::abs(more_min)), "min");
+        const QString amount = Names::timeOfMinutes(std::abs(more_min));
         stages << (more_min > 0 ? ExerciseText::tr("stage %1 takes %2 longer")
                                 : ExerciseText::tr("stage %1 takes %2 less"))
                       .arg(QString::number(z + 1), amount);
@@ -257,6 +257,7 @@ QString movedText(Asked asked, Operation operation, bool rises) {
 QString askedNumber(Asked asked, double value) {
     switch (asked) {
     case Asked::count: return QString::number(static_cast<int>(value));
+    case Asked::time_min: return Names::timeOfMinutes(value, 4);
     case Asked::spread_um:
     case Asked::runout_um: return Names::micrometres(value);
     default: return Names::significant(value, 4);

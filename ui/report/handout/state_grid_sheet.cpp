@@ -46,8 +46,10 @@ StateGridOutcomePtr filledGrid(const Project& project, const std::function<void(
 
 Table StateGridSheet::wayBack(const StateGrid& grid) {
     Table table;
-    table.head = QStringList{tr("State"),  tr("Stock left, mm"), tr("Feed"),
-                             tr("T, min"), QStringLiteral("m*"), tr("Moves struck out")};
+    const TimeUnit unit = StateGridText::unit(grid);
+    table.head = QStringList{tr("State"),          tr("Stock left, mm"),
+                             tr("Feed"),           unit.titled(QStringLiteral("T")),
+                             QStringLiteral("m*"), tr("Moves struck out")};
     table.texts = {true, false, false, false, false, true};
     for (int n = grid.size.levels; n >= 1; --n) {
         const std::size_t feed = grid.path[static_cast<std::size_t>(n - 1)];
@@ -57,7 +59,7 @@ Table StateGridSheet::wayBack(const StateGrid& grid) {
             {StateGridText::state(n, feed),
              printedNumber(grid.stock_mm[static_cast<std::size_t>(n)], sheetDigits),
              StateGridText::feed(grid.feeds[feed], grid.project.operation),
-             StateGridText::minutes(*state.time_s),
+             StateGridText::amount(*state.time_s, unit),
              orDash(n > 1 ? QString::number(state.from + 1) : QString()), orDash(out)});
     }
     return table;
@@ -97,7 +99,8 @@ std::vector<Block> StateGridSheet::blocks(const OutcomePtr& outcome,
     plot.setGrid(filled);
     plot.restyle();
     plot.fit();
-    const QString caption = tr("The grid of dynamic programming: T in minutes and m*");
+    const QString caption =
+        tr("The grid of dynamic programming: T, %1, and m*").arg(StateGridText::unit(grid).text());
     blocks.emplace_back(plotFigure(plot, plot.legendEntries(), caption,
                                    StateGridText::answer(grid, filled->exact)));
     for (const QString& line : StateGridText::answer(grid, filled->exact).split(u'\n')) {

@@ -15,6 +15,7 @@
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/output_text.h"
+#include "ui/text/time_unit.h"
 
 #include <cmath>
 #include <numbers>
@@ -115,12 +116,13 @@ Table OperationSetup::stages(const Outcome& outcome, bool results) {
         table.head << tr("Axial feed, mm/min");
     }
     const bool continuous = feedsContinuously(project);
+    const TimeUnit unit(outcome.shop.cycle.time_s);
     if (continuous) {
         table.head << tr("Continuous infeed, mm/min");
     }
     table.head << tr("Stock per side, mm")
                << (project.operation->countsStrokes ? tr("Double strokes") : tr("Revolutions"))
-               << tr("Machining time, min") << tr("Spark-out") << tr("Maximum power, kW")
+               << unit.titled(tr("Machining time")) << tr("Spark-out") << tr("Maximum power, kW")
                << tr("Maximum force Py, N");
     double stock = 0;
     const auto count = project.cycle->stages.size();
@@ -128,9 +130,8 @@ Table OperationSetup::stages(const Outcome& outcome, bool results) {
         const auto out = [results](const QString& text) {
             return results ? text : QString(6, u'_');
         };
-        row << out(QString::number(shop.count))
-            << out(threeDigits(shop.time_s / units::secondsPerMinute)) << sparkOut
-            << out(threeDigits(shop.power_w.value / units::wPerKw))
+        row << out(QString::number(shop.count)) << out(threeDigits(unit.of(shop.time_s)))
+            << sparkOut << out(threeDigits(shop.power_w.value / units::wPerKw))
             << out(threeDigits(shop.normalForce_n.value));
         table.rows.push_back(row);
     };

@@ -445,8 +445,7 @@ void CompareView::fillAxes() {
     const bool strokes = !good() || good()->feeds.operation->countsStrokes;
     const int before = m_axis->currentIndex() < 0 ? 0 : m_axis->currentData().toInt();
     m_axis->clear();
-    m_axis->addItem(tr("Time, min"), static_cast<int>(CycleAxis::minutes));
-    m_axis->addItem(tr("Time, s"), static_cast<int>(CycleAxis::seconds));
+    m_axis->addItem(tr("Time"), static_cast<int>(CycleAxis::time));
     m_axis->addItem(strokes ? tr("Double strokes") : tr("Revolutions"),
                     static_cast<int>(CycleAxis::strokes));
     m_axis->setCurrentIndex(std::max(m_axis->findData(before), 0));

@@ -3,6 +3,7 @@
 
 #include "ui/plot/feed_text.h"
 #include "ui/text/names.h"
+#include "ui/text/time_unit.h"
 
 #include <algorithm>
 #include <limits>
@@ -63,8 +64,7 @@ const FeedPoints& FeedsChart::points(std::size_t column) const {
 
 QString FeedsChart::timeLabel() const {
     switch (m_axis) {
-    case CycleAxis::minutes: return tr("Time, min");
-    case CycleAxis::seconds: return tr("Time, s");
+    case CycleAxis::time: return TimeUnit(series().end_s).titled(tr("Time"));
     case CycleAxis::strokes:
         return countsStrokes() ? tr("Double strokes done") : tr("Revolutions done");
     case CycleAxis::revolutions: return tr("Revolutions done");

@@ -78,7 +78,7 @@ private:
     [[nodiscard]] std::vector<CsvCell> place(const FeedColumn& zone, const FeedPoint& point) const;
 
     OutcomePtr m_outcome;
-    CycleAxis m_axis = CycleAxis::minutes;
+    CycleAxis m_axis = CycleAxis::time;
     CycleScale m_scale;
     CycleScale m_strokes; ///< counts the double strokes in sight
     std::vector<Column> m_columns;

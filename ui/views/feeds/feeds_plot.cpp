@@ -37,11 +37,14 @@ FeedsPlot::FeedsPlot(QWidget* parent)
 void FeedsPlot::setRun(OutcomePtr outcome, const std::vector<int>& shown) {
     const bool sameGrid = !m_chart.isEmpty() && shown.size() == m_chart.columnCount()
                           && outcome->feeds.operation == series().operation;
+    const QString axis = timeLabel();
     m_chart.setRun(std::move(outcome), shown);
     if (!sameGrid) {
         buildGrid();
         retranslate();
         emit gridBuilt();
+    } else if (timeLabel() != axis) {
+        showScale();
     }
     const double end_s = series().end_s, from_s = visibleFrom_s(), to_s = visibleTo_s();
     const bool inside = to_s > from_s && from_s < end_s;
@@ -50,10 +53,14 @@ void FeedsPlot::setRun(OutcomePtr outcome, const std::vector<int>& shown) {
 
 void FeedsPlot::setAxis(CycleAxis axis) {
     m_chart.setAxis(axis);
+    showScale();
+    showTimes(visibleFrom_s(), visibleTo_s());
+}
+
+void FeedsPlot::showScale() {
     m_hairLine->setAt({});
     setMoment(m_moment_s);
     m_grid.label();
-    showTimes(visibleFrom_s(), visibleTo_s());
 }
 
 void FeedsPlot::setMoment(std::optional<double> time_s) {

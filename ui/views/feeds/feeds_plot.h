@@ -101,6 +101,7 @@ private:
     void addCurves(std::size_t column);
     void addCurve(std::size_t column, Quantity quantity, QCPAxis* value);
     void linkAxes();
+    void showScale(); ///< after another axis or unit
     void onTimesChanged(const QCPRange& range);
     void onValuesChanged(QCPAxis* axis, const QCPRange& range);
     void fill();

@@ -509,8 +509,7 @@ void FeedsView::fillAxes() {
     const QSignalBlocker blocker(m_axis);
     const int before = m_axis->currentIndex() < 0 ? 0 : m_axis->currentData().toInt();
     m_axis->clear();
-    m_axis->addItem(tr("Time, min"), static_cast<int>(CycleAxis::minutes));
-    m_axis->addItem(tr("Time, s"), static_cast<int>(CycleAxis::seconds));
+    m_axis->addItem(tr("Time"), static_cast<int>(CycleAxis::time));
     if (countsStrokes()) {
         m_axis->addItem(tr("Double strokes"), static_cast<int>(CycleAxis::strokes));
     }

@@ -23,13 +23,9 @@ constexpr double nearCycle = 12;                             ///< [px] a cycle i
 constexpr double frontRoom = 0.08;
 constexpr double frontPercent = 100;
 
-double frontMinutes(double time_s) {
-    return time_s / units::secondsPerMinute;
-}
-
-double given_min(const SearchOutcome& outcome) {
+double given_s(const SearchOutcome& outcome) {
     constexpr double usPerSecond = 1e6;
-    return frontMinutes(static_cast<double>(*outcome.marginWithin_us) / usPerSecond);
+    return static_cast<double>(*outcome.marginWithin_us) / usPerSecond;
 }
 
 } // namespace
@@ -67,8 +63,19 @@ void MarginFrontPlot::setSearch(SearchOutcomePtr outcome, std::optional<TimedMar
     m_own = yours;
     m_chosen->data()->clear();
     m_chosen_s.reset();
+    m_unit = TimeUnit(longest_s());
     fill();
     contentSet();
+}
+
+double MarginFrontPlot::longest_s() const {
+    double longest_s = m_own ? m_own->time_s : 0;
+    if (m_outcome) {
+        for (const FoundCycle* each : m_outcome->front()) {
+            longest_s = std::max(longest_s, each->time_s);
+        }
+    }
+    return showsTime() ? std::max(longest_s, given_s(*m_outcome)) : longest_s;
 }
 
 void MarginFrontPlot::setChosen(const FoundCycle* found) {
@@ -76,7 +83,7 @@ void MarginFrontPlot::setChosen(const FoundCycle* found) {
     m_chosen_s.reset();
     if (found) {
         m_chosen_s = found->time_s;
-        m_chosen->addData(frontMinutes(found->time_s), frontPercent * found->leastRelativeMargin);
+        m_chosen->addData(m_unit.of(found->time_s), frontPercent * found->leastRelativeMargin);
     }
     setAccessibleDescription(found && m_outcome ? described(*found) : QString());
     QAccessibleEvent changed(this, QAccessible::DescriptionChanged);
@@ -91,14 +98,14 @@ void MarginFrontPlot::fill() {
         return;
     }
     for (const FoundCycle* each : m_outcome->front()) {
-        m_curve->addData(frontMinutes(each->time_s), frontPercent * each->leastRelativeMargin);
+        m_curve->addData(m_unit.of(each->time_s), frontPercent * each->leastRelativeMargin);
     }
     if (m_own && hasFront()) {
-        m_yours->addData(frontMinutes(m_own->time_s), frontPercent * m_own->leastRelativeMargin);
+        m_yours->addData(m_unit.of(m_own->time_s), frontPercent * m_own->leastRelativeMargin);
     }
-    const double at_min = showsTime() ? given_min(*m_outcome) : 0;
-    m_time->point1->setCoords(at_min, 0);
-    m_time->point2->setCoords(at_min, 1);
+    const double at = showsTime() ? m_unit.of(given_s(*m_outcome)) : 0;
+    m_time->point1->setCoords(at, 0);
+    m_time->point2->setCoords(at, 1);
 }
 
 void MarginFrontPlot::showTime() {
@@ -116,18 +123,17 @@ void MarginFrontPlot::fit() {
     }
     bool found = false;
     const QCPRange times = m_curve->getKeyRange(found), margins = m_curve->getValueRange(found);
-    double first_min = times.lower, last_min = times.upper, least = margins.lower,
-           most = margins.upper;
+    double first = times.lower, last = times.upper, least = margins.lower, most = margins.upper;
     if (m_own) {
-        first_min = std::min(first_min, frontMinutes(m_own->time_s));
-        last_min = std::max(last_min, frontMinutes(m_own->time_s));
+        first = std::min(first, m_unit.of(m_own->time_s));
+        last = std::max(last, m_unit.of(m_own->time_s));
         least = std::min(least, frontPercent * m_own->leastRelativeMargin);
         most = std::max(most, frontPercent * m_own->leastRelativeMargin);
     }
     if (showsTime()) {
-        last_min = std::max(last_min, given_min(*m_outcome));
+        last = std::max(last, m_unit.of(given_s(*m_outcome)));
     }
-    style::setRoomyRange(*across(), first_min, last_min, frontRoom, 1e-3);
+    style::setRoomyRange(*across(), first, last, frontRoom, 1e-3);
     style::setRoomyRange(*up(), least, most, frontRoom, 1e-2);
 }
 
@@ -143,7 +149,7 @@ const FoundCycle* MarginFrontPlot::cycleAt(const QPointF& at) const {
     const FoundCycle* found = nullptr;
     double nearest = nearCycle;
     for (const FoundCycle* each : m_outcome->front()) {
-        const QPointF point(across()->coordToPixel(frontMinutes(each->time_s)),
+        const QPointF point(across()->coordToPixel(m_unit.of(each->time_s)),
                             up()->coordToPixel(frontPercent * each->leastRelativeMargin));
         if (const double away = QLineF(point, at).length(); away < nearest) {
             nearest = away;
@@ -229,9 +235,9 @@ CsvTable MarginFrontPlot::tableOf(const SearchOutcome& outcome) {
     CsvTable table;
     table.header << tr("Time, min") << tr("Margin, %") << tr("Stages") << tr("Cycle");
     for (const FoundCycle* each : outcome.front()) {
-        table.rows.push_back({frontMinutes(each->time_s), frontPercent * each->leastRelativeMargin,
-                              double(each->cycle.stages.size()),
-                              OptimiseText::found(*each, outcome.project)});
+        table.rows.push_back(
+            {each->time_s / units::secondsPerMinute, frontPercent * each->leastRelativeMargin,
+             double(each->cycle.stages.size()), OptimiseText::found(*each, outcome.project)});
     }
     return table;
 }
@@ -239,7 +245,8 @@ CsvTable MarginFrontPlot::tableOf(const SearchOutcome& outcome) {
 CsvTable MarginFrontPlot::table() const {
     CsvTable table = tableOf(m_outcome ? *m_outcome : SearchOutcome());
     std::erase_if(table.rows, [this](const std::vector<CsvCell>& row) {
-        return !across()->range().contains(std::get<double>(row[0]))
+        const double time_s = std::get<double>(row[0]) * units::secondsPerMinute;
+        return !across()->range().contains(m_unit.of(time_s))
                || !up()->range().contains(std::get<double>(row[1]));
     });
     return table;
@@ -278,7 +285,7 @@ LegendEntries MarginFrontPlot::legendEntries() const {
 }
 
 void MarginFrontPlot::setTexts() {
-    across()->setLabel(tr("Machining time, min"));
+    across()->setLabel(m_unit.titled(tr("Machining time")));
     up()->setLabel(tr("Minimum margin, %"));
 }
 

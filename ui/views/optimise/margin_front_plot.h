@@ -3,6 +3,7 @@
 
 #include "ui/plot/view_plot.h"
 #include "ui/session/studies.h"
+#include "ui/text/time_unit.h"
 
 #include <optional>
 
@@ -61,6 +62,7 @@ private:
     [[nodiscard]] const FoundCycle* beside(bool isLonger) const;
     [[nodiscard]] QString described(const FoundCycle& found) const;
     void fill();
+    [[nodiscard]] double longest_s() const; ///< of the times that are shown
     void showTime();
     [[nodiscard]] const FoundCycle* cycleAt(const QPointF& at) const;
     [[nodiscard]] std::size_t rowOf(const FoundCycle& found) const;
@@ -70,6 +72,7 @@ private:
 
     SearchOutcomePtr m_outcome;
     std::optional<TimedMargin> m_own;
+    TimeUnit m_unit;
     std::optional<double> m_chosen_s; ///< time of the chosen one
     QCPAxisRect* m_rect;
     QCPGraph *m_curve, *m_yours, *m_chosen;

@@ -3,7 +3,6 @@
 
 #include "core/units.h"
 #include "ui/plot/quantity_colour.h"
-#include "ui/text/texts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +35,6 @@ BarChart StageCountPlot::makeChart() const {
     chart.shape = BarChart::Shape::grouped;
     chart.what = tr("Stages");
     chart.axis = tr("Machining time");
-    chart.unit = unitText("min");
     using style::Drawn;
     const QString best =
         m_outcome->marginWithin_us ? tr("cycle with the maximum margin") : tr("quickest cycle");
@@ -46,8 +44,8 @@ BarChart StageCountPlot::makeChart() const {
     for (const SearchedNumber& number : m_outcome->numbers) {
         chart.categories << tr("%n stage(s)", nullptr, number.stages);
         const bool bounded = number.status == SearchStatus::stopped && number.bound_s > 0;
-        quickest.values.push_back(number.best_s ? inMinutes(*number.best_s) : none);
-        proven.values.push_back(bounded ? inMinutes(number.bound_s) : none);
+        quickest.values.push_back(number.best_s.value_or(none));
+        proven.values.push_back(bounded ? number.bound_s : none);
     }
     const bool hasBounds =
         std::ranges::any_of(proven.values, [](double value) { return std::isfinite(value); });
@@ -57,12 +55,13 @@ BarChart StageCountPlot::makeChart() const {
     }
     if (m_before_s) {
         chart.limits.push_back(
-            {inMinutes(*m_before_s), tr("your cycle"), Qt::DashLine, barColour(Drawn::yourCycle)});
+            {*m_before_s, tr("your cycle"), Qt::DashLine, barColour(Drawn::yourCycle)});
     }
     if (isKnownLimit(m_outcome->limit.time_s)) {
-        chart.limits.push_back({inMinutes(m_outcome->limit.time_s), tr("stepless limit"),
-                                Qt::DotLine, barColour(Drawn::steplessLimit)});
+        chart.limits.push_back({m_outcome->limit.time_s, tr("stepless limit"), Qt::DotLine,
+                                barColour(Drawn::steplessLimit)});
     }
+    chart.fitTimeUnit();
     return chart;
 }
 

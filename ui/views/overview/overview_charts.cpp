@@ -137,20 +137,19 @@ BarChart OverviewCharts::times(const Outcome& outcome) {
     chart.isLying = true;
     chart.what = tr("Stage");
     chart.axis = tr("Time");
-    chart.unit = unitText("min");
     chart.number = threeDigits;
     const std::vector<std::size_t> stages = stagesShown(outcome);
     for (const std::size_t stage : stages) {
         chart.categories << tr("Stage %1").arg(stage + 1);
     }
-    const auto inMinutes = [](double time_s) { return time_s / units::secondsPerMinute; };
     QStringList remarks{stagesRemark(outcome)};
     if (outcome.steps.empty()) { // not recorded
         BarSeries all{{}, barColour(Drawn::actualFeed), Hatch::none, {}};
         for (const std::size_t stage : stages) {
-            all.values.push_back(inMinutes(outcome.result.timeByStage_s[stage]));
+            all.values.push_back(outcome.result.timeByStage_s[stage]);
         }
         chart.series.push_back(std::move(all));
+        chart.fitTimeUnit();
         remarks << tr("The cycle is too long to be recorded step by step.");
         chart.remark = remarks.join(u' ').trimmed();
         return chart;
@@ -159,9 +158,10 @@ BarChart OverviewCharts::times(const Outcome& outcome) {
     const std::vector<std::size_t> steps = stepsTaken(outcome);
     for (std::size_t i = 0; i < steps.size(); ++i) {
         for (const std::size_t stage : stages) {
-            chart.series[i].values.push_back(inMinutes(outcome.steps.time_s[stage].of[steps[i]]));
+            chart.series[i].values.push_back(outcome.steps.time_s[stage].of[steps[i]]);
         }
     }
+    chart.fitTimeUnit();
     chart.hasTotals = chart.series.size() > 1;
     chart.remark = stagesRemark(outcome);
     return chart;
@@ -416,7 +416,6 @@ BarChart OverviewCharts::runs(const std::vector<RunBars>& runs, int kept) {
     chart.shape = Shape::grouped;
     chart.what = tr("Run");
     chart.axis = tr("Machining time");
-    chart.unit = unitText("min");
     chart.secondAxis = tr("Minimum margin");
     chart.secondUnit = QStringLiteral("%");
     chart.number = threeDigits;
@@ -428,9 +427,10 @@ BarChart OverviewCharts::runs(const std::vector<RunBars>& runs, int kept) {
         {tr("minimum margin"), barColour(Drawn::everyRequirementHolds), hatchAt(1), {}, true}};
     for (const RunBars& run : runs) {
         chart.categories << run.name;
-        chart.series[0].values.push_back(run.time_min.value_or(noNumber));
+        chart.series[0].values.push_back(run.time_min.value_or(noNumber) * units::secondsPerMinute);
         chart.series[1].values.push_back(shareOrNone(run.margin));
     }
+    chart.fitTimeUnit();
     const int shown = static_cast<int>(runs.size()) - 1;
     QStringList remarks{tr("Margin: that of the requirement nearest to its limit, below 0 where "
                            "one fails.")};

@@ -130,6 +130,11 @@ struct Desk {
 
 } // namespace
 
+/// Of the times across it, by its title.
+double unitOf_s(const MarginFrontPlot& plot) {
+    return plot.curve()->keyAxis()->label().endsWith(QStringLiteral(", s")) ? 1 : 60;
+}
+
 class TestOptimiseView : public QObject {
     Q_OBJECT
 
@@ -154,7 +159,8 @@ private slots:
         QVERIFY(std::abs(found.feeds->end_s - engine.best->time_s) < 1e-5);
         const BarChart& times = desk.view->times()->chart();
         QCOMPARE(times.categories.size(), 2);
-        QCOMPARE(times.value(0, 1), engine.best->time_s / 60);
+        QCOMPARE(times.value(0, 1),
+                 engine.best->time_s / (times.unit == QStringLiteral("s") ? 1 : 60));
     }
 
     void everyMethodIsSearchedByOrRefusedWithASentence() {
@@ -256,9 +262,10 @@ private slots:
             const FeasibleCycle& best = *engine.cycles[i].best;
             QCOMPARE(std::get<double>(table.rows[i][0]), best.time_s / 60);
             QCOMPARE(std::get<double>(table.rows[i][1]), 100 * best.leastRelativeMargin);
-            QCOMPARE(plot.curve()->data()->at(static_cast<int>(i))->key, best.time_s / 60);
+            QCOMPARE(plot.curve()->data()->at(static_cast<int>(i))->key,
+                     best.time_s / unitOf_s(plot));
         }
-        QCOMPARE(plot.yours()->data()->at(0)->key, *desk.view->before_s() / 60);
+        QCOMPARE(plot.yours()->data()->at(0)->key, *desk.view->before_s() / unitOf_s(plot));
         QVERIFY(!plot.givenTime()->visible());
         const std::size_t last = engine.cycles.size() - 1;
         QTest::mouseClick(&plot, Qt::LeftButton, {}, plot.pixelOf(last).toPoint());
@@ -295,7 +302,7 @@ private slots:
         for (std::size_t i = 0; i < engine.cycles.size(); ++i) {
             const SearchSummary& point = engine.cycles[i];
             QCOMPARE(cycleAt(), OptimiseText::cycle(point.cycle));
-            QCOMPARE(plot.chosen()->data()->at(0)->key, point.best->time_s / 60);
+            QCOMPARE(plot.chosen()->data()->at(0)->key, point.best->time_s / unitOf_s(plot));
             QVERIFY(plot.accessibleDescription().contains(OptimiseText::time(point.best->time_s)));
             QVERIFY(plot.hasFocus());
             QTest::keyClick(&plot, Qt::Key_Right);
@@ -386,11 +393,12 @@ private slots:
         MarginFrontPlot& plot = *desk.view->margins();
         QVERIFY(plot.givenTime()->visible());
         // To the microsecond that times are compared in.
-        QVERIFY(std::abs(plot.givenTime()->point1->key() - *project.optimisation->margin_within_min)
-                < 1e-6 / 60);
+        QVERIFY(std::abs(plot.givenTime()->point1->key() * unitOf_s(plot)
+                         - *project.optimisation->margin_within_min * 60)
+                < 1e-6);
         bool isOnFront = false; // the answer is one of its points
         for (const QCPGraphData& point : *plot.curve()->data()) {
-            isOnFront |= point.key == engine.best->time_s / 60
+            isOnFront |= point.key == engine.best->time_s / unitOf_s(plot)
                          && point.value == 100 * engine.best->leastRelativeMargin;
         }
         QVERIFY(isOnFront);

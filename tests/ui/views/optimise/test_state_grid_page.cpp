@@ -126,7 +126,8 @@ private slots:
                     ++shown;
                     const QStringList halves =
                         text.split(QRegularExpression(QStringLiteral(" \\| |\n")));
-                    QCOMPARE(halves.front(), Names::significant(*state.time_s / 60, 3));
+                    QCOMPARE(halves.front(),
+                             Names::significant(StateGridText::unit(*filled).of(*state.time_s), 3));
                     QCOMPARE(halves.size(), n == 1 ? 1 : 2);
                     QVERIFY(n == 1 || halves.back().toInt() == static_cast<int>(state.from) + 1);
                 }
