@@ -33,7 +33,7 @@ EntryNameDialog::EntryNameDialog(const QString& title, const QString& name,
     m_name->setAccessibleName(tr("Name in your catalogue"));
     m_remark->setTextFormat(Qt::PlainText);
     m_remark->setWordWrap(true);
-    m_remark->setAccessibleName(tr("What becomes of it"));
+    m_remark->setAccessibleName(tr("Action"));
     m_remark->setMinimumHeight(m_remark->fontMetrics().lineSpacing() * 2);
     m_remark->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     auto* buttons = new QDialogButtonBox(this);

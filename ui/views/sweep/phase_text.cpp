@@ -143,13 +143,13 @@ QString PhaseText::steps(const DecidedPiece& decided) {
 
 QString PhaseText::pieceVerdict(const DecidedPiece& decided) {
     if (decided.holdsWhole()) {
-        return tr("holds");
+        return tr("fit");
     }
     const QString why = reason(decided.piece.status, decided.worst);
     return decided.holds ? tr("holds from %1 to %2 mm, else fails: %3")
                                .arg(millimetres(decided.holds->from_mm),
                                     millimetres(decided.holds->to_mm), why)
-                         : tr("fails: %1").arg(why);
+                         : tr("unfit: %1").arg(why);
 }
 
 std::optional<DeviationRange> PhaseText::sizes(const PieceEnd& end) {
@@ -191,7 +191,7 @@ QString PhaseText::stock(const PhaseDecision& decision, double stock_mm) {
     return text + QStringLiteral("; ")
            + (failing == decision.failing.end()
                   ? tr("every requirement holds")
-                  : tr("fails: %1").arg(reason(failing->status, failing->worst)));
+                  : tr("unfit: %1").arg(reason(failing->status, failing->worst)));
 }
 
 } // namespace sparkout

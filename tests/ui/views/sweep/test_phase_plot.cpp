@@ -158,7 +158,7 @@ private slots:
         for (std::size_t i = 0; i < decided.pieces.size(); ++i) {
             QCOMPARE(std::get<double>(table.rows[i][0]), decided.pieces[i].piece.from_mm);
             QCOMPARE(std::get<double>(table.rows[i][2]), double(decided.pieces[i].piece.counts[0]));
-            QCOMPARE(std::get<QString>(table.rows[i].back()) == QStringLiteral("holds"),
+            QCOMPARE(std::get<QString>(table.rows[i].back()) == QStringLiteral("fit"),
                      decided.pieces[i].holdsWhole());
         }
     }
@@ -271,7 +271,7 @@ private slots:
                          static_cast<double>(bench.view.phases()->cell()->center().y())});
         const QString values = bench.part<QLabel>("sweepValues").text();
         QVERIFY2(values.startsWith(QStringLiteral("Stock 0."))
-                     && values.contains(QStringLiteral("fails: maximum diameter")),
+                     && values.contains(QStringLiteral("unfit: maximum diameter")),
                  qPrintable(values));
     }
 
