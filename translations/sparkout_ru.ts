@@ -48,7 +48,7 @@
         </message>
         <message>
             <source>whole part</source>
-            <translation>деталь целиком</translation>
+            <translation>вся деталь</translation>
         </message>
         <message>
             <source>%1 (%2 %)</source>
@@ -167,7 +167,7 @@
         </message>
         <message>
             <source>every part that was run is good, but corner parts are not a sample, so Ppk is not known</source>
-            <translation>все рассчитанные детали годны, но такие детали — не выборка, и Ppk по ним не определить</translation>
+            <translation>все рассчитанные детали годны, но крайние сочетания — не выборка, и Ppk по ним не определить</translation>
         </message>
         <message>
             <source>Ppk cannot be computed from one part</source>
@@ -259,10 +259,10 @@
         </message>
         <message>
             <source>Company, department</source>
-            <translation>Организация, подразделение</translation>
+            <translation>Предприятие, подразделение</translation>
         </message>
         <message>
-            <source>Part number</source>
+            <source>Part designation</source>
             <translation>Обозначение изделия</translation>
         </message>
         <message>
@@ -286,7 +286,7 @@
             <translation>Уч.</translation>
         </message>
         <message>
-            <source>Place</source>
+            <source>Workpl.</source>
             <translation>РМ</translation>
         </message>
         <message>
@@ -330,7 +330,7 @@
             <translation>Оборудование, устройство ЧПУ</translation>
         </message>
         <message>
-            <source>NC program</source>
+            <source>NC program number</source>
             <translation>Обозначение программы</translation>
         </message>
         <message>
@@ -601,7 +601,7 @@
         </message>
         <message>
             <source>stopped</source>
-            <translation>остановлен</translation>
+            <translation>остановлено</translation>
         </message>
         <message>
             <source>balance not solved</source>
@@ -792,7 +792,7 @@
         <name>Company</name>
         <message>
             <source>Company</source>
-            <translation>Организация</translation>
+            <translation>Предприятие</translation>
         </message>
         <message>
             <source>Department</source>
@@ -823,7 +823,7 @@
             <translation>Обозначение документа</translation>
         </message>
         <message>
-            <source>Part number</source>
+            <source>Part designation</source>
             <translation>Обозначение изделия</translation>
         </message>
         <message>
@@ -831,7 +831,7 @@
             <translation>Цех</translation>
         </message>
         <message>
-            <source>Area</source>
+            <source>Shop area</source>
             <translation>Участок</translation>
         </message>
         <message>
@@ -855,11 +855,11 @@
         </message>
         <message>
             <source>Revolutions done</source>
-            <translation>Сделано оборотов</translation>
+            <translation>Выполнено оборотов</translation>
         </message>
         <message>
             <source>Double strokes done</source>
-            <translation>Сделано двойных ходов</translation>
+            <translation>Выполнено двойных ходов</translation>
         </message>
         <message>
             <source>Feed, µm</source>
@@ -1113,7 +1113,7 @@
         </message>
         <message>
             <source>The task</source>
-            <translation>Задача</translation>
+            <translation>Задание</translation>
         </message>
         <message>
             <source>Stages of the cycle</source>
@@ -1124,7 +1124,7 @@
             <translation>Исходные данные формул</translation>
         </message>
         <message>
-            <source>Figures</source>
+            <source>Charts</source>
             <translation>Графики</translation>
         </message>
         <message>
@@ -1747,7 +1747,7 @@
         </message>
         <message>
             <source>Values</source>
-            <translation>Значений</translation>
+            <translation>Число значений</translation>
         </message>
         <message>
             <source>Minimum</source>
@@ -1839,7 +1839,7 @@
         </message>
         <message>
             <source>Cylindricity</source>
-            <translation>Откл. от цилиндричности</translation>
+            <translation>Откл. от цилиндр.</translation>
         </message>
         <message>
             <source>Minimum zone, over all sections of the zone.</source>
@@ -2599,7 +2599,7 @@ axial feed, mm/min</source>
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Время основное</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>Zone or section</source>
@@ -2744,7 +2744,7 @@ axial feed, mm/min</source>
             <translation>Круглое наружное врезное шлифование</translation>
         </message>
         <message>
-            <source>Operation</source>
+            <source>Name of the operation</source>
             <translation>Наименование операции</translation>
         </message>
         <message>
@@ -2813,7 +2813,7 @@ axial feed, mm/min</source>
         </message>
         <message>
             <source>Radial feed, mm/min</source>
-            <translation>Подача радиальная, мм/мин</translation>
+            <translation>Радиальная подача, мм/мин</translation>
         </message>
         <message>
             <source>Radial feed, mm/dbl stroke</source>
@@ -2821,7 +2821,7 @@ axial feed, mm/min</source>
         </message>
         <message>
             <source>Axial feed, mm/min</source>
-            <translation>Подача продольная, мм/мин</translation>
+            <translation>Продольная подача, мм/мин</translation>
         </message>
         <message>
             <source>Continuous infeed, mm/min</source>
@@ -2841,7 +2841,7 @@ axial feed, mm/min</source>
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Время основное</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>Spark-out</source>
@@ -2899,7 +2899,7 @@ axial feed, mm/min</source>
         <name>Edit</name>
         <message>
             <source>Add a stage</source>
-            <translation>Добавление ступени</translation>
+            <translation>Добавить ступень</translation>
         </message>
         <message>
             <source>Remove a stage</source>
@@ -2983,11 +2983,11 @@ axial feed, mm/min</source>
         </message>
         <message>
             <source>Paste</source>
-            <translation>Вставка</translation>
+            <translation>Вставить</translation>
         </message>
         <message>
             <source>Fit the stocks of the stages</source>
-            <translation>Согласование припусков ступеней</translation>
+            <translation>Согласовать припуски ступеней</translation>
         </message>
         <message>
             <source>Add a surface</source>
@@ -3019,7 +3019,7 @@ axial feed, mm/min</source>
         </message>
         <message>
             <source>Apply the cycles found</source>
-            <translation>Найденные циклы</translation>
+            <translation>Применить найденные циклы</translation>
         </message>
         <message>
             <source>Calibrate from measurements</source>
@@ -3584,7 +3584,7 @@ axial feed, mm/min</source>
         <name>FileQuestion</name>
         <message>
             <source>&amp;Cancel</source>
-            <translation>&amp;Отмена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>“%1” has never been saved. Save it?</source>
@@ -3816,7 +3816,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Normal force</source>
-            <translation>Нормальная составляющая силы резания</translation>
+            <translation>Нормальная сила</translation>
         </message>
         <message>
             <source>Tangential force</source>
@@ -3918,7 +3918,7 @@ With another name both versions stay as they are.</source>
             <translation>Время, с</translation>
         </message>
         <message>
-            <source>End of the cycle</source>
+            <source>Cycle ended by</source>
             <translation>Чем окончен цикл</translation>
         </message>
         <message>
@@ -3954,7 +3954,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Actual feed under its limits</source>
-            <translation>Фактическая подача и её ограничения</translation>
+            <translation>Фактическая подача и её пределы</translation>
         </message>
         <message>
             <source>Grid of dynamic programming</source>
@@ -4131,7 +4131,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Name</source>
-            <translation>Имя</translation>
+            <translation>Название</translation>
         </message>
         <message>
             <source>Name of the run.</source>
@@ -4163,7 +4163,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Summary</source>
-            <translation>Итог</translation>
+            <translation>Итоги</translation>
         </message>
         <message>
             <source>Counts, final radii and deviations.</source>
@@ -5031,7 +5031,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>not measured</source>
-            <translation>не измерен</translation>
+            <translation>не измерено</translation>
         </message>
         <message>
             <source>Deviations from the maximum radius at equal angles, one a radius; only their differences matter.</source>
@@ -5111,7 +5111,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Amount by which the gauge reads the diameter too large. Under gauge control the part, also a bore, ends smaller by this amount. In a batch its random part and its drift are factors.</source>
-            <translation>На сколько прибор показывает диаметр больше. При управлении от ПАК деталь, и отверстие тоже, выходит меньше на столько же. В партии её случайная часть и дрейф — факторы.</translation>
+            <translation>На сколько прибор показывает диаметр больше. При управлении от прибора деталь, и отверстие тоже, выходит меньше на столько же. В партии её случайная часть и дрейф — факторы.</translation>
         </message>
         <message>
             <source>Part warmer at the gauge</source>
@@ -5191,7 +5191,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Parts</source>
-            <translation>Деталей</translation>
+            <translation>Число деталей</translation>
         </message>
         <message>
             <source>Number of parts simulated.</source>
@@ -5479,7 +5479,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Measured</source>
-            <translation>По измерениям</translation>
+            <translation>Измерения</translation>
         </message>
         <message>
             <source>Values of measured blanks, each as frequent as any other; `sparkout-cli batch --measured` reads them from a CSV.</source>
@@ -5583,7 +5583,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Input</source>
-            <translation>Величина</translation>
+            <translation>Исходная величина</translation>
         </message>
         <message>
             <source>Path of any number of the file that a cycle reads, as `/wheel/dullness` or `/cycle/stages/0/stock_mm`.</source>
@@ -6023,7 +6023,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Quantity</source>
-            <translation>Величина</translation>
+            <translation>Показатель</translation>
         </message>
         <message>
             <source>What was recorded over the time.</source>
@@ -6055,7 +6055,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>not known</source>
-            <translation>не известно</translation>
+            <translation>неизвестно</translation>
         </message>
         <message>
             <source>Power or current of the spindle while nothing is cut, in the unit of the values.</source>
@@ -6227,7 +6227,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Measured traces</source>
-            <translation>Измеренные записи</translation>
+            <translation>Записи по времени</translation>
         </message>
         <message>
             <source>Quantities recorded over the time of a cycle.</source>
@@ -6647,7 +6647,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Under gauge control the requirements are to hold for every stock within one infeed of the last stage, as the verdict judges it; else for the part that is run.</source>
-            <translation>При управлении от ПАК требования должны выполняться для всех припусков в пределах одной подачи последней ступени, как их оценивает заключение; иначе для рассчитанной детали.</translation>
+            <translation>При управлении от прибора требования должны выполняться для всех припусков в пределах одной подачи последней ступени, как их оценивает заключение; иначе для рассчитанной детали.</translation>
         </message>
         <message>
             <source>Below</source>
@@ -8209,12 +8209,12 @@ With another name both versions stay as they are.</source>
     <context>
         <name>PartRows</name>
         <message>
-            <source>done</source>
+            <source>finished</source>
             <translation>готово</translation>
         </message>
         <message>
             <source>does not reach size</source>
-            <translation>размер не достигнут</translation>
+            <translation>размер не достигается</translation>
         </message>
         <message>
             <source>strips stay uncut</source>
@@ -8511,8 +8511,8 @@ With another name both versions stay as they are.</source>
             <translation>Чем определено</translation>
         </message>
         <message>
-            <source>Parts of the batch that are not good</source>
-            <translation>Негодных деталей в партии</translation>
+            <source>Rejected parts</source>
+            <translation>Негодных деталей</translation>
         </message>
         <message>
             <source>Not counted in the batch</source>
@@ -8775,7 +8775,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Input</source>
-            <translation>Величина</translation>
+            <translation>Исходная величина</translation>
         </message>
         <message>
             <source>Value</source>
@@ -9196,7 +9196,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Roughness Ra</source>
-            <translation>Параметр Ra</translation>
+            <translation>Шероховатость Ra</translation>
         </message>
         <message>
             <source>roughness of the last cut</source>
@@ -9315,7 +9315,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Cylindricity</source>
-            <translation>Откл. от цилиндричн.</translation>
+            <translation>Откл. от цилиндр.</translation>
         </message>
         <message>
             <source>Total runout</source>
@@ -9422,7 +9422,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Whole cycle</source>
-            <translation>Цикл в целом</translation>
+            <translation>Весь цикл</translation>
         </message>
         <message>
             <source>Stages</source>
@@ -9489,7 +9489,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>From the headstock end, mm</source>
-            <translation>От передней бабки, мм</translation>
+            <translation>От конца у передней бабки, мм</translation>
         </message>
         <message>
             <source>Compliance, mm/N</source>
@@ -9584,7 +9584,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Input</source>
-            <translation>Величина</translation>
+            <translation>Исходная величина</translation>
         </message>
         <message>
             <source>Symbol</source>
@@ -10287,7 +10287,7 @@ With another name both versions stay as they are.</source>
     <context>
         <name>StudyBook</name>
         <message>
-            <source>What</source>
+            <source>Quantity</source>
             <translation>Показатель</translation>
         </message>
         <message>
@@ -10615,7 +10615,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>does not reach size</source>
-            <translation>не достигает размера</translation>
+            <translation>размер не достигается</translation>
         </message>
         <message>
             <source>fit</source>
@@ -10698,7 +10698,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>normal force</source>
-            <translation>нормальная составляющая силы резания</translation>
+            <translation>нормальная сила</translation>
         </message>
         <message>
             <source>tangential force</source>
@@ -10738,7 +10738,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>target radius</source>
-            <translation>радиус, на который настроен размер</translation>
+            <translation>целевой радиус</translation>
         </message>
         <message>
             <source>stock left at radius k</source>
@@ -11428,11 +11428,11 @@ With another name both versions stay as they are.</source>
         <name>WatchDialog</name>
         <message>
             <source>Progress</source>
-            <translation>Ход работы</translation>
+            <translation>Ход расчёта</translation>
         </message>
         <message>
             <source>&amp;Stop</source>
-            <translation>О&amp;становить</translation>
+            <translation>&amp;Остановить</translation>
         </message>
     </context>
     <context>
@@ -11681,7 +11681,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>&amp;Contents</source>
-            <translation>&amp;Содержание справки</translation>
+            <translation>&amp;Содержание</translation>
         </message>
         <message>
             <source>&amp;Keyboard shortcuts</source>
@@ -11725,7 +11725,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Company and si&amp;gnatures…</source>
-            <translation>Организация и &amp;подписи…</translation>
+            <translation>Предприятие и &amp;подписи…</translation>
         </message>
         <message>
             <source>&amp;Part</source>
@@ -12116,11 +12116,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>&amp;Apply</source>
-            <translation>П&amp;рименить</translation>
+            <translation>&amp;Применить</translation>
         </message>
         <message>
             <source>&amp;Cancel</source>
-            <translation>&amp;Отмена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>State of your catalogue</source>
@@ -12152,7 +12152,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Name</source>
-            <translation>Имя</translation>
+            <translation>Название</translation>
         </message>
         <message>
             <source>Whose</source>
@@ -12168,7 +12168,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Input</source>
-            <translation>Величина</translation>
+            <translation>Исходная величина</translation>
         </message>
         <message>
             <source>Now</source>
@@ -12251,11 +12251,11 @@ With another name both versions stay as they are.</source>
         <name>sparkout::CompanyDialog</name>
         <message>
             <source>&amp;Remove</source>
-            <translation>&amp;Убрать</translation>
+            <translation>&amp;Удалить</translation>
         </message>
         <message>
             <source>Company and signatures</source>
-            <translation>Организация и подписи</translation>
+            <translation>Предприятие и подписи</translation>
         </message>
         <message>
             <source>Printed in the heads of documents, in those of every project. All of it may be empty.</source>
@@ -12275,7 +12275,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Cance&amp;l</source>
-            <translation>О&amp;тмена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>Choose a logo</source>
@@ -12464,7 +12464,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Legend of the curves</source>
-            <translation>Легенда кривых</translation>
+            <translation>Обозначения кривых</translation>
         </message>
         <message>
             <source>State of the curves</source>
@@ -12807,7 +12807,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Action</source>
-            <translation>Что произойдёт</translation>
+            <translation>Действие</translation>
         </message>
         <message>
             <source>&amp;Keep</source>
@@ -12815,7 +12815,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>&amp;Cancel</source>
-            <translation>&amp;Отмена</translation>
+            <translation>Отмена</translation>
         </message>
     </context>
     <context>
@@ -12842,7 +12842,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>&amp;Cancel</source>
-            <translation>От&amp;мена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>%1
@@ -12946,7 +12946,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>C&amp;ancel</source>
-            <translation>&amp;Отмена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>Inputs, results, requirements and the trace</source>
@@ -13205,7 +13205,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Legend of the curves</source>
-            <translation>Условные обозначения кривых</translation>
+            <translation>Обозначения кривых</translation>
         </message>
         <message>
             <source>State of the curves</source>
@@ -13330,11 +13330,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Untitled</source>
-            <translation>Без названия</translation>
+            <translation>Без имени</translation>
         </message>
         <message>
             <source>Opened: %1</source>
-            <translation>Открыт: %1</translation>
+            <translation>Открыто: %1</translation>
         </message>
         <message>
             <source>Open a project or a lesson</source>
@@ -13501,7 +13501,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Stages</source>
-            <translation>Ступеней</translation>
+            <translation>Ступени</translation>
         </message>
         <message>
             <source>Time, min</source>
@@ -13821,7 +13821,7 @@ parts, ≤ %</source>
             <translation>Разбираемый шаг</translation>
         </message>
         <message>
-            <source>Figures</source>
+            <source>Charts</source>
             <translation>Графики</translation>
         </message>
         <message>
@@ -13830,7 +13830,7 @@ parts, ≤ %</source>
         </message>
         <message>
             <source>Cance&amp;l</source>
-            <translation>От&amp;мена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>%1, revolution %2</source>
@@ -14330,7 +14330,7 @@ parts, ≤ %</source>
         </message>
         <message>
             <source>target</source>
-            <translation>целевой</translation>
+            <translation>целевой радиус</translation>
         </message>
         <message>
             <source>blank, minimum</source>
@@ -14390,7 +14390,7 @@ target, µm</source>
         </message>
         <message>
             <source>From the headstock end, mm</source>
-            <translation>От передней бабки, мм</translation>
+            <translation>От конца у передней бабки, мм</translation>
         </message>
         <message>
             <source>%1, mm</source>
@@ -14409,7 +14409,7 @@ target, µm</source>
         </message>
         <message>
             <source>Company and signatures…</source>
-            <translation>Организация и подписи…</translation>
+            <translation>Предприятие и подписи…</translation>
         </message>
         <message>
             <source>%1: ended.</source>
@@ -14429,7 +14429,7 @@ target, µm</source>
         </message>
         <message>
             <source>Untitled</source>
-            <translation>Без названия</translation>
+            <translation>Без имени</translation>
         </message>
         <message>
             <source>%1 (not saved)</source>
@@ -15384,7 +15384,7 @@ target, µm</source>
         </message>
         <message>
             <source>Legend of the curves</source>
-            <translation>Условные обозначения кривых</translation>
+            <translation>Обозначения кривых</translation>
         </message>
         <message>
             <source>State of the profiles</source>
@@ -16278,7 +16278,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stages</source>
-            <translation>Ступеней</translation>
+            <translation>Ступени</translation>
         </message>
         <message>
             <source>Quickest cycle, min</source>
@@ -17527,7 +17527,7 @@ target, µm</source>
         </message>
         <message>
             <source>&amp;Cancel</source>
-            <translation>О&amp;тмена</translation>
+            <translation>Отмена</translation>
         </message>
     </context>
     <context>
@@ -17747,11 +17747,11 @@ target, µm</source>
         </message>
         <message>
             <source>Double strokes done</source>
-            <translation>Пройдено двойных ходов</translation>
+            <translation>Выполнено двойных ходов</translation>
         </message>
         <message>
             <source>Revolutions done</source>
-            <translation>Пройдено оборотов</translation>
+            <translation>Выполнено оборотов</translation>
         </message>
         <message>
             <source>zone</source>
@@ -17783,7 +17783,7 @@ target, µm</source>
         </message>
         <message>
             <source>radius no.</source>
-            <translation>радиус №</translation>
+            <translation>№ радиуса</translation>
         </message>
         <message>
             <source>%1: from</source>
@@ -18455,7 +18455,7 @@ good</source>
         <name>StatusText</name>
         <message>
             <source>not run</source>
-            <translation>не рассчитана</translation>
+            <translation>не рассчитано</translation>
         </message>
         <message>
             <source>inputs refused</source>
@@ -18659,7 +18659,7 @@ good</source>
         </message>
         <message>
             <source>&amp;Stop</source>
-            <translation>О&amp;становить</translation>
+            <translation>&amp;Остановить</translation>
         </message>
         <message>
             <source>Progress</source>
@@ -18714,7 +18714,7 @@ good</source>
         </message>
         <message>
             <source>&amp;Cancel</source>
-            <translation>О&amp;тмена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>Step %1: ⌀%2 × %3 mm, from %4 mm</source>
@@ -18777,7 +18777,7 @@ good</source>
         </message>
         <message>
             <source>&amp;Cancel</source>
-            <translation>О&amp;тмена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>Each surface has a name of its own.</source>
@@ -18796,7 +18796,7 @@ good</source>
         </message>
         <message>
             <source>&amp;Cancel</source>
-            <translation>О&amp;тмена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>%1, %2</source>
@@ -19217,7 +19217,7 @@ good</source>
         </message>
         <message>
             <source>&amp;Stop</source>
-            <translation>О&amp;становить</translation>
+            <translation>&amp;Остановить</translation>
         </message>
         <message>
             <source>&amp;Leave these out</source>
@@ -19693,7 +19693,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         <message>
             <source>Cylindricity</source>
             <comment>brief</comment>
-            <translation>Откл. от цилиндричн.</translation>
+            <translation>Откл. от цилиндр.</translation>
         </message>
         <message>
             <source>agrees</source>
@@ -20003,7 +20003,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>C&amp;ancel</source>
-            <translation>О&amp;тмена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>… and more</source>
@@ -20222,7 +20222,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Stop the batch; the completed parts are kept and shown</source>
-            <translation>Прервать расчёт партии; сделанное сохраняется и показывается</translation>
+            <translation>Остановить расчёт партии; сделанное сохраняется и показывается</translation>
         </message>
         <message>
             <source>Import…</source>
@@ -20440,7 +20440,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>not measured</source>
-            <translation>не измерена</translation>
+            <translation>не измерено</translation>
         </message>
         <message>
             <source>Stiffness, N/µm</source>
@@ -20520,7 +20520,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>&amp;Stop</source>
-            <translation>Ос&amp;тановить</translation>
+            <translation>&amp;Остановить</translation>
         </message>
         <message>
             <source>What the trial is for</source>
@@ -20544,7 +20544,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>No parameter is chosen.</source>
-            <translation>Параметры не выбраны.</translation>
+            <translation>Не выбран ни один параметр.</translation>
         </message>
         <message>
             <source>Trials are being run …</source>
@@ -20746,7 +20746,7 @@ s</source>
         <name>sparkout::DressingDialog</name>
         <message>
             <source>Parts between dressings</source>
-            <translation>Детали между правками</translation>
+            <translation>Деталей между правками</translation>
         </message>
         <message>
             <source>&amp;Each part holds for:</source>
@@ -20797,7 +20797,7 @@ s</source>
         </message>
         <message>
             <source>Stages</source>
-            <translation>Ступеней</translation>
+            <translation>Ступени</translation>
         </message>
         <message>
             <source>Cycle</source>
@@ -20821,7 +20821,7 @@ s</source>
         </message>
         <message>
             <source>Machining time</source>
-            <translation>Время основное</translation>
+            <translation>Основное время</translation>
         </message>
         <message>
             <source>Minimum margin, %</source>
@@ -21074,7 +21074,7 @@ s</source>
         </message>
         <message>
             <source>the cycle does not end by itself</source>
-            <translation>цикл не заканчивается сам</translation>
+            <translation>цикл не завершается сам</translation>
         </message>
         <message>
             <source>the run has no such figure</source>
@@ -21283,8 +21283,8 @@ s</source>
             <translation>Что есть в наборе</translation>
         </message>
         <message>
-            <source>What</source>
-            <translation>Что</translation>
+            <source>Item</source>
+            <translation>Объект</translation>
         </message>
         <message>
             <source>Name</source>
@@ -21304,7 +21304,7 @@ s</source>
         </message>
         <message>
             <source>Input</source>
-            <translation>Величина</translation>
+            <translation>Исходная величина</translation>
         </message>
         <message>
             <source>Yours</source>
@@ -21324,7 +21324,7 @@ s</source>
         </message>
         <message>
             <source>&amp;Cancel</source>
-            <translation>&amp;Отмена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>The logo of the pack is left out. %1</source>
@@ -21427,7 +21427,7 @@ s</source>
         </message>
         <message>
             <source>&amp;Cancel</source>
-            <translation>&amp;Отмена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>What goes into the pack</source>
@@ -21801,7 +21801,7 @@ s</source>
             <translation>Шаг</translation>
         </message>
         <message>
-            <source>Found</source>
+            <source>Result of the check</source>
             <translation>Результат проверки</translation>
         </message>
         <message>
@@ -21916,7 +21916,7 @@ s</source>
             <translation>Исходные данные поверхности %1</translation>
         </message>
         <message>
-            <source>Results</source>
+            <source>Results of the work</source>
             <translation>Результаты работы</translation>
         </message>
         <message>
@@ -22224,7 +22224,7 @@ s</source>
         </message>
         <message>
             <source>Cance&amp;l</source>
-            <translation>О&amp;тмена</translation>
+            <translation>Отмена</translation>
         </message>
     </context>
     <context>
@@ -22443,7 +22443,7 @@ s</source>
         </message>
         <message>
             <source>Aim</source>
-            <translation>Цель</translation>
+            <translation>Цель работы</translation>
         </message>
         <message>
             <source>Theory</source>
@@ -22605,7 +22605,7 @@ s</source>
         </message>
         <message>
             <source>&amp;Cancel</source>
-            <translation>О&amp;тмена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>Steps: %1. Points: %2.</source>
@@ -22876,7 +22876,7 @@ s</source>
         </message>
         <message>
             <source>&amp;Cancel</source>
-            <translation>О&amp;тмена</translation>
+            <translation>Отмена</translation>
         </message>
     </context>
     <context>
@@ -23067,7 +23067,7 @@ s</source>
         </message>
         <message>
             <source>&amp;New</source>
-            <translation>&amp;Новая</translation>
+            <translation>&amp;Создать</translation>
         </message>
         <message>
             <source>A new laboratory work about the project in the window</source>
@@ -23107,7 +23107,7 @@ s</source>
         </message>
         <message>
             <source>&amp;Undo</source>
-            <translation>О&amp;тменить</translation>
+            <translation>&amp;Отменить</translation>
         </message>
         <message>
             <source>Take the last change back</source>
@@ -23210,12 +23210,12 @@ s</source>
             <translation>В лабораторной работе «%1» есть несохранённые изменения.</translation>
         </message>
         <message>
-            <source>&amp;Discard</source>
+            <source>&amp;Do not save</source>
             <translation>&amp;Не сохранять</translation>
         </message>
         <message>
             <source>&amp;Cancel</source>
-            <translation>О&amp;тмена</translation>
+            <translation>Отмена</translation>
         </message>
         <message>
             <source>not saved yet</source>

@@ -49,7 +49,7 @@ struct NamedSheet {
 CsvTable facts() {
     CsvTable table;
     table.ownUnits = true;
-    table.header << StudyBook::tr("What") << StudyBook::tr("Value") << StudyBook::tr("Unit");
+    table.header << StudyBook::tr("Quantity") << StudyBook::tr("Value") << StudyBook::tr("Unit");
     return table;
 }
 

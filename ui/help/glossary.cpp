@@ -31,7 +31,7 @@ std::vector<Term> glossary() {
     }
     const QJsonDocument document = QJsonDocument::fromJson(file.readAll());
     std::vector<Term> terms;
-    for (const QJsonValue value : document.array()) {
+    for (const QJsonValue value : document.object().value(QLatin1StringView("terms")).toArray()) {
         const QJsonObject term = value.toObject();
         const auto text = [&term](const char* key) {
             return term.value(QLatin1StringView(key)).toString();

@@ -56,7 +56,7 @@ PackImportDialog::PackImportDialog(Pack pack, Settings& settings, QWidget* paren
     , m_settings(settings)
     , m_plan(std::move(pack), settings)
     , m_lines(newTree("packLines", tr("What is in the pack"),
-                      {tr("What"), tr("Name"), tr("You have"), tr("Action")}, this))
+                      {tr("Item"), tr("Name"), tr("You have"), tr("Action")}, this))
     , m_differences(newTree("packDifferences", tr("The chosen line in detail"),
                             {tr("Input"), tr("Yours"), tr("In the pack")}, this))
     , m_state(plainLabel({}, this)) {

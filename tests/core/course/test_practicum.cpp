@@ -263,24 +263,6 @@ private slots:
         QVERIFY(hints >= 5);
     }
 
-    /// The words that the glossary rules out stand in no work.
-    void eachUsesTheTermsOfTheGlossary_data() { lessonRows(); }
-    void eachUsesTheTermsOfTheGlossary() {
-        QFETCH(QString, file);
-        const QString text = QString::fromStdString(samples::readText(file.toStdString()));
-        const auto glossary = nlohmann::json::parse(
-            samples::readText(samples::sourcePath("resources/help/glossary.json")));
-        int words = 0;
-        for (const auto& term : glossary.is_array() ? glossary : glossary.at("terms")) {
-            for (const auto& word : term.value("banned", nlohmann::json::array())) {
-                const QString banned = QString::fromStdString(word.get<std::string>());
-                QVERIFY2(!text.contains(banned, Qt::CaseInsensitive), qPrintable(banned));
-                ++words;
-            }
-        }
-        QVERIFY(words > 5);
-    }
-
     /// What may be asked to no more digits than can be read.
     void tolerancesAreNoFinerThanWhatIsRead_data() { lessonRows(); }
     void tolerancesAreNoFinerThanWhatIsRead() {

@@ -7,11 +7,18 @@
 
 #include <QCollator>
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QRegularExpression>
+#include <QSet>
 #include <QXmlStreamReader>
 
 #include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace sparkout::test_glossary {
 
@@ -24,9 +31,8 @@ QString read(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// Of the Russian translations; paths and quoted commands are no words.
+/// The Russian translations without mnemonics.
 std::vector<Message> messages() {
-    static const QRegularExpression noWords(QStringLiteral("`[^`]*`|/[a-z_/0-9]+|&"));
     std::vector<Message> found;
     QXmlStreamReader xml(read(QStringLiteral("translations/sparkout_ru.ts")));
     while (!xml.atEnd()) {
@@ -34,13 +40,38 @@ std::vector<Message> messages() {
             continue;
         }
         if (xml.name() == u"source") {
-            found.push_back({xml.readElementText().remove(noWords), {}});
+            found.push_back({xml.readElementText().remove(u'&'), {}});
         } else if (xml.name() == u"translation") {
             found.back().translation =
-                xml.readElementText(QXmlStreamReader::IncludeChildElements).remove(noWords);
+                xml.readElementText(QXmlStreamReader::IncludeChildElements).remove(u'&');
         }
     }
     return found;
+}
+
+/// Paths and quoted commands are no words.
+QString words(QString text) {
+    static const QRegularExpression noWords(QStringLiteral("`[^`]*`|/[a-z_/0-9]+"));
+    return text.remove(noWords);
+}
+
+/// The sources of the program and its files that have Russian texts beside the translations.
+QStringList russianFiles() {
+    QStringList files;
+    for (const auto& [folder, pattern] :
+         {std::pair{"resources/help/ru", "*.html"},
+          std::pair{"resources/lessons", "*.sparkout-lesson"},
+          std::pair{"resources/examples", "*.sparkout"}, std::pair{"resources/catalogue", "*.json"},
+          std::pair{"app/manual", "*.cpp"}}) {
+        const QDir root(QStringLiteral(SPARKOUT_SOURCE_DIR));
+        QDirIterator each(root.filePath(QString::fromLatin1(folder)),
+                          {QString::fromLatin1(pattern)}, QDir::Files,
+                          QDirIterator::Subdirectories);
+        while (each.hasNext()) {
+            files << root.relativeFilePath(each.next());
+        }
+    }
+    return files;
 }
 
 bool hasOneOf(const QString& text, const QStringList& words) {
@@ -74,9 +105,9 @@ private slots:
                 QRegularExpression::CaseInsensitiveOption);
             int uses = 0;
             for (const Message& message : all) {
-                if (!term.stems.isEmpty() && message.source.contains(word)) {
+                if (!term.stems.isEmpty() && words(message.source).contains(word)) {
                     ++uses;
-                    if (!hasOneOf(message.translation, term.stems)) {
+                    if (!hasOneOf(words(message.translation), term.stems)) {
                         others << term.english + QStringLiteral(": ") + message.source
                                       + QStringLiteral(" → ") + message.translation;
                     }
@@ -90,25 +121,47 @@ private slots:
     void wordsThatAreNotUsedStandNowhere() {
         QStringList texts;
         for (const Message& message : messages()) {
-            texts << message.translation;
+            texts << words(message.translation);
         }
-        const QString folder = QStringLiteral("resources/help/ru/");
-        const QStringList pages = QDir(QStringLiteral(SPARKOUT_SOURCE_DIR "/") + folder)
-                                      .entryList({QStringLiteral("*.html")});
-        QVERIFY(pages.size() > 20);
-        for (const QString& page : pages) {
-            texts << read(folder + page);
+        const QStringList files = russianFiles();
+        QVERIFY(files.size() > 60);
+        for (const QString& file : files) {
+            texts << read(file);
         }
-        int words = 0;
+        int banned = 0;
         for (const Term& term : glossary()) {
             for (const QString& word : term.banned) {
-                ++words;
+                ++banned;
                 for (const QString& text : texts) {
-                    QVERIFY2(!text.contains(word, Qt::CaseInsensitive), qPrintable(text));
+                    QVERIFY2(!text.contains(word, Qt::CaseInsensitive),
+                             qPrintable(word + QStringLiteral(": ") + text));
                 }
             }
         }
-        QVERIFY(words > 5);
+        QVERIFY(banned > 5);
+    }
+
+    void textHasOneTranslationUnlessTheGlossaryListsSeveral() {
+        std::map<QString, QSet<QString>> found, listed;
+        for (const Message& message : messages()) {
+            found[message.source] << message.translation;
+        }
+        std::erase_if(found, [](const auto& each) { return each.second.size() == 1; });
+        const QJsonDocument document =
+            QJsonDocument::fromJson(read(QStringLiteral("resources/help/glossary.json")).toUtf8());
+        for (const QJsonValue each : document[QLatin1StringView("doubles")].toArray()) {
+            const QString source = each[QLatin1StringView("en")].toString();
+            QVERIFY2(!each[QLatin1StringView("why")].toString().isEmpty(), qPrintable(source));
+            for (const QJsonValue text : each[QLatin1StringView("ru")].toArray()) {
+                listed[source] << text.toString();
+            }
+        }
+        for (const auto& [source, texts] : found) {
+            QVERIFY2(listed[source] == texts,
+                     qPrintable(source + QStringLiteral(" → ")
+                                + QStringList(texts.values()).join(QStringLiteral(" | "))));
+        }
+        QCOMPARE(listed.size(), found.size());
     }
 
     void thePageHasEveryTermInTheOrderOfItsLanguage() {

@@ -512,7 +512,7 @@ private slots:
             const auto caption = [](const char* of) { return report::form::text(of); };
             const QString all = signers[0].join(u'|') + u'|' + signers[2].join(u'|');
             for (const QString& cell :
-                 {caption("Part number") + QStringLiteral("7716-03.021"),
+                 {caption("Part designation") + QStringLiteral("7716-03.021"),
                   caption("Document number") + QStringLiteral("60141.00012"),
                   caption("Letter") + u'А', caption("Oper.") + QStringLiteral("045")}) {
                 QVERIFY2(all.contains(cell), qPrintable(cell + u'\n' + all));

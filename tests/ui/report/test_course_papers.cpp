@@ -91,7 +91,8 @@ private slots:
                                 "Сравнение запомненных расчётов|Заключение|"
                                 "Список использованных источников")
                      .split(u'|')
-               : QStringLiteral("Introduction|Data of the variant|Theory in brief|Results|"
+               : QStringLiteral("Introduction|Data of the variant|Theory in brief|"
+                                "Results of the work|"
                                 "Predictions and results|Kept runs compared|Conclusion|"
                                 "List of sources used")
                      .split(u'|');

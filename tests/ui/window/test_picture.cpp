@@ -369,7 +369,7 @@ private slots:
         const QByteArray text = bytesOf(path);
         QVERIFY(text.contains("* Double stroke: **20**"));
         QVERIFY(text.contains("k = 7"));
-        QVERIFY(!text.contains("## Answers") && !text.contains("## Figures"));
+        QVERIFY(!text.contains("## Answers") && !text.contains("## Charts"));
         for (const QStringList& wrong :
              {QStringList{QStringLiteral("--at"), QStringLiteral("99999")},
               QStringList{QStringLiteral("--at"), QStringLiteral("here")},

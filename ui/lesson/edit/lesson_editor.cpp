@@ -361,7 +361,7 @@ bool LessonEditor::mayClose() {
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
     box.setTextFormat(Qt::PlainText);
     box.button(QMessageBox::Save)->setText(tr("&Save"));
-    box.button(QMessageBox::Discard)->setText(tr("&Discard"));
+    box.button(QMessageBox::Discard)->setText(tr("&Do not save"));
     box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
     for (const auto& [which, name] : {std::pair{QMessageBox::Save, "keepLesson"},
                                       std::pair{QMessageBox::Discard, "discardLesson"}}) {

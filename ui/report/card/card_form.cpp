@@ -18,16 +18,16 @@ const std::array<const char*, 5> signers{
     QT_TRANSLATE_NOOP("CardForm", "Agreed"), QT_TRANSLATE_NOOP("CardForm", "Standards"),
     QT_TRANSLATE_NOOP("CardForm", "Approved")};
 const std::array<Cell, 3> designations{{{QT_TRANSLATE_NOOP("CardForm", "Company, department"), 72},
-                                        {QT_TRANSLATE_NOOP("CardForm", "Part number"), 60},
+                                        {QT_TRANSLATE_NOOP("CardForm", "Part designation"), 60},
                                         {QT_TRANSLATE_NOOP("CardForm", "Document number"), 60}}};
 const std::array<Cell, 6> names{{{QT_TRANSLATE_NOOP("CardForm", "Name of the part"), 120},
                                  {QT_TRANSLATE_NOOP("CardForm", "Letter"), 12},
                                  {QT_TRANSLATE_NOOP("CardForm", "Shop"), 15},
                                  {QT_TRANSLATE_NOOP("CardForm", "Area"), 15},
-                                 {QT_TRANSLATE_NOOP("CardForm", "Place"), 15},
+                                 {QT_TRANSLATE_NOOP("CardForm", "Workpl."), 15},
                                  {QT_TRANSLATE_NOOP("CardForm", "Oper."), 15}}};
 const std::array<Cell, 4> continued{{{QT_TRANSLATE_NOOP("CardForm", "Name of the part"), 120},
-                                     {QT_TRANSLATE_NOOP("CardForm", "Part number"), 68},
+                                     {QT_TRANSLATE_NOOP("CardForm", "Part designation"), 68},
                                      {QT_TRANSLATE_NOOP("CardForm", "Document number"), 69},
                                      {QT_TRANSLATE_NOOP("CardForm", "Oper."), 15}}};
 const std::array<Cell, 8> operationRow{
@@ -41,7 +41,7 @@ const std::array<Cell, 8> operationRow{
      {QT_TRANSLATE_NOOP("CardForm", "At once"), 17}}};
 const std::array<Cell, 7> equipmentRow{
     {{QT_TRANSLATE_NOOP("CardForm", "Equipment, NC control"), 82},
-     {QT_TRANSLATE_NOOP("CardForm", "NC program"), 50},
+     {QT_TRANSLATE_NOOP("CardForm", "NC program number"), 50},
      {QT_TRANSLATE_NOOP("CardForm", "Main, min"), 20},
      {QT_TRANSLATE_NOOP("CardForm", "Auxil., min"), 20},
      {QT_TRANSLATE_NOOP("CardForm", "Setting, min"), 20},

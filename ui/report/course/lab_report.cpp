@@ -114,7 +114,7 @@ private:
 
     void writeResults() {
         const auto unpredicted = StudentView::unpredicted(m_work);
-        m_paper.section(tr("Results"));
+        m_paper.section(tr("Results of the work"));
         if (!unpredicted.empty()) {
             QStringList steps;
             for (const std::size_t step : unpredicted) {

@@ -284,7 +284,8 @@ void StepResults::write(PaperWriter& paper, std::size_t step) {
 
 Table StepResults::predictions() const {
     Table table;
-    table.head = {tr("Step"), tr("Quantity"), tr("Predicted"), tr("By the engine"), tr("Found")};
+    table.head = {tr("Step"), tr("Quantity"), tr("Predicted"), tr("By the engine"),
+                  tr("Result of the check")};
     table.texts = {true, true, true, true, true};
     for (std::size_t i = 0; i < m_results.size(); ++i) {
         const Goal& goal = m_work.lesson.steps[i].goal;

@@ -68,8 +68,7 @@ std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
     }
     if (subject.batch) {
         const BatchSummary& summary = subject.batch->summary;
-        facts.facts.emplace_back(tr("Parts of the batch that are not good"),
-                                 BatchText::share(summary.bad));
+        facts.facts.emplace_back(tr("Rejected parts"), BatchText::share(summary.bad));
         if (const CharacteristicSummary* least = leastCapable(summary)) {
             facts.facts.emplace_back(
                 tr("Minimum Ppk"),
@@ -93,8 +92,7 @@ std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
                                     judge(subject.worst->result, subject.worst->constraints)));
         }
     } else {
-        facts.facts.emplace_back(tr("Parts of the batch that are not good"),
-                                 tr("no batch is described"));
+        facts.facts.emplace_back(tr("Rejected parts"), tr("no batch is described"));
     }
     facts.facts.emplace_back(tr("Machining time"), sparkout::verdict::time(outcome.result));
     const QString caution =

@@ -93,7 +93,7 @@ private:
     void addFigures(const std::optional<HandoutStep>& step) {
         auto figures = HandoutFigures::figures(m_outcome, step, m_options.views, m_breathe);
         if (!figures.empty()) {
-            heading(tr("Figures"));
+            heading(tr("Charts"));
             add(std::move(figures));
         }
     }

@@ -35,7 +35,7 @@ QString OperationSetup::operation(const Project& project) {
 
 Facts OperationSetup::header(const Project& project, const QDate& date) {
     const Part& part = *project.part;
-    return {{{tr("Operation"), operation(project)},
+    return {{{tr("Name of the operation"), operation(project)},
              {tr("Part"), cell(oneLine(part.name))},
              {tr("Equipment"), cell(oneLine(project.machine->name))},
              {tr("Size by the drawing"), drawnSize(part)},

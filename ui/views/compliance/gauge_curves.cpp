@@ -186,7 +186,7 @@ CsvTable GaugeCurves::table() const {
     }
     table.header << tr("Gauge at, mm") << tr("Compliance there, mm/N") << tr("Minimum diameter, µm")
                  << tr("Maximum diameter, µm") << tr("Farthest from the middle, µm")
-                 << tr("Margin to the limits, µm") << tr("Time, s") << tr("End of the cycle");
+                 << tr("Margin to the limits, µm") << tr("Time, s") << tr("Cycle ended by");
     for (std::size_t i = 0; i < m_outcome->result.sections.size(); ++i) {
         table.header << tr("%1, mean diameter, µm").arg(nameOf(i));
     }

@@ -25,7 +25,7 @@ public:
     /// Of one stock of the range: steps, time, diameters, whether it holds.
     static QString stock(const PhaseDecision& decision, double stock_mm);
     static QString steps(const DecidedPiece& decided);        ///< "12 + 5 + 3"
-    static QString pieceVerdict(const DecidedPiece& decided); ///< "holds", "fails: …"
+    static QString pieceVerdict(const DecidedPiece& decided); ///< "fit", "unfit: …"
     static QString millimetres(double stock_mm);
 
     /// Diameters less the nominal one over all zones or sections; nothing where there are none.

@@ -62,7 +62,7 @@ HandoutDialog::HandoutDialog(const OutcomePtr& outcome, const CycleCursor& cycle
     m_step->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_step->setMinimumContentsLength(shortestStep);
     offerSteps(outcome, cycle);
-    auto* figures = new QGroupBox(tr("Figures"), this);
+    auto* figures = new QGroupBox(tr("Charts"), this);
     connect(m_form, &QComboBox::currentIndexChanged, figures,
             [figures](int index) { figures->setEnabled(index == 0); });
     connect(m_form, &QComboBox::currentIndexChanged, m_answers,

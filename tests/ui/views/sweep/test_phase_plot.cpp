@@ -272,7 +272,7 @@ private slots:
                          static_cast<double>(bench.view.phases()->cell()->center().y())});
         const QString values = bench.part<QLabel>("sweepValues").text();
         QVERIFY2(values.startsWith(QStringLiteral("Stock 0."))
-                     && values.contains(QStringLiteral("fails: maximum diameter")),
+                     && values.contains(QStringLiteral("unfit: maximum diameter")),
                  qPrintable(values));
     }
 
