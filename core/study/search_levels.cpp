@@ -176,7 +176,7 @@ std::vector<SettingEdge> settingEdgesReached(const Project& searched, const Cycl
 
 SearchLevels::SearchLevels(Project project) : m_searched(std::move(project)) {}
 
-bool SearchLevels::goOn(const Cycle& best, const FeasibleCycle& found) {
+bool SearchLevels::beginNextRound(const Cycle& best, const FeasibleCycle& found) {
     if (!m_searched.optimisation->adaptive || m_round == mostRounds) {
         return false;
     }

@@ -61,7 +61,7 @@ public:
     [[nodiscard]] int round() const { return m_round; } ///< from 1
     /// Takes the best cycle of this round and what it is compared by; whether there is another
     /// round.
-    bool goOn(const Cycle& best, const FeasibleCycle& found);
+    bool beginNextRound(const Cycle& best, const FeasibleCycle& found);
 
 private:
     Project m_searched;

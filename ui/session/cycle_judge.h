@@ -32,7 +32,7 @@ public:
     void setOutcome(const OutcomePtr& outcome);
     void forget(); ///< another document comes
     /// Whether batches are run and told of; in a lesson they are not.
-    void tellBatches(bool tells);
+    void judgeBatches(bool isOn);
     [[nodiscard]] const JudgedRun& judged() const { return m_judged; }
     /// Of the inputs that were run; one of which all parts were run before one that was stopped.
     /// Null: there is none.
@@ -48,7 +48,7 @@ private:
 
     const RunController& m_runs;
     Studies& m_studies;
-    bool m_tellsBatches = true;
+    bool m_judgesBatches = true;
     JudgedRun m_judged;
     QTimer m_calm; ///< since the last edit
 };

@@ -53,7 +53,7 @@ private:
     using Work = std::function<NewestJob::Answer(const Means&)>;
 
     void run(std::int64_t parts, Work work);
-    void tell();
+    void reportProgress();
 
     QTimer m_progress;
     QElapsedTimer m_took;
