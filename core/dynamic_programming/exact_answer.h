@@ -37,7 +37,7 @@ struct StateFault {
     std::size_t feed = 0;
     WrongState wrong = WrongState::struckOut;
     double reached_s = 0; ///< time at which the proven cycle reaches it
-    // Misleads: what comes of the kept way on the rest of the path.
+    // Misleads: result of the kept way with the rest of the path.
     std::optional<ConstraintKind> breaks;
     std::optional<double> time_s; ///< time of the continued cycle, if it holds and is slower
     int stages = 0;               ///< number of stages that it would have

@@ -272,7 +272,7 @@ long double Grid::splits(const Shape& shape) const {
                            ways.begin() + shape.mostBefore + 1, 0.0L);
 }
 
-// From the last stage to the first: ways to go on from a setting of this one.
+// From the last stage to the first: number of extensions of a setting of this stage.
 std::int64_t Grid::size() const {
     constexpr long double beyond = 9.3e18L; // a whole number of 63 bits: the rest does not matter
     long double total = 0;

@@ -146,8 +146,8 @@ private:
 };
 
 // A setting may be followed by those that are not above it in any feed: sums over a corner of a
-// table of infeed and axial feed, row by row and then column by column. Continuous feeds go on from
-// the row of those that have neither.
+// table of infeed and axial feed, row by row and then column by column. Continuous feeds continue
+// from the row of those that have neither.
 template <class Value, class Combine>
 std::vector<Value> Grid::overFollowers(const std::vector<Value>& each, Value first,
                                        Combine combine) const {

@@ -128,10 +128,12 @@ struct SteplessLimit {
 /// radial runout, less the machine's, and δ as below, there is one that loses at least S and may
 /// stop κ above the target:
 ///
-/// (1) in the gauged section one that stands within the slack, of the deepest of the blank or less;
+/// (1) in the gauged section one that ends within the slack of target, its stock at least that of
+///     the blank's deepest radius;
 /// (2) in every section, on the diameter of which the deeper end of the blank is the shallowest,
 ///     one of the two opposite radii stands at most δ before target, κ = δ;
-/// (3) in the gauged section each of these two, κ = r beside the slack: all are so near to (1);
+/// (3) in the gauged section each of these two, κ = r plus the slack: all radii are that near to
+///     (1);
 /// (4) in every section each of these two, κ = δ + r/2, as their mean is δ at the most.
 ///
 /// For (2) and (4) the gauged and the most compliant section are taken. Each pass of such a radius
@@ -164,11 +166,11 @@ struct SteplessLimit {
 /// these variants is returned, whose n and dwells are in τ and in L_b.
 ///
 /// A cycle with a counted spark-out is not ended by the gauge. But where it holds, every diameter
-/// of the gauged section is within the drawing's field, so the two radii of one stand, in the mean,
-/// no more than δ before target, the distance from R_t to the field's edge on the side of the
-/// stock: the integral is taken from δ, and the infeed is at least |R_first − R_t| − δ, in steps
-/// beside which at least one sparks out. With sections coupled the drive has the power of all
-/// sections, of which one has at least its slice's.
+/// of the gauged section is within the drawing's field, so the two radii of one are, in the mean,
+/// at most δ before target, the distance from R_t to the field's edge on the side of the stock: the
+/// integral is taken from δ, and the infeed is at least |R_first − R_t| − δ, in steps beside which
+/// at least one sparks out. With sections coupled the drive has the power of all sections, of which
+/// one has at least its slice's.
 ///
 /// The limit is in seconds; it is infinite where a requirement is not met at any depth. The gauge
 /// must stand on a section for which the requirements are checked: for a free position only the

@@ -359,10 +359,10 @@ private:
         }
     }
 
-    // Each prefix that is kept has one branch. When there are too many whole ones, those that will
-    // be gone on with last lose what can be made anew. When there are too many of all the newest is
-    // taken first, depth first, which keeps few; its bound is not below that of the branch it came
-    // from.
+    // Each kept prefix has one branch. When there are too many with steps, those that will be
+    // extended last lose their steps, which can be repeated. When there are too many branches the
+    // newest is taken first, depth first, which keeps few; its bound is not below that of the
+    // branch it came from.
     void push(const PrefixPtr& prefix, std::size_t index) {
         if (index < prefix->next.size() && !isSlower(prefix->next[index].first)) {
             const auto& [bound_s, setting] = prefix->next[index];

@@ -40,7 +40,7 @@ enum class SearchStateFault {
 /// A value of a text that is out of range or has the wrong type.
 struct BadStateValue {
     std::string path;  ///< JSON pointer, "/finished/0/evaluations"
-    std::string found; ///< as it stands there
+    std::string found; ///< as written in the text
     std::string least, most;
 };
 

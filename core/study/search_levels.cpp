@@ -60,7 +60,7 @@ struct LevelRange {
     }
 };
 
-/// What the range and the stage's own bounds go on to.
+/// Limit of the range and the stage's own bounds.
 double limitOf(const Optimisation& search, const StageFeed& feed, std::size_t stage,
                const LevelRange& range, bool isMost) {
     const double own = isMost ? range.high : range.low;
