@@ -10,36 +10,37 @@
 #include <stop_token>
 #include <vector>
 
-/// The proven quickest cycle of a grid of states beside the published rule's, and where the rule
-/// goes wrong.
+/// The proven quickest cycle of a grid of states compared with that of the published rule, and the
+/// states in which the rule fails.
 ///
-/// The pruned search has the same cycles: the same feeds, whole levels, as many stages. Its answer
-/// is a path through the grid. Where the rule misses it, or finds a slower one, there is a state on
-/// that path whose kept way differs from the path's, and one of these is so, each shown by a run:
+/// The pruned search covers the same cycles: the same feeds, whole levels, as many stages. Its
+/// answer is a path through the grid. Where the rule misses it, or finds a slower one, at least one
+/// state on that path was kept with a way other than the path's, and a run shows one of these
+/// faults:
 ///
-/// * the state was struck out, although the path reaches it with every limit held;
-/// * the time kept in it is not the least: the path reaches it sooner;
-/// * what was kept reaches it no later, yet goes on worse: with the feeds of the path from there on
-///   it breaks a requirement, has too many stages or ends later. The quickest way into a state is
-///   then not the one to go on from, as the deflections stored by all radii are part of the state.
+/// * the state was struck out, although the path reaches it within every limit;
+/// * the time kept in it is not the least: the path reaches it earlier;
+/// * the kept way reaches it no later but continues worse: with the remaining feeds of the path it
+///   breaks a requirement, has too many stages or ends later. The quickest way into a state is then
+///   not the one to continue, because the deflections stored by all radii are part of the state.
 namespace sparkout {
 
 enum class WrongState {
     struckOut, ///< there is a way into it
     slower,    ///< there is a quicker way into it
-    misleads,  ///< the slower way into it is the one to go on from
+    misleads,  ///< the slower way into it is the one to continue
 };
 
-/// A state on the path of the proven cycle in which the rule lost it.
+/// A state on the path of the proven cycle at which the rule loses that path.
 struct StateFault {
     int level = 0;
     std::size_t feed = 0;
     WrongState wrong = WrongState::struckOut;
-    double reached_s = 0; ///< by the proven cycle
-    // Misleads: what comes of the kept way on the rest of the path.
+    double reached_s = 0; ///< time at which the proven cycle reaches it
+    // Misleads: result of the kept way with the rest of the path.
     std::optional<ConstraintKind> breaks;
-    std::optional<double> time_s; ///< of a cycle that holds and is slower
-    int stages = 0;               ///< that it would have
+    std::optional<double> time_s; ///< time of the continued cycle, if it holds and is slower
+    int stages = 0;               ///< number of stages that it would have
 };
 
 struct ExactAnswer {
@@ -48,7 +49,7 @@ struct ExactAnswer {
     double bound_s = 0; ///< no cycle of the grid that holds is quicker
     Cycle cycle;
     std::vector<std::size_t> path;  ///< feeds of the levels 1 … N
-    std::vector<double> reached_s;  ///< when it reaches them
+    std::vector<double> reached_s;  ///< times at which it reaches them
     std::int64_t gridSize = 0;      ///< cycles in the grid
     std::vector<StateFault> faults; ///< in the order of the levels; none where the times are equal
 

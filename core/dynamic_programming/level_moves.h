@@ -14,19 +14,20 @@ namespace sparkout {
 /// Moves from level to level of stock, each simulated from the state before it.
 class LevelMoves {
 public:
-    /// Of a project with the search of a grid.
+    /// Takes a project with the search of a grid.
     LevelMoves(const Project& searched, StateGridSize size, const std::stop_token& stop);
 
-    /// A way to a level, with the steps made.
+    /// Returns the prefix of the blank, with no level reached.
     [[nodiscard]] CyclePrefix blank() const;
     struct Reached {
-        StateMove move;                           ///< slower: as far as the limits of its passes go
-        std::optional<CyclePrefix> there;         ///< where it reached its level
-        std::optional<ConstraintKind> beyondSize; ///< into the last level: of the diameters
+        StateMove move;                   ///< end `slower`: admissible by the limits of its passes
+        std::optional<CyclePrefix> there; ///< prefix at its level, if it was reached
+        std::optional<ConstraintKind>
+            beyondSize; ///< move into the last level: requirement broken by a diameter
     };
     [[nodiscard]] Reached move(const CyclePrefix& from, std::size_t feed) const;
 
-    /// The whole cycle of a path, run and judged as the project states it.
+    /// Result of the whole cycle of a path, run as the project states it.
     struct Judged {
         bool completed = false;
         std::int64_t time_us = 0;
@@ -43,7 +44,7 @@ public:
 
 private:
     std::stop_token m_stop;
-    Project m_project; ///< a stage a level
+    Project m_project; ///< with one stage a level
     Grid m_grid;
     CycleRunner m_runner;
     StageRuns m_runs;

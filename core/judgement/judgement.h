@@ -14,102 +14,104 @@
 #include <string>
 #include <vector>
 
-/// The one notion of a cycle that is fit: for the part that was run, for every stock of the blank
-/// within one infeed, and for the batch where there is one. The window, its papers and the command
-/// line state this and nothing else.
+/// Judgement of a cycle as fit: for the part that was run, for every stock of the blank within one
+/// infeed, and for the batch where there is one. The window, its reports and the command line all
+/// state this judgement.
 namespace sparkout {
 
-/// Why a requirement that is asked for is not decided.
+/// Reason why a requirement cannot be decided.
 enum class UndecidedReason {
-    notCalibrated,  ///< its value is an estimate, and the limit lies within its range
-    inputMissing,   ///< some of the inputs that its limit rests on are given, but not all
-    machineNotKnown ///< the machine's own form is not in its value
+    notCalibrated,  ///< the value is an estimate whose range contains the limit
+    inputMissing,   ///< only some of the inputs of its limit are given
+    machineNotKnown ///< its value does not include the machine's own form
 };
-/// Its name in files: "not_calibrated".
+/// Returns the key of a reason in files: "not_calibrated".
 [[nodiscard]] const char* reasonKey(UndecidedReason reason);
 
 struct Undecided {
     ConstraintKind kind;
     UndecidedReason reason;
-    std::string path; ///< of the input that decides it, a JSON pointer
+    std::string path; ///< JSON pointer of the input that would decide it
 };
 
-/// What a project asks for and nothing can check, in the order of the kinds. What fails even so is
-/// decided, and not among it.
+/// Returns the requirements of a project that cannot be decided, in the order of the kinds. A
+/// requirement that fails in any case is decided and not among them.
 [[nodiscard]] std::vector<Undecided> undecided(const Project& project,
                                                const std::vector<ConstraintResult>& constraints);
 
-/// The cycle over every stock of usualPhases().
+/// Judgement of the cycle over every stock of usualPhases().
 struct JudgedStocks {
     StockRange range;
     bool holds = false;
-    /// Of stocks spread evenly over the range, the share that fails; 0…1.
+    /// Share of failing stocks, with stocks distributed evenly over the range; 0…1.
     double failingShare = 0;
-    /// Of the stocks whose cycle does not end by itself how it ends; else completed.
+    /// Status of stocks whose cycle does not end by itself; completed: there are none.
     RunStatus status = RunStatus::completed;
-    /// The requirement to speak of first, at the stock where it is worst; of the settings only one
-    /// that fails. Nothing where none is checked.
+    /// The requirement to report first, at the stock where it is worst; settings only where they
+    /// fail. Nothing: none is checked.
     std::optional<ConstraintResult> worst{};
-    /// Of a machine whose number of lobes is not known, where all holds with an odd one: the
-    /// requirement that fails for some stocks with an even one.
+    /// For a machine with an unknown number of lobes whose cycle holds with an odd number: the
+    /// requirement that fails for some stocks with an even number.
     std::optional<ConstraintKind> failsIfEven{};
-    bool hasOpenEstimate = false; ///< whose limit lies within its range, for some stock
+    bool hasOpenEstimate = false; ///< for some stock, the range of an estimate contains its limit
 };
 
-/// Visits of a radius that a decision on the stocks may take, estimated before it begins: some
+/// Greatest number of visits of radii, estimated beforehand, for a decision on the stocks: some
 /// seconds of one processor.
 inline constexpr std::int64_t mostJudgedVisits = 200'000'000;
 
-/// Decides over the stocks of the project of a result. Nothing under position control, where the
-/// run took so many visits that all of its pieces would take more than mostJudgedVisits, and when
+/// Decides on the stocks of the project of a result. Returns nothing under position control, where
+/// all pieces together would take more than mostJudgedVisits by an estimate from the run, and when
 /// stopped.
 [[nodiscard]] std::optional<JudgedStocks> judgeStocks(const SimulationResult& result,
                                                       const std::stop_token& stop = {});
 
-/// The parts of a batch that are not good.
+/// Judgement of a batch by its rejected parts.
 struct JudgedBatch {
     std::int64_t parts = 0, bad = 0;
     int seed = 1;
-    std::optional<Interval> interval; ///< 95 %, of the share that is bad; not of corners
-    double allowedShare = 0;          ///< that may be bad: most_outside_share
-    bool isWhole = false;             ///< every part of the batch was run
+    std::optional<Interval>
+        interval;            ///< 95 % interval of the share of rejected parts; not for corners
+    double allowedShare = 0; ///< allowed share of rejected parts: most_outside_share
+    bool isWhole = false;    ///< every part of the batch was run
 
     [[nodiscard]] bool fails() const {
         return static_cast<double>(bad) > allowedShare * static_cast<double>(parts);
     }
     [[nodiscard]] bool holds() const { return isWhole && parts > 0 && !fails(); }
 };
-/// Of a batch that ran.
+/// Judges a batch that was run.
 [[nodiscard]] JudgedBatch judgeBatch(const BatchResult& result, const BatchSummary& summary);
 
-/// How a cycle stands: the first of these that applies.
+/// State of a cycle: the first of these that applies.
 enum class JudgedState {
     notComputed, ///< inputs refused, or stopped
-    fails,       ///< the part that was run
-    stocksFail,  ///< for some stocks within one infeed
-    batchFails,  ///< more parts of the batch than are allowed to
-    undecided,   ///< but for what cannot be checked all holds
-    close,       ///< all holds, with little room
+    fails,       ///< the part that was run fails
+    stocksFail,  ///< the cycle fails for some stocks within one infeed
+    batchFails,  ///< more parts of the batch fail than are allowed to
+    undecided,   ///< all requirements are met except those that cannot be checked
+    close,       ///< all requirements are met, with little margin
     batchHolds,
-    stocksHold, ///< for every stock within one infeed; there is no batch, or it is not run
-    nominal     ///< the part that was run; nothing is known of others
+    stocksHold, ///< the cycle holds for every stock within one infeed; there is no batch, or it was
+                ///< not run
+    nominal     ///< the part that was run is good; other parts are not known
 };
-/// Its name in files: "stocks_fail".
+/// Returns the key of a state in files: "stocks_fail".
 [[nodiscard]] const char* stateKey(JudgedState state);
-/// Whether it is one of the four that do not hold.
+/// Returns whether a state is one of the first four, in which the cycle is not fit.
 [[nodiscard]] constexpr bool isFailure(JudgedState state) {
     return state <= JudgedState::batchFails;
 }
 
 struct Judgement {
     JudgedState state = JudgedState::notComputed;
-    RunStatus status = RunStatus::refused; ///< of the part that was run
-    /// The requirement to speak of first, over all stocks that were judged; of the settings only
-    /// one that fails. Where the part that was run fails, it is that part's. Nothing where none is
+    RunStatus status = RunStatus::refused; ///< status of the part that was run
+    /// The requirement to report first, over all judged stocks; settings only where they fail.
+    /// Where the part that was run fails, it is a requirement of that part. Nothing: none is
     /// checked.
     std::optional<ConstraintResult> worst;
     std::optional<JudgedStocks> stocks; ///< nothing: not decided
-    std::optional<JudgedBatch> batch;   ///< nothing: none, or not run
+    std::optional<JudgedBatch> batch;   ///< nothing: there is no batch, or it was not run
     std::vector<Undecided> notDecided;
 
     [[nodiscard]] bool isNominalGood() const {
@@ -117,7 +119,7 @@ struct Judgement {
     }
 };
 
-/// Judges a run with its requirements by all that is known of it.
+/// Judges a run by its requirements and, where given, its stocks and its batch.
 [[nodiscard]] Judgement judge(const SimulationResult& result,
                               const std::vector<ConstraintResult>& constraints,
                               std::optional<JudgedStocks> stocks = {},

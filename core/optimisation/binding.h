@@ -8,25 +8,26 @@
 
 namespace sparkout {
 
-/// What keeps the best cycle of a search from being quicker: the requirements that break, on the
-/// part or in a scenario, in the quicker cycles of the grid that differ from it in one feed of one
-/// stage, in the work speed, a dwell or the count of a spark-out, or in how two stages that follow
-/// each other share their stock. In the order of the kinds; none where no such cycle is quicker, or
-/// those that are hold. Nothing: not known, as it was stopped before all were tried.
+/// Returns the requirements that limit the time of the best cycle of a search: those that are
+/// broken, on the part or in a scenario, by quicker cycles of the grid that differ from it in one
+/// feed of one stage, in the work speed, a dwell or the count of a spark-out, or in how two
+/// successive stages share their stock. They are in the order of the kinds; the list is empty where
+/// no such cycle is quicker or all quicker ones hold. Returns nothing when stopped before all were
+/// tried.
 [[nodiscard]] std::optional<std::vector<ConstraintKind>>
 bindingRequirements(const Project& project, const FeasibleCycle& best,
                     const std::vector<Project>& scenarios = {}, const std::stop_token& stop = {});
 
-/// The same of a cycle off the grid that takes so long, run with the project's machine: in quicker
-/// cycles that differ from it in one setting of RefineSpace, or in one and a stock, by up to 64 of
-/// their steps.
+/// As above, for a cycle off the grid with this time, run with the project's machine. The quicker
+/// cycles differ from it in one setting of RefineSpace, or in one setting and a stock, by up to 64
+/// of their steps.
 [[nodiscard]] std::optional<std::vector<ConstraintKind>>
 bindingRequirements(const Project& project, const Cycle& cycle, std::int64_t time_us,
                     const std::vector<Project>& scenarios = {}, const std::stop_token& stop = {});
 
-/// What keeps the margin of a project's cycle, the answer of a search for the greatest one, from
-/// being greater: the requirements with the least relative margin on the part, and in a robust
-/// search on all that the answer must hold for. Nothing: not known, as it was stopped before.
+/// Returns the requirements that limit the margin of a project's cycle, the answer of a search for
+/// the greatest margin: those with the least relative margin on the part and, in a robust search,
+/// on all parts for which the answer must hold. Returns nothing when stopped.
 [[nodiscard]] std::optional<std::vector<ConstraintKind>>
 leastMarginRequirements(const Project& best, bool isRobust, const std::stop_token& stop = {});
 

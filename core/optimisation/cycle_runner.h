@@ -16,23 +16,23 @@ namespace sparkout {
 
 inline constexpr std::int64_t noTime_us = std::numeric_limits<std::int64_t>::max();
 
-/// The time that cycles are compared by.
+/// Rounds a time to the whole microseconds by which cycles are compared.
 [[nodiscard]] std::int64_t comparedTime_us(double time_s);
 [[nodiscard]] inline double seconds(std::int64_t time_us) {
     return static_cast<double>(time_us) * 1e-6;
 }
 
-/// Whether a stage made no step, as its stock was gone before it began.
+/// Returns whether a stage made no step because its stock was gone before it began.
 [[nodiscard]] inline bool hasIdleStage(const SimulationResult& result) {
     return std::find(result.countsByStage.begin(), result.countsByStage.end(), 0)
            != result.countsByStage.end();
 }
 
-/// What a step of a stage with this setting feeds, unless it is cut short.
+/// Returns what a full step of a stage with this setting feeds.
 [[nodiscard]] StepFeed stepFeedOf(const Project& project, const StageSetting& setting,
                                   std::size_t stage);
 
-/// What a search adds up beside the best cycle.
+/// Totals that a search keeps besides the best cycle.
 struct SearchCounts {
     long long evaluations = 0, visits = 0;
     std::array<long long, constraintKinds> cuts{};
@@ -40,29 +40,30 @@ struct SearchCounts {
 };
 
 /// Runs the cycles of a grid on one part, each from the blank and with the passes of simulate().
-/// What does not depend on the cycle (blank, limits) is made once.
+/// Blank and limits, which do not depend on the cycle, are computed once.
 class CycleRunner {
 public:
-    /// The project of the grid, or another state of its part. A stop ends its runs, within one
-    /// radius where sections deflect each other; what comes of them then is no decision.
+    /// The project is that of the grid or another state of its part. A stop ends a run, within one
+    /// radius where sections deflect each other; the result then decides nothing.
     CycleRunner(const Project& project, const Grid& grid, const std::stop_token& stop);
 
-    /// A cycle at the end of which all is as simulate() has it; nothing when it was stopped: slower
-    /// than `slowest_us`, or its passes or diameters break a requirement, which then counts as cut.
+    /// Runs a cycle to its end with the result of simulate(). Returns nothing where the run was
+    /// cut: it was slower than `slowest_us`, or its passes or diameters broke a requirement, which
+    /// then counts as cut.
     [[nodiscard]] std::optional<SimulationResult>
     run(const GridCycle& cycle, std::int64_t slowest_us, SearchCounts& counts);
-    /// The steps of a cycle with so many stages before the first, to copy.
+    /// Returns the initial state of a cycle with this number of stages, to be copied.
     [[nodiscard]] std::shared_ptr<const CycleSteps> begin(std::size_t stages) const;
-    /// Closes the books of a run of this cycle, begun by a copy of begin().
+    /// Computes the result of a run of this cycle that began with a copy of begin().
     [[nodiscard]] SimulationResult finish(const GridCycle& cycle, CycleSteps& steps,
                                           const std::vector<int>& stepsByStage);
     [[nodiscard]] const PassCuts& cuts() const { return m_cuts; }
-    /// Cycles with less of a relative margin may be cut from now on.
+    /// From now on cycles with a smaller relative margin may be cut.
     void demandMargin(double least) { m_cuts.demandMargin(least); }
     [[nodiscard]] bool isGauged() const { return m_gauged; }
 
 private:
-    /// The steps refer to the project, whose cycle is put in place when they finish.
+    /// The steps refer to the project; its cycle is set when they finish.
     struct Start {
         std::unique_ptr<Project> project;
         std::shared_ptr<const CycleSteps> steps;

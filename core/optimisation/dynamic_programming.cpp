@@ -69,7 +69,7 @@ private:
                 if (m_options.stop.stop_requested()) {
                     return false;
                 }
-                goOn(label->prefix, next);
+                extend(label->prefix, next);
             }
             states = std::move(next);
         }
@@ -89,18 +89,18 @@ private:
         return all;
     }
 
-    void goOn(const CyclePrefix& from, StageStates& next) {
+    void extend(const CyclePrefix& from, StageStates& next) {
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
             const int least = from.isBeforeLast() ? 0 : m_runs.leastTaken(from);
             if (m_options.stop.stop_requested()) {
                 return;
             }
-            if (m_grid.mayGoOn(from.cycle, from.stages, s)
-                && !isUseless(from, from.steps->run(), s, least)) {
+            if (m_grid.mayExtend(from.cycle, from.stages, s)
+                && !isDropped(from, from.steps->run(), s, least)) {
                 m_runs.run(
                     from, s,
                     [&](const Run& run, int taken) {
-                        return m_options.stop.stop_requested() || isUseless(from, run, s, taken);
+                        return m_options.stop.stop_requested() || isDropped(from, run, s, taken);
                     },
                     [&](const StageRuns::End& end) { reach(from, s, end, next); }, m_judge.counts);
             }
@@ -113,7 +113,7 @@ private:
     /// What takes longer than the best so far cannot beat it, nor keep from a state what can. What
     /// only will take longer, by a proven bound, might do the latter before the last stage: there
     /// the published rule is left to it.
-    [[nodiscard]] bool isUseless(const CyclePrefix& from, const Run& run, std::size_t setting,
+    [[nodiscard]] bool isDropped(const CyclePrefix& from, const Run& run, std::size_t setting,
                                  int taken) const {
         const double least_s = m_rule == LabelRule::quickest && !from.isBeforeLast()
                                    ? run.time_s()

@@ -59,7 +59,7 @@ private:
         std::vector<GridCycle> cycles;
         std::size_t done = 0; ///< of the cycles: fewer when it was stopped
         SearchCounts counts;  ///< of these
-        [[nodiscard]] bool isWhole() const { return done == cycles.size(); }
+        [[nodiscard]] bool isDone() const { return done == cycles.size(); }
     };
 
     [[nodiscard]] SearchCheckpoint checkpoint() const {
@@ -85,9 +85,9 @@ private:
         }
     }
 
-    /// What was decided is counted in the order of the grid and up to the first cycle that was not:
-    /// a stopped search goes on behind the last one counted, and decides again on what other
-    /// threads decided on beyond it.
+    /// Decided cycles are counted in grid order up to the first undecided one: a resumed search
+    /// begins behind the last one counted, and decides again on those that other threads decided
+    /// beyond it.
     void giveBack(Portion portion, const Judge& judge) {
         const std::scoped_lock lock(m_mutex);
         if (judge.best()) {
@@ -99,7 +99,7 @@ private:
             const Portion& next = first->second;
             m_best.counts.add(next.counts);
             m_last = next.done > 0 ? next.cycles[next.done - 1] : m_last;
-            m_cutShort = !next.isWhole();
+            m_cutShort = !next.isDone();
             m_done.erase(first);
             ++m_counted;
         }

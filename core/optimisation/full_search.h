@@ -5,9 +5,9 @@
 
 namespace sparkout {
 
-/// Runs every cycle of the grid from the blank, on as many threads as asked for, until it ends, is
-/// slower than the best or breaks a requirement; can be stopped and gone on with. Fills everything
-/// but `cycle` and `gridSize`.
+/// Runs every cycle of the grid from the blank, on `threads` threads, until the cycle ends, is
+/// slower than the best or breaks a requirement. The search can be stopped and resumed. Fills the
+/// whole summary except `cycle` and `gridSize`.
 [[nodiscard]] SearchSummary fullSearch(const Project& project, const Grid& grid,
                                        const SearchOptions& options);
 

@@ -272,7 +272,7 @@ long double Grid::splits(const Shape& shape) const {
                            ways.begin() + shape.mostBefore + 1, 0.0L);
 }
 
-// From the last stage to the first: ways to go on from a setting of this one.
+// From the last stage to the first: number of extensions of a setting of this stage.
 std::int64_t Grid::size() const {
     constexpr long double beyond = 9.3e18L; // a whole number of 63 bits: the rest does not matter
     long double total = 0;
@@ -313,7 +313,7 @@ int stepsTaken(const GridCycle& cycle) {
 void Grid::complete(GridCycle& cycle, std::size_t stages) const {
     while (cycle.size() < stages) {
         std::size_t setting = 0;
-        while (!mayGoOn(cycle, stages, setting)) {
+        while (!mayExtend(cycle, stages, setting)) {
             ++setting;
         }
         const int taken = stepsTaken(cycle);
@@ -336,7 +336,7 @@ bool Grid::advance(GridCycle& cycle) const {
             return true;
         }
         for (++stage.setting; stage.setting < m_settings.size(); ++stage.setting) {
-            if (mayGoOn(cycle, stages, stage.setting)) {
+            if (mayExtend(cycle, stages, stage.setting)) {
                 cycle.push_back({stage.setting, last ? 0 : leastTaken(stages, z, taken) - taken});
                 complete(cycle, stages);
                 return true;
@@ -367,10 +367,11 @@ GridCycle Grid::uniform(std::size_t stages, std::size_t setting) const {
     while (cycle.size() < stages) {
         const bool last = cycle.size() + 1 == stages;
         std::size_t own = setting;
-        while (last && m_sparkOut > 0 && own < m_settings.size() && !mayGoOn(cycle, stages, own)) {
+        while (last && m_sparkOut > 0 && own < m_settings.size()
+               && !mayExtend(cycle, stages, own)) {
             ++own; // the spark-outs stand behind the feeds
         }
-        if (own == m_settings.size() || !mayGoOn(cycle, stages, own)) {
+        if (own == m_settings.size() || !mayExtend(cycle, stages, own)) {
             return {};
         }
         const int taken = stepsTaken(cycle);
@@ -388,7 +389,7 @@ bool Grid::contains(const GridCycle& cycle) const {
     for (const GridStage& stage : cycle) {
         const int taken = stepsTaken(begun), behind = taken + stage.steps;
         const std::size_t z = begun.size();
-        if (stage.setting >= m_settings.size() || !mayGoOn(begun, cycle.size(), stage.setting)
+        if (stage.setting >= m_settings.size() || !mayExtend(begun, cycle.size(), stage.setting)
             || (z + 1 < cycle.size()
                 && (behind < leastTaken(cycle.size(), z, taken)
                     || behind > mostTaken(cycle.size(), z, taken)))) {

@@ -42,7 +42,7 @@ double Judge::demandedMargin() const {
     return std::max(best, m_options.beyondMargin.value_or(none));
 }
 
-/// The full search cuts nothing early by its margin: it is the reference.
+/// The full search, as the reference, cuts nothing by its margin.
 void Judge::demandMargin() {
     if (m_options.method != SearchMethod::full) {
         for (const auto& scenario : m_scenarios) {
@@ -51,19 +51,20 @@ void Judge::demandMargin() {
     }
 }
 
-/// Together they take a quarter of the memory. The full search shares nothing: it is the reference.
+/// Makes the runner of a scenario; all of them share a quarter of `memory_bytes`. The full search,
+/// as the reference, shares no runs.
 std::unique_ptr<ScenarioRunner> Judge::runner(const Project& scenario, std::size_t among) const {
     const bool shares = m_options.method != SearchMethod::full;
     return std::make_unique<ScenarioRunner>(
         scenario, m_grid, shares ? m_options.memory_bytes / 4 / among : 0, m_options.stop);
 }
 
-/// Together they take an eighth of the memory. The full search runs every cycle.
+/// Adds a case; all cases share an eighth of `memory_bytes`. The full search refutes nothing.
 void Judge::add(const PhaseCase& of) {
     const bool isKnown =
         std::ranges::any_of(m_cases, [&](const auto& each) { return each->corner() == of.corner; });
     if (m_options.method == SearchMethod::pruned && !isKnown && !m_options.stop.stop_requested()) {
-        m_cases.push_back(std::make_unique<PhaseOutlook>(
+        m_cases.push_back(std::make_unique<CaseRefuter>(
             of, m_grid, m_options.memory_bytes / 8 / (m_cases.size() + 1), m_options.stop));
     }
 }
@@ -145,7 +146,7 @@ bool Judge::holdsOnAll(FeasibleCycle& found) {
     return !m_options.beyondMargin || found.leastRelativeMargin > *m_options.beyondMargin;
 }
 
-void Judge::settle(double time_s) {
+void Judge::challengeWaiting(double time_s) {
     const auto before = [&](const FeasibleCycle& a, const FeasibleCycle& b) {
         return isBetter(a, b, m_grid);
     };
@@ -182,7 +183,7 @@ double Judge::leastWaiting_s() const {
     return least_s;
 }
 
-/// In the place of the best, which waits on where it took as long.
+/// Replaces the best cycle, which is kept waiting where its time is equal.
 void Judge::put(const FeasibleCycle& found) {
     const bool tie = m_best && m_best->time_us == found.time_us;
     if (tie && m_best->variant == found.variant) {
@@ -192,9 +193,9 @@ void Judge::put(const FeasibleCycle& found) {
     offer(found);
 }
 
-bool Judge::isHopeless(GridCycle cycle, int merged) {
+bool Judge::isRefuted(GridCycle cycle, int merged) {
     for (int more = 0; more <= merged; ++more) {
-        if (!isHopeless(cycle) || m_options.stop.stop_requested()) {
+        if (!isCycleRefuted(cycle) || m_options.stop.stop_requested()) {
             return false;
         }
         if (more < merged) {
@@ -205,20 +206,20 @@ bool Judge::isHopeless(GridCycle cycle, int merged) {
     return true;
 }
 
-void Judge::keepHopeless(GridCycle beforeLast, int merged, std::vector<std::size_t>& settings) {
+void Judge::keepRefuted(GridCycle beforeLast, int merged, std::vector<std::size_t>& settings) {
     if (m_cases.empty()) {
         settings.clear();
     }
     for (int more = 0; more <= merged && !settings.empty(); ++more) {
-        m_cases.front()->keepHopeless(beforeLast, settings);
+        m_cases.front()->keepRefuted(beforeLast, settings);
         ++beforeLast.back().steps;
     }
 }
 
-/// For a stock of a case; the one that showed it last is asked first.
-bool Judge::endsTooDeep(const GridCycle& cycle) {
+/// The case that refuted the last cycle is asked first.
+bool Judge::isRefutedByCase(const GridCycle& cycle) {
     const auto deep = std::find_if(m_cases.begin(), m_cases.end(),
-                                   [&](const auto& each) { return each->isHopeless(cycle); });
+                                   [&](const auto& each) { return each->refutes(cycle); });
     if (deep == m_cases.end()) {
         return false;
     }
@@ -228,13 +229,13 @@ bool Judge::endsTooDeep(const GridCycle& cycle) {
 }
 
 /// The scenario that failed last is asked first.
-bool Judge::isHopeless(const GridCycle& cycle) {
-    if (endsTooDeep(cycle)) {
+bool Judge::isCycleRefuted(const GridCycle& cycle) {
+    if (isRefutedByCase(cycle)) {
         return true;
     }
     const auto failing =
         std::find_if(m_scenarios.begin(), m_scenarios.end(),
-                     [&](const auto& each) { return each->isHopeless(cycle, counts); });
+                     [&](const auto& each) { return each->refutes(cycle, counts); });
     if (failing == m_scenarios.end()) {
         return false;
     }
@@ -272,7 +273,8 @@ void Judge::decideDone(const CyclePrefix& whole, CycleSteps& steps, CycleRunner&
     }
 }
 
-/// Whether it fails on a part that the challenge has; the best so far must hold there, too.
+/// Returns whether the challenge finds a part on which the cycle fails; the best cycle so far must
+/// hold on that part, too.
 bool Judge::isChallenged(const FeasibleCycle& found) {
     auto failing = m_options.challenge(found);
     if (m_options.stop.stop_requested()) {

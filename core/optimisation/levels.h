@@ -7,13 +7,13 @@
 
 namespace sparkout {
 
-/// The number as one would write it, with ten decimals at most: 0.15 − 6·0.01 is 0.09.
+/// Rounds a number to ten decimals, as one would write it: 0.15 − 6·0.01 is 0.09.
 [[nodiscard]] double asWritten(double value);
 
-/// The levels one by one; a step that ends within a millionth of it at `to` reaches it.
+/// Returns the single levels; a step that ends within a millionth of its length at `to` reaches it.
 [[nodiscard]] std::vector<double> levelValues(const Levels& levels);
 
-/// How many there are, without making them.
+/// Returns the number of levels without listing them.
 [[nodiscard]] double levelCount(const Levels& levels);
 
 } // namespace sparkout

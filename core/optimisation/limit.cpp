@@ -171,7 +171,7 @@ public:
             return {cut.depth_mm / m_revolution_s, cut};
         }
         std::pair<double, BoundCut> most{-1, {}};
-        double low = 0; // the first cell goes on down to a standstill, where no drive is needed
+        double low = 0; // the first cell extends down to a standstill, where no drive is needed
         for (int i = 0; i <= feedCells; ++i) {
             const double high =
                 m_fastest * std::pow(slowestShare, 1 - static_cast<double>(i) / feedCells);

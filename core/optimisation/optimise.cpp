@@ -46,7 +46,7 @@ public:
                 m_order.emplace_back(leastTime_s(m_variants.project(v), m_variants.grid(v)), v);
             }
         }
-        if (options.method != SearchMethod::full) { // which goes on where it was stopped
+        if (options.method != SearchMethod::full) { // which is resumed where it was stopped
             std::sort(m_order.begin(), m_order.end());
         }
         if (options.resume) {
@@ -191,7 +191,7 @@ SearchSummary quickestOfMargin(const Project& project, const SearchOptions& opti
             progress.bound_s = 0;
             progress.evaluations += widest.evaluations;
             progress.share = 1;
-            progress.checkpoint.reset(); // of the first search alone one goes on
+            progress.checkpoint.reset(); // only the first search can be resumed
             options.onProgress(progress);
         };
     }

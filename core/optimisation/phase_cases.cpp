@@ -155,12 +155,12 @@ PhaseCases phaseCases(const Project& project) {
 }
 
 std::optional<Project> failingCase(const Project& best, const std::stop_token& stop) {
-    auto failing = CaseOrder().failingElse(best, stop);
+    auto failing = CaseOrder().failingInOtherCase(best, stop);
     return failing ? std::optional(std::move(failing->part)) : std::nullopt;
 }
 
-std::optional<FailingPart> CaseOrder::failingAgain(const Project& best,
-                                                   const std::stop_token& stop) {
+std::optional<FailingPart> CaseOrder::failingInKnownCase(const Project& best,
+                                                         const std::stop_token& stop) {
     if (m_failed.empty()) {
         return std::nullopt;
     }
@@ -175,8 +175,8 @@ std::optional<FailingPart> CaseOrder::failingAgain(const Project& best,
     return std::nullopt;
 }
 
-std::optional<FailingPart> CaseOrder::failingElse(const Project& best,
-                                                  const std::stop_token& stop) {
+std::optional<FailingPart> CaseOrder::failingInOtherCase(const Project& best,
+                                                         const std::stop_token& stop) {
     const Cases cases(best);
     for (const std::int64_t each : cases.worstFirst()) {
         if (std::ranges::count(m_failed, each) > 0 || stop.stop_requested()) {

@@ -12,43 +12,45 @@
 
 namespace sparkout {
 
-/// What a robust answer under gauge control is decided to hold for: every stock of a range, for the
+/// Cases for which a robust answer under gauge control is decided: every stock of a range, for the
 /// part as it stands and for each corner of the batch's other factors.
 struct PhaseCases {
     StockRange stocks; ///< per side
-    /// With the scenarios `corners` those of all factors but the stock; else 0.
+    /// With the scenarios `corners` the number of corners of all factors but the stock; otherwise
+    /// 0.
     std::int64_t corners = 0;
 };
 
-/// Those that the project's optimisation asks for. The range is usualPhases(); where the answer
-/// has to hold for a batch whose stock scatters, with as much beyond its least and greatest stock.
-/// Of a project whose batch, if it counts, checkBatch() passes.
+/// Returns the cases of the project's optimisation. The range is usualPhases(); where the answer
+/// must hold for a batch whose stock scatters, it extends as far beyond the batch's least and
+/// greatest stock. The project's batch, if it counts, must pass checkBatch().
 [[nodiscard]] PhaseCases phaseCases(const Project& project);
 
-/// One of these cases for which the project's cycle fails, with a stock near where it does by most;
-/// nothing: it holds for all of them. Of a project whose phases can be decided. A stop ends it with
-/// nothing.
+/// Returns a case for which the project's cycle fails, with a stock near the worst one; nothing:
+/// the cycle holds for all cases, or the check was stopped. The project's phases must be decidable.
 [[nodiscard]] std::optional<Project> failingCase(const Project& best,
                                                  const std::stop_token& stop = {});
 
-/// Decides on cycles of one project, one after the other, those cases first in which others failed:
-/// a cycle that fails does so mostly in one of these.
+/// Decides on successive cycles of one project, beginning with the cases in which earlier ones
+/// failed: a failing cycle mostly fails in one of these.
 class CaseOrder {
 public:
-    /// Of the cases in which others failed; nothing: it holds for these.
-    [[nodiscard]] std::optional<FailingPart> failingAgain(const Project& best,
-                                                          const std::stop_token& stop = {});
-    /// Of the others. After failingAgain() of the same cycle the answer is that of failingCase().
-    [[nodiscard]] std::optional<FailingPart> failingElse(const Project& best,
-                                                         const std::stop_token& stop = {});
+    /// Returns a failing part among the cases in which earlier cycles failed; nothing: the cycle
+    /// holds for these.
+    [[nodiscard]] std::optional<FailingPart> failingInKnownCase(const Project& best,
+                                                                const std::stop_token& stop = {});
+    /// Returns a failing part among the other cases. After failingInKnownCase() of the same cycle
+    /// the answer is that of failingCase().
+    [[nodiscard]] std::optional<FailingPart> failingInOtherCase(const Project& best,
+                                                                const std::stop_token& stop = {});
 
 private:
-    /// Corners of ScenarioSource; −1: the part as it stands. The one that failed last first.
+    /// Corners of ScenarioSource; −1: the part as it stands. The last one with a failure is first.
     std::vector<std::int64_t> m_failed;
 };
 
-/// The requirement with the least relative margin over all of these cases; nothing: the project's
-/// cycle fails for one of them, or has less than `least` there, or it was stopped.
+/// Returns the requirement with the least relative margin over all of these cases; nothing: the
+/// project's cycle fails for one of them or has less than `least` there, or the check was stopped.
 [[nodiscard]] std::optional<ConstraintResult> worstOfCases(const Project& best, double least,
                                                            const std::stop_token& stop = {});
 

@@ -21,14 +21,14 @@ namespace sparkout {
 
 namespace {
 
-/// A cycle up to the end of a stage, and the settings of the next one. Where memory is short all
-/// steps are left out, and made anew when it is gone on with.
+/// A prefix and the settings of its next stage. Where memory is short its steps are dropped, and
+/// repeated when it is extended.
 struct Prefix {
     CyclePrefix done;
     int merged = 0;     ///< further ends of its last stage on the same step
-    double least_s = 0; ///< bound of all that goes on from it
+    double least_s = 0; ///< bound of all its extensions
     std::vector<std::pair<double, std::size_t>> next; ///< bound [s] and setting, by bound
-    [[nodiscard]] bool isWhole() const { return done.steps != nullptr; }
+    [[nodiscard]] bool keepsSteps() const { return done.steps != nullptr; }
 };
 using PrefixPtr = std::shared_ptr<Prefix>;
 
@@ -87,10 +87,10 @@ public:
         , m_mayMerge(options.scenarios.empty() && !options.challenge && !options.wholeMargin
                      && !(project.optimisation && project.optimisation->stage_stock_mm))
         , m_leastSteps(project.least_steps.value_or(0))
-        , m_mostSince(m_runs.canTell() ? 8 : 0)
-        , m_mostWhole(options.memory_bytes / 3 * 2 / wholeBytes(project, grid))
-        , m_most(std::min(m_mostWhole + options.memory_bytes / 3 / leftOutBytes,
-                          mostPerWhole * m_mostWhole)) {
+        , m_mostSince(m_runs.canBoundLastStage() ? 8 : 0)
+        , m_mostWithSteps(options.memory_bytes / 3 * 2 / wholeBytes(project, grid))
+        , m_most(std::min(m_mostWithSteps + options.memory_bytes / 3 / leftOutBytes,
+                          mostPerWhole * m_mostWithSteps)) {
         for (const StageSetting& setting : grid.settings()) {
             m_tooWide.push_back(
                 {tooWide(project, setting, false), tooWide(project, setting, true)});
@@ -103,7 +103,7 @@ public:
         begin();
         SearchSummary summary;
         for (auto branch = take(); branch; branch = take()) {
-            settleBefore(branch->bound_s);
+            challengeWaitingBefore(branch->bound_s);
             if (m_options.stop.stop_requested() || m_judge.isStale()) {
                 break;
             }
@@ -120,7 +120,7 @@ public:
                 m_options.onProgress(progress());
             }
         }
-        m_judge.settle(std::numeric_limits<double>::infinity());
+        m_judge.challengeWaiting(std::numeric_limits<double>::infinity());
         if (m_options.stop.stop_requested() || m_judge.isStale()) {
             summary.status = SearchStatus::stopped;
         }
@@ -186,7 +186,7 @@ private:
     /// work was done since: often a better one is found meanwhile. The first waits are short, as
     /// what a challenge adds shows most that follows to fail. Where there is no more room for
     /// branches a best cycle is needed, to drop some.
-    void settleBefore(double bound_s) {
+    void challengeWaitingBefore(double bound_s) {
         constexpr long long mostPatience = 1 << 12; // branches: some challenges' worth of work
         const bool isFull = !m_newest.empty();
         if (isFull && m_options.challenge && !std::exchange(m_seeded, true)) {
@@ -197,7 +197,8 @@ private:
             m_waited = 0;
             m_patience = std::min(2 * m_patience, mostPatience);
         }
-        m_judge.settle(isFull || isDue ? std::numeric_limits<double>::infinity() : bound_s);
+        m_judge.challengeWaiting(isFull || isDue ? std::numeric_limits<double>::infinity()
+                                                 : bound_s);
     }
 
     void begin() {
@@ -245,9 +246,9 @@ private:
         }
     }
 
-    /// The setting with which to go on makes the passes of a shorter cycle of the grid: point 5 of
-    /// the header.
-    [[nodiscard]] std::optional<std::size_t> toldShorter(const CyclePrefix& prefix) const {
+    /// The setting that, as the next one, would make the passes of a shorter cycle of the grid:
+    /// point 5 of the header. Empty: there is none.
+    [[nodiscard]] std::optional<std::size_t> shorterEquivalent(const CyclePrefix& prefix) const {
         const std::vector<std::size_t>& counts = m_grid.stageCounts();
         const auto own = std::find(counts.begin(), counts.end(), prefix.stages);
         const bool known = m_runs.isGauged() && !m_grid.hasStageBounds() && !prefix.cycle.empty()
@@ -256,12 +257,13 @@ private:
         return known ? std::optional(prefix.cycle.back().setting) : std::nullopt;
     }
 
-    /// Finds the settings that a branch goes on with, from its first on; of one that was left out
-    /// those before are done. False: others come before, or there are none, or it is stopped.
+    /// Finds the settings of a branch's next stage, from its first one on; those before the first
+    /// of a reopened branch are done. Returns false where other branches come first, no setting is
+    /// left or the search was stopped.
     bool open(Branch& branch) {
         Prefix& prefix = *branch.prefix;
         CyclePrefix& done = prefix.done;
-        if (!prefix.isWhole() && !makeSteps(done)) {
+        if (!prefix.keepsSteps() && !makeSteps(done)) {
             return false;
         }
         const bool isFirst = branch.setting == Branch::closed;
@@ -273,12 +275,12 @@ private:
             }
         };
         findSettings(done, cut);
-        findHopeless(prefix);
-        prefix.next.reserve(m_settings.size() - m_hopeless.size());
-        auto hopeless = m_hopeless.begin();
+        findRefuted(prefix);
+        prefix.next.reserve(m_settings.size() - m_refuted.size());
+        auto refuted = m_refuted.begin();
         for (const std::size_t s : m_settings) {
-            if (hopeless != m_hopeless.end() && *hopeless == s) {
-                ++hopeless;
+            if (refuted != m_refuted.end() && *refuted == s) {
+                ++refuted;
                 cut(m_runner.cuts().tooDeep());
                 continue;
             }
@@ -297,7 +299,7 @@ private:
         return true;
     }
 
-    /// Makes those of its steps that are not kept. False: it was stopped.
+    /// Repeats those steps of a prefix that were not kept. Returns false after a stop.
     bool makeSteps(CyclePrefix& done) {
         if (done.steps && done.since == 0) {
             return true;
@@ -305,7 +307,7 @@ private:
         const auto& from = done.steps ? done.steps : m_runner.begin(done.stages);
         const int count = done.steps ? done.since : done.stepCount();
         std::unique_ptr<CycleSteps> steps = from->copy();
-        const bool isThere = m_runs.again(done, *steps, count);
+        const bool isThere = m_runs.repeatSteps(done, *steps, count);
         m_judge.counts.visits += steps->run().visits() - from->run().visits();
         if (isThere) {
             done.keep(std::move(steps));
@@ -313,10 +315,10 @@ private:
         return isThere;
     }
 
-    /// Those that may be the next, but for what is cut.
+    /// Finds the settings allowed for the next stage, without those that are cut.
     template <class Cut>
     void findSettings(const CyclePrefix& done, const Cut& cut) {
-        const std::optional<std::size_t> shorter = toldShorter(done);
+        const std::optional<std::size_t> shorter = shorterEquivalent(done);
         m_settings.clear();
         for (const std::size_t s : followers(done)) {
             if (s == shorter || isTooNear(s)) {
@@ -331,36 +333,36 @@ private:
         }
     }
 
-    /// All that the grid allows.
+    /// Settings that the grid allows for the next stage.
     const std::vector<std::size_t>& followers(const CyclePrefix& done) {
         const std::size_t before =
             done.cycle.empty() ? m_grid.settings().size() : done.cycle.back().setting;
         const auto [place, isNew] =
             m_followers.try_emplace({done.stages, done.cycle.size(), before});
         for (std::size_t s = 0; isNew && s < m_grid.settings().size(); ++s) {
-            if (m_grid.mayGoOn(done.cycle, done.stages, s)) {
+            if (m_grid.mayExtend(done.cycle, done.stages, s)) {
                 place->second.push_back(s);
             }
         }
         return place->second;
     }
 
-    /// Those of them that are known to fail as a last stage: point 4 of the header.
-    void findHopeless(const Prefix& prefix) {
+    /// Finds those of the settings that are refuted as a last stage: point 4 of the header.
+    void findRefuted(const Prefix& prefix) {
         const CyclePrefix& done = prefix.done;
-        m_hopeless.clear();
+        m_refuted.clear();
         if (done.isBeforeLast() && done.hasSteps()) {
-            m_hopeless = m_settings;
+            m_refuted = m_settings;
         }
-        if (!m_hopeless.empty() && !m_runs.isTooDeep(done)) {
-            m_judge.keepHopeless(done.cycle, prefix.merged, m_hopeless);
+        if (!m_refuted.empty() && !m_runs.isTooDeep(done)) {
+            m_judge.keepRefuted(done.cycle, prefix.merged, m_refuted);
         }
     }
 
-    // Each prefix that is kept has one branch. When there are too many whole ones, those that will
-    // be gone on with last lose what can be made anew. When there are too many of all the newest is
-    // taken first, depth first, which keeps few; its bound is not below that of the branch it came
-    // from.
+    // Each kept prefix has one branch. When there are too many with steps, those that will be
+    // extended last lose their steps, which can be repeated. When there are too many branches the
+    // newest is taken first, depth first, which keeps few; its bound is not below that of the
+    // branch it came from.
     void push(const PrefixPtr& prefix, std::size_t index) {
         if (index < prefix->next.size() && !isSlower(prefix->next[index].first)) {
             const auto& [bound_s, setting] = prefix->next[index];
@@ -378,7 +380,7 @@ private:
             m_newest.push_back(std::move(branch));
             return;
         }
-        if (++m_whole > m_mostWhole) {
+        if (++m_withSteps > m_mostWithSteps) {
             leaveOut();
         }
     }
@@ -386,7 +388,7 @@ private:
     /// Of the branches that come last in their order, until half of those allowed are whole.
     void leaveOut() {
         std::size_t from = m_branches.size();
-        while (m_whole > m_mostWhole / 2 && from > 0) {
+        while (m_withSteps > m_mostWithSteps / 2 && from > 0) {
             const std::size_t half = from / 2;
             const auto begin = m_branches.begin();
             std::nth_element(begin, begin + static_cast<std::ptrdiff_t>(half),
@@ -394,13 +396,13 @@ private:
                              [](const Branch& a, const Branch& b) { return b < a; });
             for (std::size_t i = half; i < from; ++i) {
                 Branch& branch = m_branches[i];
-                if (branch.prefix->isWhole()) {
+                if (branch.prefix->keepsSteps()) {
                     const Prefix& whole = *branch.prefix;
                     Prefix left{whole.done, whole.merged, whole.least_s, {}};
                     left.done.steps.reset();
                     branch.prefix = std::make_shared<Prefix>(std::move(left));
                     branch.index = Branch::closed;
-                    --m_whole;
+                    --m_withSteps;
                 }
             }
             from = half;
@@ -443,7 +445,7 @@ private:
         }
         m_isFirstTaken = true;
         m_least_s = std::max(m_least_s, m_branches.front().bound_s);
-        m_whole -= m_branches.front().prefix->isWhole() ? 1 : 0;
+        m_withSteps -= m_branches.front().prefix->keepsSteps() ? 1 : 0;
         return std::move(m_branches.front());
     }
 
@@ -452,7 +454,7 @@ private:
         if (isTooNear(setting)) {
             return; // since a better one was found
         }
-        if ((done.isBeforeLast() && isHopeless(done, setting, from.merged)) || !makeSteps(done)) {
+        if ((done.isBeforeLast() && isRefuted(done, setting, from.merged)) || !makeSteps(done)) {
             return;
         }
         std::shared_ptr<const CycleSteps> kept = done.steps; // of a stage that is run once
@@ -488,7 +490,7 @@ private:
                         }
                         prefix.done.steps = kept;
                         prefix.done.since = end.count - keptAt;
-                        prefix.done.note(end.steps);
+                        prefix.done.recordState(end.steps);
                         push({bound_s, ++m_order, std::make_shared<Prefix>(std::move(prefix))});
                     }
                 }
@@ -496,9 +498,9 @@ private:
             m_judge.counts);
     }
 
-    /// Whether a few radii show that a last stage takes too long or ends too deep.
-    [[nodiscard]] bool isHopeless(const CyclePrefix& done, std::size_t setting, int merged) {
-        if (!m_runs.canTell()) {
+    /// Returns whether a last stage is shown to take too long or to end too deep before it is run.
+    [[nodiscard]] bool isRefuted(const CyclePrefix& done, std::size_t setting, int merged) {
+        if (!m_runs.canBoundLastStage()) {
             return false;
         }
         const double step_s = m_runs.bound().step_s(setting);
@@ -508,17 +510,17 @@ private:
             const double left_s = seconds(m_judge.mostTime_us()) - begin_s;
             mostSteps = static_cast<int>(std::min(left_s / step_s, 1e9)) + 2;
         }
-        const LastStageOutlook outlook = m_runs.outlook(done, setting, mostSteps);
-        if (isSlower(begin_s + outlook.leastSteps * step_s * (1 - 1e-9))) {
+        const LastStageBound bound = m_runs.lastStageBound(done, setting, mostSteps);
+        if (isSlower(begin_s + bound.leastSteps * step_s * (1 - 1e-9))) {
             return true;
         }
-        if (outlook.cutsTooDeep) {
+        if (bound.cutsTooDeep) {
             m_judge.cut(m_runner.cuts().tooDeep());
             return true;
         }
         GridCycle cycle = done.cycle;
         cycle.push_back({setting, 0});
-        return m_judge.isHopeless(std::move(cycle), merged);
+        return m_judge.isRefuted(std::move(cycle), merged);
     }
 
     const Grid& m_grid;
@@ -535,12 +537,12 @@ private:
     int m_mostSince; ///< steps to be made again, where they take no longer than to keep more
     /// Of the grid, by stages, those before and the last of these.
     std::map<std::array<std::size_t, 3>, std::vector<std::size_t>> m_followers;
-    std::vector<std::size_t> m_settings, m_hopeless; ///< of the branch that is opened
-    std::vector<Branch> m_branches;                  ///< a heap
-    bool m_isFirstTaken = false;                     ///< the first of the heap is to be replaced
-    std::vector<Branch> m_newest;                    ///< beyond the most branches in order
-    std::size_t m_mostWhole, m_most;                 ///< in order
-    std::size_t m_whole = 0;                         ///< branches in order whose prefix is whole
+    std::vector<std::size_t> m_settings, m_refuted; ///< of the branch that is opened
+    std::vector<Branch> m_branches;                 ///< a heap
+    bool m_isFirstTaken = false;                    ///< the first of the heap is to be replaced
+    std::vector<Branch> m_newest;                   ///< beyond the most branches in order
+    std::size_t m_mostWithSteps, m_most;            ///< in order
+    std::size_t m_withSteps = 0;                    ///< branches in order whose prefix is whole
     long long m_order = 0;
     long long m_patience = 1 << 8, m_waited = 0; ///< branches
     bool m_seeded = false;

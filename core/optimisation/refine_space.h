@@ -9,28 +9,28 @@
 
 namespace sparkout {
 
-/// The settings of a cycle that a refinement may change, and what they may be.
+/// Settings of a cycle that a refinement may change, and their ranges.
 class RefineSpace {
 public:
-    /// Of a project with a grid.
+    /// The project must have a grid.
     RefineSpace(const Project& project, Cycle cycle);
 
     struct Setting {
         std::size_t stage = 0;
-        std::optional<double> Stage::*feed = nullptr; ///< not set: the stage's stock
+        std::optional<double> Stage::*feed = nullptr; ///< null: the stage's stock
         double low = 0, high = 0;
         double base = 0, step = 0; ///< base + k·step; 0: three significant digits
         [[nodiscard]] bool isStock() const { return feed == nullptr; }
-        /// The step about a value.
+        /// Returns the step at a value.
         [[nodiscard]] double stepAt(double value) const;
-        /// The nearest value that can be set.
+        /// Returns the nearest value that can be set.
         [[nodiscard]] double rounded(double value) const;
     };
     [[nodiscard]] const std::vector<Setting>& settings() const { return m_settings; }
 
     [[nodiscard]] std::vector<double> valuesOf(const Cycle& cycle) const;
-    /// The cycle with these settings; its last stage has what stock remains. Nothing where that is
-    /// too little or too much, or a feed rises that must not.
+    /// Returns the cycle with these settings; its last stage takes the remaining stock. Returns
+    /// nothing where that is too little or too much, or a feed rises that must not.
     [[nodiscard]] std::optional<Cycle> cycleOf(const std::vector<double>& values) const;
     [[nodiscard]] std::vector<double> rounded(std::vector<double> values) const;
 
@@ -45,7 +45,7 @@ private:
     bool m_nonIncreasing;
 };
 
-/// What stocks are rounded to [mm].
+/// Step to which stocks are rounded [mm].
 inline constexpr double refinedStock_mm = 1e-4;
 
 } // namespace sparkout

@@ -227,7 +227,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         *best.cycle = variants.grid(found.variant).cycle(found.cycle);
         const std::stop_token& stop = options.search.stop;
         const bool canDecide = canDecidePhases(best);
-        auto failing = canDecide ? cases.failingAgain(best, stop) : std::nullopt;
+        auto failing = canDecide ? cases.failingInKnownCase(best, stop) : std::nullopt;
         if (failing) {
             return failing;
         }
@@ -237,7 +237,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
             ++summary.candidates;
             failing =
                 canDecide
-                    ? cases.failingElse(best, stop)
+                    ? cases.failingInOtherCase(best, stop)
                     : failingPart(failingPhase(best, static_cast<std::uint32_t>(draws), stop));
             if (!failing && !stop.stop_requested()) {
                 failing = failingPart(failingFreshPart(best, summary.candidates, stop));

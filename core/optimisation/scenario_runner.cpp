@@ -21,7 +21,7 @@ ScenarioRunner::ScenarioRunner(const Project& scenario, const Grid& grid, std::s
     }
 }
 
-const CyclePrefix* ScenarioRunner::hopeful(const GridCycle& cycle, SearchCounts& counts) {
+const CyclePrefix* ScenarioRunner::unrefutedPrefix(const GridCycle& cycle, SearchCounts& counts) {
     if (m_kept > m_mostKept) {
         m_known.clear();
         m_kept = 0;
@@ -30,22 +30,23 @@ const CyclePrefix* ScenarioRunner::hopeful(const GridCycle& cycle, SearchCounts&
     if (!done.steps) {
         return nullptr;
     }
-    if (m_runs->canTell() && m_runs->outlook(done, cycle.back().setting).cutsTooDeep) {
+    if (m_runs->canBoundLastStage()
+        && m_runs->lastStageBound(done, cycle.back().setting).cutsTooDeep) {
         ++counts.cuts[static_cast<std::size_t>(m_runner.cuts().tooDeep())];
         return nullptr;
     }
     return &done;
 }
 
-bool ScenarioRunner::isHopeless(const GridCycle& cycle, SearchCounts& counts) {
-    return m_runs && !hopeful(cycle, counts);
+bool ScenarioRunner::refutes(const GridCycle& cycle, SearchCounts& counts) {
+    return m_runs && !unrefutedPrefix(cycle, counts);
 }
 
 std::optional<SimulationResult> ScenarioRunner::run(const GridCycle& cycle, SearchCounts& counts) {
     if (!m_runs) {
         return m_runner.run(cycle, noTime_us, counts);
     }
-    const CyclePrefix* const done = hopeful(cycle, counts);
+    const CyclePrefix* const done = unrefutedPrefix(cycle, counts);
     if (!done) {
         return std::nullopt;
     }
@@ -77,14 +78,14 @@ const CyclePrefix& ScenarioRunner::prefix(const GridCycle& cycle, std::size_t st
         done.stages = cycle.size();
         done.keep(m_runner.begin(cycle.size()));
     } else if (const CyclePrefix& before = prefix(cycle, stages - 1, counts); before.steps) {
-        done = goOn(before, first, known, counts);
+        done = extend(before, first, known, counts);
     }
     return known.emplace(first, std::move(done)).first->second;
 }
 
 /// Its last stage from the furthest end on that it was run to before the one that is wanted.
-CyclePrefix ScenarioRunner::goOn(const CyclePrefix& before, const GridCycle& wanted,
-                                 const Prefixes& known, SearchCounts& counts) const {
+CyclePrefix ScenarioRunner::extend(const CyclePrefix& before, const GridCycle& wanted,
+                                   const Prefixes& known, SearchCounts& counts) const {
     const GridStage stage = wanted.back();
     CyclePrefix from = before;
     if (auto nearest = known.lower_bound(wanted); nearest != known.begin()) {

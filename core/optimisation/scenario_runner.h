@@ -10,42 +10,44 @@
 
 namespace sparkout {
 
-/// Runs cycles of a grid on another part, in any order. Under gauge control the stages that cycles
-/// begin with alike are run once, as the pruned search does (see there), as far as there is memory
-/// for them, and a last stage is not run when LastStageOutlook finds that it cuts too deep.
+/// Runs cycles of a grid on another part, in any order. Under gauge control the common first stages
+/// of cycles are run once, as in the pruned search (see there), as far as memory allows, and a last
+/// stage is not run when LastStageBound proves that it cuts too deep.
 class ScenarioRunner {
 public:
-    /// @param memory_bytes  for first stages, about; 0: each cycle is run from the blank
+    /// @param memory_bytes  approximate memory for first stages; 0: each cycle is run from the
+    /// blank
     ScenarioRunner(const Project& scenario, const Grid& grid, std::size_t memory_bytes,
                    const std::stop_token& stop);
     ScenarioRunner(const ScenarioRunner&) = delete; // the runs refer to the runner's cuts
     ScenarioRunner& operator=(const ScenarioRunner&) = delete;
 
-    /// Cycles with less of a relative margin may be cut from now on; it must not fall.
+    /// From now on cycles with a smaller relative margin may be cut; `least` must not fall.
     void demandMargin(double least) { m_runner.demandMargin(least); }
 
-    /// Whether a cycle is known to break a requirement before its last stage is run.
-    [[nodiscard]] bool isHopeless(const GridCycle& cycle, SearchCounts& counts);
-    /// A cycle as simulate() has it; nothing when its passes or diameters break a requirement,
-    /// which then counts as cut, or it does not end.
+    /// Returns whether a cycle is shown to break a requirement before its last stage is run.
+    [[nodiscard]] bool refutes(const GridCycle& cycle, SearchCounts& counts);
+    /// Returns the result of simulate() for a cycle; nothing: its passes or diameters break a
+    /// requirement, which then counts as cut, or it does not end.
     [[nodiscard]] std::optional<SimulationResult> run(const GridCycle& cycle, SearchCounts& counts);
 
 private:
     struct Before {
         bool operator()(const GridCycle& a, const GridCycle& b) const;
     };
-    /// The first stages of cycles; without steps: they do not end, or break a requirement.
+    /// Prefixes of cycles; one without steps does not end or breaks a requirement.
     using Prefixes = std::map<GridCycle, CyclePrefix, Before>;
 
-    /// The stages of a cycle before its last; nothing: it breaks a requirement.
-    const CyclePrefix* hopeful(const GridCycle& cycle, SearchCounts& counts);
+    /// Returns the prefix of a cycle before its last stage; null: the cycle is refuted.
+    const CyclePrefix* unrefutedPrefix(const GridCycle& cycle, SearchCounts& counts);
     const CyclePrefix& prefix(const GridCycle& cycle, std::size_t stages, SearchCounts& counts);
-    [[nodiscard]] CyclePrefix goOn(const CyclePrefix& before, const GridCycle& wanted,
-                                   const Prefixes& known, SearchCounts& counts) const;
+    [[nodiscard]] CyclePrefix extend(const CyclePrefix& before, const GridCycle& wanted,
+                                     const Prefixes& known, SearchCounts& counts) const;
 
     CycleRunner m_runner;
-    std::optional<StageRuns> m_runs; ///< none: each cycle from the blank
-    std::map<std::pair<std::size_t, std::size_t>, Prefixes> m_known; ///< by stages, in all and here
+    std::optional<StageRuns> m_runs; ///< none: each cycle is run from the blank
+    std::map<std::pair<std::size_t, std::size_t>, Prefixes>
+        m_known; ///< by numbers of stages, of the cycle and of the prefix
     std::size_t m_kept = 0, m_mostKept = 0;
 };
 

@@ -11,19 +11,19 @@
 
 namespace sparkout {
 
-/// What full searches have done, so that they can be gone on with.
+/// Record of full searches, by which they can be resumed.
 struct SearchRecord {
-    /// One after the other, as they were begun: what each found. An answer is searched in several
-    /// where levels are added or it must hold in further scenarios.
+    /// Results of the finished searches in the order in which they were begun. One answer takes
+    /// several searches where levels are added or it must hold in further scenarios.
     std::vector<SearchCheckpoint> finished;
-    std::optional<SearchCheckpoint> begun; ///< the one after these
+    std::optional<SearchCheckpoint> begun; ///< the unfinished search after these
 };
 
-/// Records the full searches that one question asks for, and answers those that the record has:
-/// the same project asked the same again gives the answer it would have given without a stop, from
-/// where it was stopped. What in a record is of no cycle of the grid is searched anew. So it is
-/// where the best cycle of a record does not hold, or takes another time or has another margin than
-/// stand there: it is run once before it counts.
+/// Records the full searches for one answer, and supplies the results of recorded ones: the same
+/// project and options give the answer that they would have given without a stop, from where the
+/// search was stopped. A record with a cycle that is not in the grid is discarded and the search
+/// made anew. So is a record whose best cycle does not hold or differs from it in time or margin:
+/// it is run once before it counts.
 class SearchJournal {
 public:
     explicit SearchJournal(SearchRecord record = {}) : m_record(std::move(record)) {}
@@ -31,15 +31,17 @@ public:
     /// Called after each step of the record, by one thread at a time.
     std::function<void(const SearchRecord&)> onStep;
 
-    [[nodiscard]] const SearchRecord& record() const { return m_record; } ///< while none is run
-    /// Whether something in it was searched anew.
+    [[nodiscard]] const SearchRecord& record() const {
+        return m_record;
+    } ///< only while no search runs
+    /// Returns whether a part of the record was discarded and searched anew.
     [[nodiscard]] bool hasRefused() const { return m_hasRefused; }
-    /// By optimise().
+    /// Called by optimise().
     [[nodiscard]] SearchSummary search(const Project& project, const SearchOptions& options);
 
 private:
     SearchRecord m_record;
-    std::size_t m_asked = 0; ///< searches so far
+    std::size_t m_asked = 0; ///< number of searches so far
     bool m_hasRefused = false;
 };
 

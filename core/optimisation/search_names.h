@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-/// Methods and outcomes of a search as `--method` and `--json` name them.
+/// Names of the methods and outcomes of a search in `--method` and `--json`.
 namespace sparkout {
 
 [[nodiscard]] const char* searchMethodName(SearchMethod method);

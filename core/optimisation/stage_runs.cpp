@@ -20,16 +20,16 @@ std::size_t prefixBytes(const Project& project) {
 }
 
 void CyclePrefix::keep(std::shared_ptr<const CycleSteps> done) {
-    note(*done);
+    recordState(*done);
     steps = std::move(done);
     since = 0;
 }
 
-void CyclePrefix::note(const CycleSteps& done) {
+void CyclePrefix::recordState(const CycleSteps& done) {
     time_s = done.run().time_s();
     fed_mm = done.run().fed_mm;
     if (isBeforeLast() && done.follower()) {
-        telling = tellingRadii(done);
+        critical = criticalRadii(done);
     }
 }
 
@@ -52,7 +52,7 @@ StageRuns::StageRuns(const Project& project, const Grid& grid, const CycleRunner
     }
     if (bounds == Bounds::yes) {
         m_bound.emplace(project, grid, m_total);
-        if (canTell()) {
+        if (canBoundLastStage()) {
             m_lags.emplace(*m_part->follower(), m_feeds, m_part->gaugePoint());
         }
     }
@@ -84,15 +84,15 @@ double StageRuns::leastLag_mm(const CyclePrefix& prefix, std::size_t setting) co
     if (!m_lags || !prefix.isBeforeLast()) {
         return 0;
     }
-    const FollowedRadius& gauged = prefix.telling.radii[0];
-    return std::max(std::min(prefix.telling.fed_mm - gauged.depth_mm, m_lags->least_mm()[setting]),
+    const FollowedRadius& gauged = prefix.critical.radii[0];
+    return std::max(std::min(prefix.critical.fed_mm - gauged.depth_mm, m_lags->least_mm()[setting]),
                     0.0);
 }
 
-void StageRuns::run(const CyclePrefix& from, std::size_t setting, const Useless& useless,
+void StageRuns::run(const CyclePrefix& from, std::size_t setting, const DropCheck& isDropped,
                     const AtEnd& atEnd, SearchCounts& counts) const {
     const auto runThrough = [&](Ends ends) {
-        runTo(ends, from, *from.steps->copy(), setting, useless, atEnd, counts);
+        runTo(ends, from, *from.steps->copy(), setting, isDropped, atEnd, counts);
     };
     if (from.isBeforeLast()) {
         runThrough({0, 0});
@@ -115,22 +115,22 @@ std::optional<StageRuns::End> StageRuns::runTo(int taken, const CyclePrefix& fro
     return reached;
 }
 
-LastStageOutlook StageRuns::outlook(const CyclePrefix& from, std::size_t setting,
-                                    int mostSteps) const {
-    return sparkout::outlook(
-        *m_part, from.telling,
+LastStageBound StageRuns::lastStageBound(const CyclePrefix& from, std::size_t setting,
+                                         int mostSteps) const {
+    return sparkout::lastStageBound(
+        *m_part, from.critical,
         {m_feeds[setting], m_grid.settings()[setting].sparkOut, from.hasSteps(), mostSteps},
         m_cuts);
 }
 
 bool StageRuns::isTooDeep(const CyclePrefix& beforeLast) const {
-    const auto& [gauged, one, other] = beforeLast.telling.radii;
-    return canTell()
+    const auto& [gauged, one, other] = beforeLast.critical.radii;
+    return canBoundLastStage()
            && m_cuts.isTooDeep(m_part->run().diameterDeviation(one.depth_mm, other.depth_mm));
 }
 
 void StageRuns::runTo(Ends ends, const CyclePrefix& from, CycleSteps& steps, std::size_t setting,
-                      const Useless& useless, const AtEnd& atEnd, SearchCounts& counts) const {
+                      const DropCheck& isDropped, const AtEnd& atEnd, SearchCounts& counts) const {
     Run& run = steps.run();
     const long long visitsBefore = run.visits();
     const std::size_t stage = from.cycle.size();
@@ -148,7 +148,7 @@ void StageRuns::runTo(Ends ends, const CyclePrefix& from, CycleSteps& steps, std
         if (ends.taken > first) {
             atEnd({steps, count, first, ends.taken - 1, signal});
         }
-        if (ends.taken > ends.last || useless(run, ends.taken) || run.mustEnd()
+        if (ends.taken > ends.last || isDropped(run, ends.taken) || run.mustEnd()
             || !steps.step(nextFeed(later(last, ends.taken), setting, stage, run.fed_mm))) {
             break;
         }
@@ -176,7 +176,7 @@ CyclePrefix StageRuns::after(const CyclePrefix& from, std::size_t setting, const
     return prefix;
 }
 
-bool StageRuns::again(const CyclePrefix& prefix, CycleSteps& steps, int count) const {
+bool StageRuns::repeatSteps(const CyclePrefix& prefix, CycleSteps& steps, int count) const {
     int taken = 0, before = prefix.stepCount() - count;
     for (std::size_t stage = 0; stage < prefix.counts.size(); ++stage) {
         const auto& [setting, stock] = prefix.cycle[stage];

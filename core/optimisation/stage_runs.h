@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/optimisation/cycle_runner.h"
-#include "core/optimisation/last_stage_outlook.h"
+#include "core/optimisation/last_stage_bound.h"
 #include "core/optimisation/steady_lag.h"
 #include "core/optimisation/time_bound.h"
 #include "core/simulation/gauge_signal.h"
@@ -16,78 +16,80 @@
 
 namespace sparkout {
 
-/// A cycle up to the end of a stage.
+/// A prefix: a cycle up to the end of a stage.
 struct CyclePrefix {
-    std::shared_ptr<const CycleSteps> steps; ///< to go on from
-    int since = 0;                     ///< of its last steps that are to be made from there on
-    double time_s = 0, fed_mm = 0;     ///< behind all of them
-    FollowedRadii telling;             ///< likewise, of a last stage
-    std::size_t stages = 0;            ///< of the whole cycle
-    GridCycle cycle;                   ///< so far
-    std::vector<int> counts;           ///< steps of each stage
-    int taken = 0;                     ///< steps of stock
-    int running = 0;                   ///< steps already made of the next stage
-    std::optional<GaugeSignal> signal; ///< of these steps; none made: not given
-    /// Its steps, to go on from.
+    std::shared_ptr<const CycleSteps> steps; ///< kept state to extend
+    int since = 0;                 ///< number of last steps that must be repeated from that state
+    double time_s = 0, fed_mm = 0; ///< after all its steps
+    FollowedRadii critical;        ///< likewise; critical radii of a last stage
+    std::size_t stages = 0;        ///< number of stages of the whole cycle
+    GridCycle cycle;               ///< the finished stages
+    std::vector<int> counts;       ///< steps of each stage
+    int taken = 0;                 ///< steps of stock taken
+    int running = 0;               ///< number of steps already made of the next stage
+    std::optional<GaugeSignal> signal; ///< readings of these steps; not given: no step was made
+    /// Keeps the state after its steps.
     void keep(std::shared_ptr<const CycleSteps> done);
-    /// What is to be known behind its steps to judge by what follows.
-    void note(const CycleSteps& done);
+    /// Records the values after its steps by which the next stages are bounded.
+    void recordState(const CycleSteps& done);
     [[nodiscard]] bool isBeforeLast() const { return cycle.size() + 1 == stages; }
     [[nodiscard]] int stepCount() const { return std::accumulate(counts.begin(), counts.end(), 0); }
     [[nodiscard]] bool hasSteps() const { return stepCount() > 0; }
 };
 
-/// What the steps in a prefix of the project take in memory, about.
+/// Returns the approximate memory of the state of a prefix [bytes].
 [[nodiscard]] std::size_t prefixBytes(const Project& project);
 
-/// Goes on from cycles by one stage, through all the ends that the grid leaves it.
+/// Extends prefixes by one stage, through all ends that the grid allows.
 class StageRuns {
 public:
-    /// Without bounds bound_s() and bound() are not to be called; they take the square of the
-    /// settings to make.
+    /// Without bounds, bound_s() and bound() must not be called; making them takes time
+    /// proportional to the square of the number of settings.
     enum class Bounds { no, yes };
     StageRuns(const Project& project, const Grid& grid, const CycleRunner& runner, Bounds bounds);
 
-    /// Ends that fall on one step: steps of stock behind the stage from `first` to `last`; of the
-    /// last stage both are 0.
+    /// Ends of a stage that fall on one step: steps of stock taken by its end, from `first` to
+    /// `last`; both are 0 for the last stage.
     struct End {
-        CycleSteps& steps; ///< of the last stage they may be finished
-        int count = 0;     ///< of steps in the stage
+        CycleSteps& steps; ///< those of a last stage may be finished
+        int count = 0;     ///< number of steps in the stage
         int first = 0, last = 0;
         GaugeSignal signal;
     };
-    /// Whether it is no use to run on to the end with so many steps of stock behind it.
-    using Useless = std::function<bool(const Run& run, int taken)>;
+    /// Returns whether the run should be dropped before the end with this number of stock steps
+    /// taken.
+    using DropCheck = std::function<bool(const Run& run, int taken)>;
     using AtEnd = std::function<void(const End& end)>;
-    /// Under gauge control the stage is run once, under position control once for each end. A run
-    /// that breaks a requirement counts as cut and ends.
-    void run(const CyclePrefix& from, std::size_t setting, const Useless& useless,
+    /// Runs a stage: under gauge control once, under position control once for each end. A run that
+    /// breaks a requirement counts as cut and ends.
+    void run(const CyclePrefix& from, std::size_t setting, const DropCheck& isDropped,
              const AtEnd& atEnd, SearchCounts& counts) const;
-    /// To the end with so many steps of stock behind the stage, with a copy of the prefix's steps;
-    /// nothing: it is not reached.
+    /// Runs a stage to the end with this number of stock steps taken, with a copy of the prefix's
+    /// steps; nothing: the end is not reached.
     [[nodiscard]] std::optional<End> runTo(int taken, const CyclePrefix& from, CycleSteps& steps,
                                            std::size_t setting, SearchCounts& counts) const;
-    /// Whether a few radii judge last stages: under gauge control.
-    [[nodiscard]] bool canTell() const { return !m_feeds.empty(); }
-    /// What they show of one with this setting, or of its first steps.
-    [[nodiscard]] LastStageOutlook outlook(const CyclePrefix& from, std::size_t setting,
-                                           int mostSteps = std::numeric_limits<int>::max()) const;
-    /// Whether a diameter is beyond the field before the last stage begins.
+    /// Returns whether last stages can be bounded by the critical radii: under gauge control, where
+    /// radii do not depend on each other.
+    [[nodiscard]] bool canBoundLastStage() const { return !m_feeds.empty(); }
+    /// Bounds a last stage with this setting, or its first `mostSteps` steps.
+    [[nodiscard]] LastStageBound
+    lastStageBound(const CyclePrefix& from, std::size_t setting,
+                   int mostSteps = std::numeric_limits<int>::max()) const;
+    /// Returns whether a diameter is beyond the field before the last stage begins.
     [[nodiscard]] bool isTooDeep(const CyclePrefix& beforeLast) const;
-    /// The prefix behind the stage, without steps.
+    /// Returns the prefix after the stage, without its state.
     [[nodiscard]] CyclePrefix after(const CyclePrefix& from, std::size_t setting, const End& end,
                                     int taken) const;
 
-    /// Steps of stock that are taken at least and at most behind the next stage of a prefix.
+    /// Least and greatest number of stock steps taken by the end of a prefix's next stage.
     [[nodiscard]] int leastTaken(const CyclePrefix& prefix) const;
     [[nodiscard]] int mostTaken(const CyclePrefix& prefix) const;
-    /// Makes the last so many steps of a prefix once more, behind those before; false: it was
-    /// stopped.
-    [[nodiscard]] bool again(const CyclePrefix& prefix, CycleSteps& steps, int count) const;
+    /// Repeats the last `count` steps of a prefix on those before them; returns false when stopped.
+    [[nodiscard]] bool repeatSteps(const CyclePrefix& prefix, CycleSteps& steps, int count) const;
 
-    /// Least time [s] of all cycles that go on with this setting, or with so much done of it.
-    /// Behind the last stage the wheel is fed beyond the size by the lag of the gauge's deepest
-    /// radius.
+    /// Returns the least time [s] of all cycles that extend the prefix with this setting, from its
+    /// end or from a moment of its run. At the end of the cycle the wheel has been fed beyond the
+    /// size by the lag of the gauge's deepest radius.
     [[nodiscard]] double bound_s(const CyclePrefix& prefix, std::size_t setting, int taken) const {
         return bound_s(prefix, prefix.time_s, prefix.fed_mm, setting, taken);
     }
@@ -103,7 +105,7 @@ private:
         int taken = 0, last = 0;
     };
     void runTo(Ends ends, const CyclePrefix& from, CycleSteps& steps, std::size_t setting,
-               const Useless& useless, const AtEnd& atEnd, SearchCounts& counts) const;
+               const DropCheck& isDropped, const AtEnd& atEnd, SearchCounts& counts) const;
     [[nodiscard]] double bound_s(const CyclePrefix& prefix, double time_s, double fed_mm,
                                  std::size_t setting, int taken) const;
     [[nodiscard]] double leastLag_mm(const CyclePrefix& prefix, std::size_t setting) const;
@@ -115,13 +117,13 @@ private:
 
     const Grid& m_grid;
     const PassCuts& m_cuts;
-    std::shared_ptr<const CycleSteps> m_part; ///< its first steps
+    std::shared_ptr<const CycleSteps> m_part; ///< initial state of the part
     double m_total;                           ///< |R_first − R_t| [mm]
-    double m_fedAtSize_mm;                    ///< by position control
+    double m_fedAtSize_mm;                    ///< under position control
     std::vector<StepFeed> m_steps;            ///< by setting
     std::vector<FollowedFeed> m_feeds;        ///< by setting; empty: no radius can be followed
     std::optional<TimeBound> m_bound;
-    mutable std::optional<SteadyLags> m_lags; ///< of the settings; found when they are asked for
+    mutable std::optional<SteadyLags> m_lags; ///< lags by setting, computed on demand
     bool m_gauge;
     GaugeSignal m_signal; ///< before the first reading
 };

@@ -14,7 +14,7 @@ TradeOff tradeOff(const Project& project, const SearchSummary& quickest, SearchO
         options.quickest_us = last.time_us + 1; // of equal times it has the greatest margin
         SearchSummary next = optimise(project, options);
         if (next.status != SearchStatus::proved) {
-            found.isWhole = next.status == SearchStatus::infeasible;
+            found.isComplete = next.status == SearchStatus::infeasible;
             break;
         }
         found.cycles.push_back(std::move(next));

@@ -11,7 +11,7 @@
 
 namespace sparkout {
 
-/// What of the machine a grid may leave free, one value for the whole cycle.
+/// Machine settings that a grid may leave free, one value for the whole cycle.
 struct MachineSettings {
     double work_speed_rpm = 0; ///< n [rev/min]
     double dwell_entry_s = 0;  ///< traverse [s]
@@ -21,32 +21,33 @@ struct MachineSettings {
 [[nodiscard]] MachineSettings machineSettings(const Project& project);
 void setMachine(Project& project, const MachineSettings& settings);
 
-/// The whole of what a project's optimisation asks for: a grid of cycles for each work speed, entry
-/// dwell, exit dwell and count of spark-outs, as listed, the work speed changing last of all and
-/// the spark-outs first. That is their order, before the grid order of the cycles of one variant.
-/// What is not listed is as the machine is set, with no spark-out.
+/// All grids of a project's optimisation: one for each combination of work speed, entry dwell, exit
+/// dwell and spark-out count as listed. In the order of the variants the spark-outs change first
+/// and the work speed last; the order of variants precedes the grid order of the cycles of one
+/// variant. A setting that is not listed is that of the machine, and there is then no spark-out.
 class Variants {
 public:
-    /// With a fault there are none. A stop may leave some out.
+    /// With a fault there are no variants. A stop may leave some out.
     explicit Variants(const Project& project, const std::stop_token& stop = {});
 
-    /// Of the first variant, where all have one; else none.
+    /// Returns the fault of the first variant if all variants have one; otherwise none.
     [[nodiscard]] GridFault fault() const { return m_fault; }
     [[nodiscard]] std::size_t count() const { return m_variants.size(); }
-    /// Not all are there, as they were stopped being made.
+    /// Returns whether a stop left variants out.
     [[nodiscard]] bool isCutShort() const { return m_isCutShort; }
-    /// The project with the variant's machine, whose optimisation lists this variant alone.
+    /// Returns the project with the variant's machine settings, whose optimisation lists this
+    /// variant alone.
     [[nodiscard]] const Project& project(std::size_t variant) const {
         return m_variants[variant].project;
     }
     [[nodiscard]] const Grid& grid(std::size_t variant) const { return *m_variants[variant].grid; }
-    /// Whether two variants differ in one thing alone.
+    /// Returns whether two variants differ in exactly one setting.
     [[nodiscard]] bool differInOne(std::size_t a, std::size_t b) const;
-    /// The number of cycles of all, 2^63 − 1 when there are more.
+    /// Number of cycles of all variants, at most 2^63 − 1.
     [[nodiscard]] std::int64_t size() const;
 
 private:
-    /// The machine leaves the grid as it is: variants of one count of spark-outs share it.
+    /// The machine settings do not affect the grid: variants with one spark-out count share it.
     struct Variant {
         Project project;
         std::shared_ptr<const Grid> grid;
@@ -56,7 +57,7 @@ private:
     bool m_isCutShort = false;
 };
 
-/// The number of cycles that a project's optimisation asks for, without making the variants.
+/// Returns the number of cycles of a project's optimisation without making the variants.
 [[nodiscard]] std::int64_t gridSize(const Project& project);
 
 } // namespace sparkout

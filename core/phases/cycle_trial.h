@@ -9,14 +9,15 @@
 
 namespace sparkout {
 
-/// How the cycle of a valid project does.
+/// Result of a trial of a project's cycle.
 struct CycleTrial {
-    bool holds = false; ///< it ends by itself, and every requirement holds
-    double leastMargin = -std::numeric_limits<double>::infinity(); ///< relative; if it ends
-    double removed_mm3 = 0;                                        ///< if it ends
+    bool holds = false; ///< it ends by itself and meets every requirement
+    double leastMargin =
+        -std::numeric_limits<double>::infinity(); ///< relative margin; −∞: the cycle does not end
+    double removed_mm3 = 0;                       ///< removed volume, if the cycle ends
 };
 
-/// Nothing: it was stopped, so nothing is known.
+/// Tries the cycle of a valid project; returns nothing when stopped.
 [[nodiscard]] std::optional<CycleTrial> tried(const Project& project, const std::stop_token& stop);
 
 } // namespace sparkout

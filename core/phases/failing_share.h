@@ -7,17 +7,18 @@
 
 namespace sparkout {
 
-/// What of a batch fails by the stock of its parts alone, their other inputs as they are.
+/// Share of a batch that fails because of the stock alone, with the other inputs unchanged.
 struct FailingShare {
-    double failing = 0;   ///< share of all parts whose stock fails
-    double undecided = 0; ///< share whose stock lies outside the range decided
+    double failing = 0;   ///< share of parts with a failing stock
+    double undecided = 0; ///< share of parts with a stock outside the decided range
 };
 
-/// Of a decision, by the distribution of the stock: F(x) the share of parts of a smaller stock,
+/// Computes the shares from a decision and the distribution of the stock, F(x) being the share of
+/// parts with a smaller stock:
 ///
 ///     failing = Σ (F(to) − F(from)) over the stocks that fail,  undecided = 1 − (F(to) − F(from))
 ///
-/// of the range. Where neighbouring pieces overlap a stock counts once. No stock is sampled.
+/// of the range. Where neighbouring pieces overlap, a stock counts once. No stock is sampled.
 [[nodiscard]] FailingShare failingShare(const PhaseDecision& decision,
                                         const std::function<double(double stock_mm)>& shareBelow);
 

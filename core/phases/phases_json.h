@@ -12,11 +12,11 @@ namespace sparkout {
 [[nodiscard]] std::span<const Output<PhaseDecision>> phasesOutputs();
 [[nodiscard]] std::span<const Output<DecidedPiece>> phasePieceOutputs();
 [[nodiscard]] std::span<const Output<FailingStocks>> failingStocksOutputs();
-/// The requirement that a piece or the stocks that fail are nearest to.
+/// Returns the outputs of the requirement nearest to its limit in a piece or in failing stocks.
 [[nodiscard]] std::span<const Output<ConstraintResult>> phaseWorstOutputs();
 
-/// The object of `phases --json`: the pieces of the range, and the stocks for which the cycle
-/// fails.
+/// Returns the object of `phases --json`: the pieces of the range, and the stocks for which the
+/// cycle fails.
 [[nodiscard]] std::string phasesJson(const PhaseDecision& decision);
 
 } // namespace sparkout

@@ -7,13 +7,13 @@
 #include <string>
 #include <string_view>
 
-/// The record of a full search as text, to be gone on with by another run of the program.
+/// The record of a full search as text, from which another run of the program can resume it.
 namespace sparkout {
 
 inline constexpr const char* searchStateFormat = "sparkout-search";
 inline constexpr int searchStateVersion = 1;
 
-/// What a record is of: only the same question has the same answer.
+/// The question that a record belongs to: only the same question has the same answer.
 struct SearchQuestion {
     std::string engine;  ///< buildId()
     std::string project; ///< projectDigest()
@@ -21,38 +21,38 @@ struct SearchQuestion {
     friend bool operator==(const SearchQuestion&, const SearchQuestion&) = default;
 };
 
-/// One line of JSON with its checksum, bit for bit: equal records, equal bytes.
+/// Returns one line of JSON with its checksum; equal records give equal bytes.
 [[nodiscard]] std::string writeSearchState(const SearchQuestion& question,
                                            const SearchRecord& record);
 
-/// Why a text is no record to go on with.
+/// Reason why a search cannot be resumed from a text.
 enum class SearchStateFault {
     none,
-    otherFormat,  ///< not of this kind at all
-    otherVersion, ///< of a version that this one does not read
-    changed,      ///< cut off, or its checksum is not that of its contents
-    badValue,     ///< a value is none that a search has; see ReadSearchState::value
+    otherFormat,  ///< not a search record
+    otherVersion, ///< a version that this program does not read
+    changed,      ///< truncated, or the checksum does not match the contents
+    badValue,     ///< a value is invalid; see ReadSearchState::value
     otherEngine,
     otherProject,
     otherOptions
 };
 
-/// A value of a text that is out of its range, or of another kind.
+/// A value of a text that is out of range or has the wrong type.
 struct BadStateValue {
     std::string path;  ///< JSON pointer, "/finished/0/evaluations"
-    std::string found; ///< as it stands there
+    std::string found; ///< as written in the text
     std::string least, most;
 };
 
 struct ReadSearchState {
     SearchStateFault fault = SearchStateFault::none;
     SearchQuestion question; ///< as far as it was read
-    BadStateValue value;     ///< of a bad value
+    BadStateValue value;     ///< the invalid value
     SearchRecord record;
 };
 
-/// Reads it back, for the question that is asked now. Whether its cycles are of the grid and take
-/// the times that stand there is for SearchJournal to find out.
+/// Reads a record for the given question. SearchJournal checks whether its cycles belong to the
+/// grid and have the times stated.
 [[nodiscard]] ReadSearchState readSearchState(std::string_view text, const SearchQuestion& asked);
 
 } // namespace sparkout

@@ -14,34 +14,36 @@
 
 namespace sparkout {
 
-/// Sections coupled [MODEL-6]: what the plunge cycle does differently when a force in one section
-/// deflects the others too. Before a revolution it solves the balance of all sections for every
-/// radius, twelve at a time where that is possible, and sets the coefficients under which the pass
-/// then cuts exactly these depths. Stages, gauge, trajectory and books are those of the cycle with
-/// independent sections.
+/// Coupling of sections [MODEL-6], by which a force in one section deflects the others of a plunge
+/// cycle too. Before a revolution it solves the balance of all sections for every radius, twelve at
+/// a time where that is possible, and sets the coefficients with which the pass then cuts exactly
+/// these depths. Stages, gauge, trajectory and sums are those of the cycle with independent
+/// sections.
 ///
 /// The discrete influence of the sections is G(x_j,x_l)·Δx, Δx = L_p/J. A section of the
-/// independent model is one whose G has nothing beside G_jj·Δx = γ_j·L_p. A free gauge is a place
-/// without force of its own: a = h − Σ_l G(x,x_l)·p(a_l)·Δx, or h − γ·ΣP where the gauge's own γ is
-/// given; with the wheel's contact a + δ_c(L_p·p(a)) stands in place of a. Section by section the
-/// forces are those of the whole width at the section's pressure, L_p·p(a_j), as with independent
-/// sections; peak force and power, of a stage and of all, are integrals over the length.
+/// independent model is one whose only entry of G is G_jj·Δx = γ_j·L_p. A free gauge is a place
+/// without a force of its own: a = h − Σ_l G(x,x_l)·p(a_l)·Δx, or h − γ·ΣP where the gauge's own γ
+/// is given; with the wheel's contact a + δ_c(L_p·p(a)) stands in place of a. Section by section
+/// the forces are those of the whole width at the section's pressure, L_p·p(a_j), as with
+/// independent sections; peak force and power, of a stage and of all, are integrals over the
+/// length.
 class SectionCoupling {
 public:
-    /// `points` are the sections, and after them the free gauge if there is one.
+    /// `points` are the sections, followed by the free gauge if there is one.
     SectionCoupling(const Project& project, const std::vector<CompliantPoint>& points,
                     const Blank& blank, const std::stop_token& stop = {});
 
     enum class Outcome { solved, notSolved, stopped };
 
-    /// Once, of the width that solve() is given: leaves C² alone to say what a pass cuts, and with
-    /// a threshold C what v is.
+    /// Prepares, once, the width that is given to solve(), so that only C², and with a threshold C
+    /// as v, determines the depth of a pass.
     static void takeOver(CutWidth& width);
-    /// Solves the coming revolution and puts it into `width`. `at` is where it stands in the cycle.
+    /// Solves the next revolution and writes it to `width`. `at` is its place in the cycle.
     Outcome solve(const PassFeed& feed, const Place& at, CutWidth& width,
                   const std::stop_token& stop);
 
-    /// Peak force and peak power of the integrals, in place of the largest section's.
+    /// Replaces the largest section's peak force and power by those of the integrals over the
+    /// length.
     void putPeaks(SimulationResult& result) const;
 
 private:
@@ -68,19 +70,20 @@ private:
     ForceLaw m_law;
     std::optional<ContactCompliance> m_contact;
     CoupledSections m_balance;
-    std::optional<CoupledRadii> m_sideBySide; ///< where the balance allows it
+    std::optional<CoupledRadii> m_sideBySide; ///< present where the balance allows it
     std::vector<double> m_gaugeInfluence;     ///< G(x_gauge, x_l), empty without a free gauge
     // Radii stand in dozens, the blocks; in each block a row for each section.
-    std::vector<Row> m_depth; ///< of each lane as the run keeps it, before the last revolution [mm]
-    std::vector<Row> m_root;  ///< u of the last revolution, from expect() on of the coming [√mm]
-    std::vector<Row> m_rootBefore, m_rootTwoBefore; ///< of the two before that
-    std::vector<Row> m_lag;                         ///< of one block [mm]
+    std::vector<Row> m_depth; ///< depth of each lane before the last revolution, as in the run [mm]
+    std::vector<Row> m_root;  ///< u of the last revolution, after expect() of the next one [√mm]
+    std::vector<Row> m_rootBefore, m_rootTwoBefore; ///< u of the two revolutions before that
+    std::vector<Row> m_lag;                         ///< lags of one block [mm]
     std::vector<Row> m_rubbing; ///< v of the last revolution; empty: no threshold
     std::vector<double> m_oneLag, m_oneRoot, m_oneRubbing; ///< of one radius
-    std::vector<bool> m_cutAll; ///< of each radius: all sections cut it in the last revolution
-    std::vector<double> m_gaugeDepth;        ///< of each radius [mm]
-    std::vector<Row> m_fed;                  ///< t_П, a row for each block [mm]
-    std::vector<Row> m_normal, m_tangential; ///< the same of the forces of all sections [N]
+    std::vector<bool> m_cutAll;       ///< by radius: all sections cut it in the last revolution
+    std::vector<double> m_gaugeDepth; ///< of each radius [mm]
+    std::vector<Row> m_fed;           ///< t_П, a row for each block [mm]
+    std::vector<Row> m_normal,
+        m_tangential; ///< likewise the sums of the forces of all sections [N]
     double m_wheelSpeed_m_s;
     double m_gaugeRoot = 0;          ///< of the last radius
     std::vector<StagePeaks> m_peaks; ///< of each stage of the cycle

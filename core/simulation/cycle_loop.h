@@ -8,7 +8,7 @@
 
 namespace sparkout {
 
-/// What is known of a step that is done.
+/// Readings at the end of a step.
 struct StepReading {
     double remaining_mm = 0; ///< stock per side, as the gauge reads it
     double fed_mm = 0;       ///< t_П
@@ -18,23 +18,24 @@ struct StepReading {
 
 [[nodiscard]] StepReading takeReading(CycleSteps& steps);
 
-/// Decides on a cycle step by step: what is fed next, and whether the cycle has ended or cannot.
+/// Controls a cycle step by step: the feed of the next step, and whether the cycle has ended or
+/// cannot end.
 class CycleLoop {
 public:
     /// The project must outlive the loop and its copies.
     CycleLoop(const Project& project, const Run& run);
 
     [[nodiscard]] bool finished() const { return m_control.finished(); }
-    /// Whether it waits for a size it cannot reach.
+    /// Returns whether the cycle waits for a size that it cannot reach.
     [[nodiscard]] bool isStuck() const { return m_isStuck; }
     [[nodiscard]] const StageControl& control() const { return m_control; }
-    /// Ends the running stage, whatever the control says.
+    /// Ends the running stage regardless of the control.
     void endStage() { m_control.endStage(); }
 
-    /// What the next step feeds.
+    /// Returns the feed of the next step.
     [[nodiscard]] StepFeed next(const Run& run) const;
-    /// After that step. `decide` answers where the stock decides: whether it is larger by no more
-    /// than so much [mm].
+    /// Takes the reading after that step. Where the stock decides, `decide` returns whether the
+    /// stock is larger by at most its argument [mm].
     template <class Decide>
     void stepDone(const StepReading& reading, const Decide& decide) {
         const std::size_t stage = m_control.stage();
@@ -54,12 +55,12 @@ public:
 private:
     const Project* m_project;
     StageControl m_control;
-    int m_mostIdle; ///< steps in a row that remove nothing
+    int m_mostIdle; ///< allowed number of successive steps that remove nothing
     int m_idle = 0;
     bool m_isStuck = false;
 };
 
-/// The cycle of a project, with the steps of its kind.
+/// Runs the cycle of a project with the steps of its operation.
 [[nodiscard]] SimulationResult runCycle(const Project& project, CycleSteps& steps);
 
 } // namespace sparkout

@@ -12,29 +12,29 @@
 
 namespace sparkout {
 
-/// What the next step of a cycle feeds: one double stroke (traverse) or one revolution (plunge).
+/// Feed of one step of a cycle: a double stroke (traverse) or a revolution (plunge).
 struct StepFeed {
     double infeed_mm = 0;
-    std::size_t stage = 0;       ///< that it belongs to, from 0
+    std::size_t stage = 0;       ///< stage to which it belongs, from 0
     double axialFeed_mm_min = 0; ///< traverse
-    /// Traverse: S_c, which is fed until t_П is `most_mm`, or where it is already.
+    /// Traverse: S_c, which feeds until t_П reaches `most_mm`, and not at all beyond it.
     double continuousFeed_mm_min = 0;
     double most_mm = std::numeric_limits<double>::infinity();
 };
 
-/// The steps of a cycle without what decides on stages: simulate() adds the stage control, a
-/// search goes on from one state in many ways. What a step does depends on the state and its feed
-/// alone. The project's stages count, for their number; it must outlive the steps and copies.
+/// The steps of a cycle without the control of its stages: simulate() adds the stage control, a
+/// search continues one state in many ways. A step depends only on the state and its feed. The
+/// project is used for the number of its stages; it must outlive the steps and their copies.
 class CycleSteps {
 public:
     virtual ~CycleSteps() = default;
     [[nodiscard]] virtual std::unique_ptr<CycleSteps> copy() const = 0;
-    /// False: the run must end within the step, which then does not count.
+    /// Makes a step; returns false: the run must end within the step, which then does not count.
     [[nodiscard]] virtual bool step(const StepFeed& feed) = 0;
-    /// What the gauge reads: remaining stock per side [mm].
+    /// Returns the remaining stock per side that the gauge reads [mm].
     [[nodiscard]] double remaining() const { return m_run.remaining(m_gaugePoint); }
     [[nodiscard]] virtual SimulationResult finish(const std::vector<int>& stepsByStage) = 0;
-    /// Of the state it is in when asked to begin; none where radii depend on each other.
+    /// Returns a follower of radii from the current state; null: radii depend on each other.
     [[nodiscard]] virtual const RadiusFollower* follower() const { return nullptr; }
     [[nodiscard]] std::size_t gaugePoint() const { return m_gaugePoint; }
 
@@ -47,7 +47,7 @@ protected:
 
     Run m_run;
     std::size_t m_gaugePoint;
-    int m_steps = 0; ///< begun so far
+    int m_steps = 0; ///< number of steps begun so far
 };
 
 } // namespace sparkout

@@ -10,9 +10,9 @@ namespace sparkout {
 
 enum class CycleAxis { time, strokes, revolutions };
 
-/// Time to the chosen axis and back; both grow strictly. Time is in seconds or minutes, by the
-/// longest that is shown, else the whole cycle. Strokes are counted as done: the first one
-/// runs from 0 to 1.
+/// Conversion of time to the chosen axis and back; both grow strictly. Time is in seconds or minutes,
+/// by the longest that is shown, otherwise the whole cycle. Strokes are counted when done: the first
+/// one runs from 0 to 1.
 class CycleScale {
 public:
     CycleScale() = default;
@@ -33,17 +33,17 @@ struct XY {
     double x = 0, y = 0;
 };
 
-/// The point at a time; null where the zone has none.
+/// Returns the point at a time; null: the zone has none.
 [[nodiscard]] const FeedPoint* feedPointAt(const FeedPoints& points, double time_s);
 
-/// Feeds and forces as steps that fall to zero where the wheel is elsewhere, accumulated feeds as
-/// ramps, radii as held steps. x never falls, all values are finite.
+/// Returns a curve: feeds and forces as steps that fall to zero where the wheel is elsewhere,
+/// accumulated feeds as ramps, radii as held steps. x never falls; all values are finite.
 [[nodiscard]] std::vector<XY> polyline(const FeedPoints& points, Quantity quantity, Edge edge,
                                        const CycleScale& scale);
 
 [[nodiscard]] double valueOf(const FeedPoint& point, Quantity quantity, Edge edge);
 
-/// The points that touch a time span, and one neighbour at each side.
+/// Returns the points that touch a time span, and one neighbour on each side.
 [[nodiscard]] FeedPoints within(const FeedPoints& points, double from_s, double to_s);
 
 } // namespace sparkout

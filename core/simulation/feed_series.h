@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-/// A trajectory summed up over the radii: what the view "Feeds by stage" draws.
+/// A trajectory summed up over the radii, for the view "Feeds by stage".
 namespace sparkout {
 
 /// Smallest, mean and largest value over the radii of a cross-section.
@@ -19,7 +19,7 @@ struct Spread {
 /// revolution, one pass, or (all three of a spread equal) one radius of one pass.
 struct FeedPoint {
     Place place;
-    int radius = -1; ///< k, when the point is of one radius only
+    int radius = -1; ///< k of a point of one radius; −1: all radii
     double start_s = 0;
     double end_s = 0;
     double axialFeed_mm_min = 0;
@@ -38,7 +38,7 @@ struct FeedColumn {
     Zone zone = Zone::section;
     int section = 0;
     bool gauge = false;                 ///< plunge: the section that carries the gauge
-    std::vector<std::size_t> passIndex; ///< its passes in the trajectory, in time
+    std::vector<std::size_t> passIndex; ///< its passes in the trajectory, in the order of time
     FeedPoints strokes;                 ///< one point a double stroke or revolution, thinned
 };
 
@@ -56,7 +56,7 @@ struct StepSpan {
     double end_s = 0;
 };
 
-/// All zones or sections of a run; the passes within a span of time are worked out when asked for.
+/// All zones or sections of a run; the passes within a time span are computed on demand.
 struct FeedSeries {
     Operation operation;
     double target_mm = 0;    ///< R_t
@@ -64,7 +64,7 @@ struct FeedSeries {
     double removalSign = 1;  ///< R_came = R_left + sign·a: +1 external, −1 internal
     double revolutions_per_s = 0;
     double end_s = 0;
-    int dropped = 0;                   ///< visits with a value that is no finite number, not drawn
+    int dropped = 0; ///< number of visits with a value that is not finite; they are not drawn
     std::vector<double> strokeStart_s; ///< start of each double stroke or revolution
     std::vector<StageSpan> stages;
     std::vector<FeedColumn> columns; ///< zones, or all sections from the headstock on
@@ -74,28 +74,28 @@ struct FeedSeries {
     [[nodiscard]] int strokeAt(double time_s) const;    ///< number of the stroke, from 1
 };
 
-/// More points than this are merged in FeedColumn::strokes.
+/// Greatest number of points in FeedColumn::strokes; more are merged.
 inline constexpr std::size_t mostStrokePoints = 500;
 
-/// The series of a run; empty columns when the trajectory was not recorded.
+/// Returns the series of a run; its columns are empty when the trajectory was not recorded.
 [[nodiscard]] FeedSeries makeFeedSeries(const SimulationResult& result,
                                         const Trajectory& trajectory);
 
-/// At most `most` sections, evenly chosen, first and last and the gauge's among them; a wanted one
-/// takes the place of its nearest neighbour that is not the gauge's.
+/// Returns at most `most` evenly distributed sections, with the first, the last and the gauge's
+/// among them; a wanted one replaces its nearest neighbour that is not the gauge's.
 [[nodiscard]] std::vector<int> shownSections(int count, int gauge, std::optional<int> wanted = {},
                                              int most = 4);
 
-/// One point a pass for the passes that touch the time span, and one neighbour at each side.
+/// Returns one point for each pass that touches the time span, and for one neighbour on each side.
 [[nodiscard]] FeedPoints passPoints(const FeedSeries& series, const FeedColumn& column,
                                     const Trajectory& trajectory, double from_s, double to_s);
 
-/// The steps whose passes touch the time span, and one at each side.
+/// Returns the steps whose passes touch the time span, and one on each side.
 [[nodiscard]] std::vector<StepSpan>
 stepSpans(const FeedColumn& column, const Trajectory& trajectory, double from_s, double to_s);
 
-/// One point a radius for the passes that touch the time span. The radii of a pass are spread
-/// evenly over it in the order of their visits.
+/// Returns one point for each radius of the passes that touch the time span. The radii of a pass
+/// are distributed evenly over it in the order of their visits.
 [[nodiscard]] FeedPoints radiusPoints(const FeedSeries& series, const FeedColumn& column,
                                       const Trajectory& trajectory, double from_s, double to_s);
 

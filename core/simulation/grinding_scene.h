@@ -10,25 +10,25 @@
 
 namespace sparkout {
 
-/// One zone or section as the wheel meets it: the radius that faces the wheel.
+/// One zone or section at the wheel, with the radius that faces it.
 struct SceneSurface {
     Zone zone = Zone::section;
     int section = 0;      ///< from 0
-    Stretch stretch;      ///< of the ground length
+    Stretch stretch;      ///< its part of the ground length
     double radius_mm = 0; ///< R_k after its last cut
-    double yield_mm = 0;  ///< how far the wheel pushes it away, y = h − a ≥ 0
+    double yield_mm = 0;  ///< deflection under the wheel, y = h − a ≥ 0
 };
 
-/// Wheel and part at a moment of the cycle, seen from the side. All yielding is drawn at the part,
-/// though wheel head and supports give way too [MODEL-6], so what is being cut touches the wheel's
-/// edge: R_k − y = R_max0 − t_П, in a bore R_k + y = R_min0 + t_П. In traverse the part gives way
-/// as one body, by the balance of the zone under the wheel's middle; in plunge each section by its
-/// own.
+/// Wheel and part at a moment of the cycle, seen from the side. All deflection is drawn at the
+/// part, though wheel head and supports deflect too [MODEL-6], so the surface being cut touches the
+/// wheel's edge: R_k − y = R_max0 − t_П, in a bore R_k + y = R_min0 + t_П. In traverse grinding the
+/// part deflects as one body, by the balance of the zone under the wheel's middle; in plunge
+/// grinding each section deflects by its own balance.
 struct GrindingScene {
     Operation operation;
     double removalSign = 1;   ///< +1 external, −1 internal
-    Stretch wheel;            ///< what it covers, beyond the ends by the overruns
-    double edge_mm = 0;       ///< radius at which its edge stands
+    Stretch wheel;            ///< length covered by the wheel, with the overruns beyond the ends
+    double edge_mm = 0;       ///< radius of the wheel's edge
     int radius = 0;           ///< k that faces the wheel
     std::size_t leading = 0;  ///< the surface under the wheel's middle
     double programmed_mm = 0; ///< t_П
@@ -38,8 +38,8 @@ struct GrindingScene {
     std::vector<SceneSurface> surfaces;
 };
 
-/// At the blank the wheel stands at the entry, at the first touch; else the moment has passes that
-/// are open. Without a trajectory there are no surfaces.
+/// Returns the scene at a moment with open passes. At the blank the wheel stands at the entry, at
+/// first touch. Without a trajectory there are no surfaces.
 [[nodiscard]] GrindingScene grindingScene(const SimulationResult& result,
                                           const Trajectory& trajectory, const Progress& moment);
 

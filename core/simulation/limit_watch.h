@@ -15,22 +15,22 @@
 
 namespace sparkout {
 
-/// What a run keeps of its passes for the requirements that the project states and that the peaks
-/// of the stages do not answer [MODEL-8]: the visit nearest to burning, and for the roughness what
-/// the last step with infeed took off each radius. What is not asked for costs nothing; no pass
+/// Values of a run's passes for the requirements of the project that the peaks of the stages do not
+/// cover [MODEL-8]: the visit nearest to burning, and for the roughness the depth that the last
+/// step with infeed took off each radius. Requirements that are not set cost nothing; no pass
 /// allocates.
 ///
-/// Burn is judged by √a over the greatest one whose damaged layer stays within the stock left. Most
-/// passes are done with at a glance: no lane is nearer than their largest √a would be at a stock a
-/// little less than any they leave. Those that may be the worst so far are looked through by the
-/// polynomial of a stretch of stocks, or where none fits by the table, true to two millionths of
-/// √a.
+/// Burn is judged by √a over the greatest √a whose damaged layer stays within the remaining stock.
+/// Most passes need only a quick check: no lane is nearer than their largest √a would be at a stock
+/// a little less than any they leave. Passes that may be the worst so far are searched with the
+/// polynomial of a stretch of stocks, or where none fits with the table, accurate to two millionths
+/// of √a.
 class LimitWatch {
 public:
     LimitWatch(const Project& project, const Blank& blank);
 
     void prepare(const Lanes& lanes);
-    /// After a pass of `count` zones or sections from `first` on whose largest √a is `root`;
+    /// Takes a pass of `count` zones or sections from `first` on whose largest √a is `root`;
     /// `places[i]` is the place of the i-th of them.
     void passDone(const Lanes& lanes, const PassRange& range, double root, const PassFeed& feed,
                   const Place* places, std::size_t first, std::size_t count) {
@@ -41,28 +41,28 @@ public:
             judge(lanes, range, root, feed, places);
         }
     }
-    /// A step of the cycle: what it fed, and t_П at its end.
+    /// A step of the cycle.
     struct Step {
-        double infeed_mm = 0; ///< none or less in a spark-out
+        double infeed_mm = 0; ///< 0 or less in a spark-out
         double fed_mm = 0;
         double duration_s = 0;
         double overlap = 1; ///< B·n/S_ax of a double stroke
         std::size_t stage = 0;
-        bool isSpiral = false; ///< of a revolution in which the infeed grows with the angle
+        bool isSpiral = false; ///< a revolution in which the infeed grows with the angle
     };
-    /// After the passes of a revolution or double stroke.
+    /// Takes the end of a revolution or double stroke.
     void stepDone(const Lanes& lanes, const Step& step) {
         if (m_keepsLast) {
             keepStep(lanes, step);
         }
     }
-    /// Watches no further pass, and forgets those before.
+    /// Stops watching and discards the values so far.
     void stop() {
         m_burn.reset();
         m_keepsLast = false;
         m_last = {};
     }
-    /// Forgets the worst so far, for lanes from the start.
+    /// Discards the worst visit so far and begins again with these lanes.
     void restart(const Lanes& lanes) {
         m_usage = m_quietRoot = 0;
         m_reach = farReach;
@@ -70,18 +70,18 @@ public:
         m_quietEnd = m_stretchEnd = std::numeric_limits<double>::lowest();
         prepare(lanes);
     }
-    /// From now on so much more [mm] is left below every cut, as of a larger blank.
+    /// From now on this much more stock [mm] is left below every cut, as in a larger blank.
     void leaveMore(double more_mm) {
         m_total += more_mm;
         m_quietEnd = m_stretchEnd = std::numeric_limits<double>::lowest();
     }
-    /// Whether a visit burned beyond doubt: the table of limits is off by less.
+    /// Returns whether a visit burned by more than the error of the table of limits.
     [[nodiscard]] bool surelyBurned() const {
         constexpr double generously = 1e-4; // of √a
         return m_usage > 1 + generously && m_burn->isResolved();
     }
-    /// Puts what was kept into the result, whose sections and counts are there: the lanes watched
-    /// are those of its sections, and where zones hold several those of these after them.
+    /// Writes the kept values to a result with its sections and counts: the watched lanes are those
+    /// of its sections or, where zones have several, those of their sections after them.
     void put(SimulationResult& result) const;
 
 private:
@@ -99,29 +99,31 @@ private:
     bool m_keepsLast;
     /// The last step with infeed.
     struct LastStep {
-        std::vector<double> before_mm; ///< how deep each lane stood when the running step began
-        std::vector<double> taken_mm;  ///< off each lane; 0: not cut yet
+        std::vector<double> before_mm; ///< depth of each lane when the running step began
+        std::vector<double> taken_mm;  ///< depth taken off each lane; 0: not cut yet
         std::vector<double> pressed_mm;
-        std::vector<Place> at;      ///< its first pass over each section
-        std::vector<Place> begun;   ///< that of the running step, of those that have one
+        std::vector<Place> at;      ///< place of its first pass over each section
+        std::vector<Place> begun;   ///< likewise of the running step, where it has one
         std::vector<char> hasBegun; ///< by section
-        std::size_t stage = 0;      ///< of the last whole one
-        double infeed_mm = 0;       ///< of that one; 0: there is none
+        std::size_t stage = 0;      ///< stage of the last complete step
+        double infeed_mm = 0;       ///< infeed of that step; 0: there is none
         double duration_s = 0;
         double overlap = 1;
-        double sparkOut_s = 0; ///< since it
+        double sparkOut_s = 0; ///< time of the steps since then
     };
     LastStep m_last;
-    std::shared_ptr<const BurnTable> m_burn; ///< the same in copies of a run
-    std::optional<BurnStretch> m_stretch;    ///< of the stocks the passes are at
+    std::shared_ptr<const BurnTable> m_burn; ///< shared by the copies of a run
+    std::optional<BurnStretch> m_stretch;    ///< stretch of the stocks at the current passes
     static constexpr double farReach = 3, leastReach = 0.3;
-    double m_reach = farReach; ///< of a stretch beyond the stocks that are left, of their spread
+    double m_reach =
+        farReach; ///< extent of a stretch beyond the remaining stocks, in terms of their spread
     double m_stretchEnd = std::numeric_limits<double>::lowest(); ///< its greatest t_П [mm]
-    /// Up to this t_П no limit of √a is below m_quietLimit, no pass up to m_quietRoot a new worst.
+    /// Up to this t_П no limit of √a is below m_quietLimit, and no pass with a √a up to m_quietRoot
+    /// is a new worst one.
     double m_quietEnd = std::numeric_limits<double>::lowest();
     double m_quietLimit = 0, m_quietRoot = 0;
     double m_usage = 0;     ///< √a over its limit, of the worst visit
-    std::size_t m_lane = 0; ///< of that visit
+    std::size_t m_lane = 0; ///< lane of that visit
     BurnVisit m_worst;
 };
 

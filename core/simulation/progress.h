@@ -8,8 +8,8 @@
 
 namespace sparkout {
 
-/// How far a recorded cycle has run: the passes before `open` are done; of those from `open` to
-/// `end`, which run at the same time, the radii up to `radius`, it included. At the blank all 0.
+/// Moment of a recorded cycle: the passes before `open` are done; of the simultaneous passes from
+/// `open` to `end`, the radii up to and including `radius` are done. At the blank all are 0.
 struct Progress {
     std::size_t open = 0; ///< index of a pass
     std::size_t end = 0;  ///< past the last pass
@@ -18,21 +18,20 @@ struct Progress {
     [[nodiscard]] bool isBlank() const { return end == 0; }
 };
 
-/// At the end of a double stroke or revolution; 0: the blank.
+/// Returns the moment at the end of a double stroke or revolution; 0: the blank.
 [[nodiscard]] Progress progressAfter(const Trajectory& trajectory, int stroke);
 
-/// Whether its double stroke or revolution is done, of all radii.
+/// Returns whether all radii of its double stroke or revolution are done.
 [[nodiscard]] bool endsStroke(const Trajectory& trajectory, const Progress& progress);
 
-/// Time at which it has got there, from the start of the cycle [s]; the radii of a pass are spread
-/// evenly over it.
+/// Returns the time of a moment from the start of the cycle [s]; the radii of a pass are
+/// distributed evenly over it.
 [[nodiscard]] double timeOf(const Trajectory& trajectory, const Progress& progress);
 
-/// Index of a pass's zone or section among those of a result.
+/// Returns the index of a pass's zone or section in a result.
 [[nodiscard]] std::size_t sectionOf(const Place& place);
 
-/// For each zone or section the last visit of each of its radii; null: the wheel has not been
-/// there.
+/// Last visit of each radius, by zone or section; null: the wheel has not been there.
 using LastVisits = std::vector<std::vector<const Visit*>>;
 [[nodiscard]] LastVisits lastVisits(const Trajectory& trajectory, std::size_t sections,
                                     const Progress& progress);

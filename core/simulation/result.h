@@ -19,18 +19,18 @@ enum class Step { none, e1, e2, e3, e4, e5 };
 
 enum class RunStatus {
     completed,
-    cannotReachSize, ///< no progress, and nothing more to come
+    cannotReachSize, ///< no progress, and no further feed
     tooLong,         ///< more visits than maxVisits
-    stopped,         ///< by a stop request
-    notSolved,       ///< coupled sections: the balance did not converge; else: a compliance is < 0
-    groundAway,      ///< a radius of the part has come to 0: nothing of it is left
-    refused,         ///< validate() finds errors in the project: nothing was run
+    stopped,         ///< stopped on request
+    notSolved,  ///< coupled sections: the balance did not converge; otherwise: a compliance is < 0
+    groundAway, ///< a radius of the part has reached 0
+    refused,    ///< validate() finds errors in the project: nothing was run
 };
 
 /// A run ends as tooLong beyond this number of visits (one radius under the wheel once).
 inline constexpr long long maxVisits = 50'000'000;
 
-/// Where in the cycle something happened; numbers count from 1, sections from 0.
+/// A place in the cycle; numbers count from 1, sections from 0.
 struct Place {
     Zone zone = Zone::section;
     Step step = Step::none;
@@ -40,19 +40,19 @@ struct Place {
     int revolution = 0; ///< revolution within the step (traverse)
 };
 
-/// The largest value of something over the passes, and where it was first reached.
+/// Largest value of a quantity over the passes, and where it was first reached.
 struct Peak {
     double value = 0;
     Place at;
 };
 
-/// What the passes of one stage of the cycle add up to, from which core/quality makes volume,
-/// energy and power. A pass is one zone or section under the wheel once: ℓ the length of surface it
-/// stands for (its zone, or its slice L_p/J), b its effective width, ⟨ ⟩ the mean over its K radii.
-/// A gauge's free position counts for nothing.
+/// Sums over the passes of one stage of the cycle, from which core/quality computes volume, energy
+/// and power. A pass is one visit of one zone or section by the wheel: ℓ is the length of surface
+/// that it represents (its zone, or its slice L_p/J), b its effective width, ⟨ ⟩ the mean over its
+/// K radii. The free position of a gauge does not count.
 struct StageSums {
     double length_mm = 0;       ///< Σℓ
-    double removed_mm2 = 0;     ///< Σℓ·⟨a⟩: longitudinal section of what is removed
+    double removed_mm2 = 0;     ///< Σℓ·⟨a⟩: longitudinal section of the removed material
     double rootLength_mm15 = 0; ///< Σℓ·⟨√a⟩, for the friction term of P_z [mm^1.5];
                                 ///< Σℓ·⟨v⟩ [mm] with a threshold
     Peak depth_mm;              ///< largest a, per revolution or stroke
@@ -60,29 +60,29 @@ struct StageSums {
     Peak power_w;               ///< largest P_z·V_k
 };
 
-/// What the roughness of a zone or section comes from: what the last step with infeed, a revolution
-/// or double stroke, took off the radius that lost most by it, and the spark-out after it. A step
-/// that position control cuts short counts where it took more than the one before. What no step
-/// with infeed has cut has its first step without one here.
+/// Basis of the roughness of a zone or section: the depth that the last step with infeed, a
+/// revolution or double stroke, took off the radius that lost most by it, and the spark-out after
+/// it. A step cut short by position control counts where it took more than the one before. A
+/// surface that no step with infeed has cut has the first step without infeed here.
 struct LastCut {
     double depth_mm = 0;   ///< a, taken by all passes of the step
-    double overlap = 1;    ///< u, revolutions that the wheel takes over a point in a stroke
-    double pressed_mm = 0; ///< h, what the step had to take: a and the deflection that it left
+    double overlap = 1;    ///< u, number of revolutions while the wheel passes a point in a stroke
+    double pressed_mm = 0; ///< h, a plus the remaining deflection
     double step_s = 0;     ///< T, time of the step
     double sparkOut_s = 0; ///< t, of all steps after the last with infeed
     int radius = 0;        ///< k
     Place at;              ///< the first of these passes
 };
 
-/// The visit nearest to burning: the largest a over the depth that is just allowed.
+/// The visit nearest to burning: the largest ratio of a to the allowed depth.
 struct BurnVisit {
     double depth_mm = 0; ///< a
-    double stock_mm = 0; ///< max(0, R_k after the pass − R_t): what the damaged layer may reach
+    double stock_mm = 0; ///< max(0, R_k after the pass − R_t): allowed depth of the damaged layer
     int radius = 0;      ///< k
     Place at;
 };
 
-/// Mean of the radii that are numbers: those in gaps are none.
+/// Returns the mean of the radii outside gaps, which are not NaN.
 [[nodiscard]] inline double meanOfGround(const std::vector<double>& radii_mm) {
     double sum = 0;
     std::size_t count = 0;
@@ -94,7 +94,7 @@ struct BurnVisit {
     return sum / static_cast<double>(count);
 }
 
-/// Diameters of a zone or section less the nominal one [mm].
+/// Range of the diameters of a zone or section less the nominal one [mm].
 struct DeviationRange {
     double least_mm = 0, most_mm = 0;
 };
@@ -107,27 +107,27 @@ struct SectionResult {
     std::vector<double> radii_mm;       ///< R_k, K values; not a number in a gap
     double diameterDeviationMin_mm = 0; ///< min of D_k less the nominal diameter
     double diameterDeviationMax_mm = 0; ///< max of D_k less the nominal diameter
-    double radialRunout_mm = 0;         ///< R_max − R_min and what the machine adds as a number
-    double peakNormalForce_n = 0;       ///< largest P_y any of its radii saw
+    double radialRunout_mm = 0;         ///< R_max − R_min plus the machine's geometric runout
+    double peakNormalForce_n = 0;       ///< largest P_y on any of its radii
     std::optional<LastCut> lastCut;     ///< where a roughness is required
 };
 
-/// What came out of one cycle. A value; it says which inputs it belongs to.
+/// Result of one cycle, a value that contains the inputs to which it belongs.
 struct SimulationResult {
     Project project;           ///< the inputs as run, without kept runs
-    std::string engineVersion; ///< of the program that ran it
+    std::string engineVersion; ///< version of the program that ran it
     RunStatus status = RunStatus::completed;
     double time_s = 0;
     int cycleCount = 0;             ///< double strokes or revolutions
-    std::vector<int> countsByStage; ///< the same, by stage
+    std::vector<int> countsByStage; ///< likewise, by stage
     std::vector<double> timeByStage_s;
     std::vector<StageSums> sumsByStage;
     std::vector<SectionResult> sections; ///< РЗ1, НЗ, РЗ2, or the sections from the headstock on
-    /// Where a zone holds several, its sections zone by zone from the entry on. The zone itself
-    /// then has the radii of its middle and of all else the worst.
+    /// Where zones have several sections: the sections zone by zone from the entry on. The zone
+    /// itself then has the radii of its middle and the worst of all other values.
     std::vector<SectionResult> zoneSections;
-    /// Of each zone or section, where the number of the lobes that the machine prints is not known:
-    /// the diameters with two of them. All else is of three, which leave diameters as they are.
+    /// By zone or section, where the number of lobes printed by the machine is unknown: the
+    /// diameters with two lobes. All other values assume three, which leave diameters as they are.
     std::vector<DeviationRange> ifEven;
     double gaugeReading_mm = 0;   ///< diameter the gauge reads at the end
     double remainingStock_mm = 0; ///< per side, from that reading; negative below target
@@ -135,7 +135,7 @@ struct SimulationResult {
     Place peakNormalForceAt;
     double peakPower_w = 0; ///< P_z·V_k
     Place peakPowerAt;
-    std::optional<BurnVisit> burn; ///< where a rise that burns is given
+    std::optional<BurnVisit> burn; ///< present where a burn temperature rise is given
     long long visits = 0;
 };
 

@@ -10,8 +10,8 @@
 
 namespace sparkout {
 
-/// A quantity of one stage of the cycle, parted by the steps of its double strokes; in plunge
-/// grinding all of it is of `none`.
+/// A quantity of one stage of the cycle, divided among the steps of its double strokes; in plunge
+/// grinding all of it belongs to `none`.
 struct StepSums {
     std::array<double, strokeSteps> of{};
 
@@ -22,12 +22,12 @@ struct StepSums {
     [[nodiscard]] double total() const;
 };
 
-/// What each stage and step of a cycle takes, and what it takes off.
+/// Time and removed stock of each stage and step of a cycle.
 ///
 /// The times add up to those of the stages and so to that of the cycle, dwells and spark-outs
 /// included: a stroke, which grinds all three zones at once, counts once. The depths of a zone or
-/// section, means over its radii, add up to all that was taken off there: its mean radius before
-/// the cycle less that after it, of a bore the other way round.
+/// section, means over its radii, add up to its total removal: its mean radius before the cycle
+/// less that after it, in a bore the reverse.
 struct StepShares {
     std::vector<StepSums> time_s;                  ///< by stage
     std::vector<std::vector<StepSums>> removed_mm; ///< Σa per side, by zone or section, then stage

@@ -10,13 +10,13 @@
 #include <optional>
 #include <vector>
 
-/// The stock as the layers in which the cycle takes it off: what the view "Layers" draws.
+/// The stock as the layers in which the cycle removes it, for the view "Layers".
 namespace sparkout {
 
-/// One double stroke or revolution, or several of one stage in a row.
+/// One double stroke or revolution, or several successive ones of one stage.
 struct LayerSpan {
     int first = 1; ///< number of its first double stroke or revolution, from 1
-    int last = 1;  ///< and of its last
+    int last = 1;  ///< number of its last
     int stage = 1;
 };
 
@@ -24,10 +24,10 @@ struct LayerSpan {
 struct LayerColumn {
     Zone zone = Zone::section;
     int section = 0;            ///< from 0
-    Stretch stretch;            ///< of the ground length
+    Stretch stretch;            ///< its part of the ground length
     double blank_mm = 0;        ///< radius before the first layer
-    double final_mm = 0;        ///< radius after the last one, of the result
-    std::vector<double> sum_mm; ///< Σa after each layer, never falling; one a span
+    double final_mm = 0;        ///< radius after the last layer, from the result
+    std::vector<double> sum_mm; ///< Σa after each layer, one value a span, never falling
 };
 
 /// The layers of a run; no columns without a trajectory.
@@ -37,47 +37,48 @@ struct LayerSeries {
     double length_mm = 0;      ///< L_p
     double target_mm = 0;      ///< R_t
     double lowerLimit_mm = 0;  ///< radius at the lower deviation of the diameter
-    double upperLimit_mm = 0;  ///< radius at the upper one
-    std::optional<int> radius; ///< k; none: means over the radii that are ground
-    std::vector<bool> gaps;    ///< of the K radii, those in a gap
+    double upperLimit_mm = 0;  ///< radius at the upper deviation
+    std::optional<int> radius; ///< k; none: means over the ground radii
+    std::vector<bool> gaps;    ///< true for those of the K radii that are in a gap
     std::vector<LayerSpan> spans;
     std::vector<LayerColumn> columns; ///< РЗ1, НЗ, РЗ2, or the sections from the headstock on
 
     [[nodiscard]] double sumAfter_mm(const LayerColumn& column, std::size_t count) const {
         return count > 0 ? column.sum_mm[count - 1] : 0;
     }
-    /// Radius after so many of the spans.
+    /// Returns the radius after `count` spans.
     [[nodiscard]] double radiusAfter_mm(const LayerColumn& column, std::size_t count) const {
         return column.blank_mm - removalSign * sumAfter_mm(column, count);
     }
-    /// Spans that have begun when so many double strokes or revolutions have; all of them at most.
+    /// Returns the number of spans that have begun after this number of double strokes or
+    /// revolutions has begun, at most all of them.
     [[nodiscard]] std::size_t spansAt(int strokes) const;
     [[nodiscard]] double largestSum_mm() const;
     [[nodiscard]] int strokeCount() const { return spans.empty() ? 0 : spans.back().last; }
 };
 
-/// Layers up to a moment of the cycle: the newest of them may have been cut in part.
+/// Layers up to a moment of the cycle; the last of them may be partly cut.
 struct LayersDone {
-    std::size_t count = 0;      ///< spans that have begun
+    std::size_t count = 0;      ///< number of spans that have begun
     std::vector<double> sum_mm; ///< Σa of each column at that moment
 };
 
-/// More double strokes or revolutions than this are merged, stage by stage.
+/// Greatest number of double strokes or revolutions that are not merged, stage by stage.
 inline constexpr int mostLayers = 400;
 
-/// Of one of the K radii, or their mean.
+/// Makes the layers of one of the K radii, or of their mean.
 [[nodiscard]] LayerSeries makeLayerSeries(const SimulationResult& result,
                                           const Trajectory& trajectory,
                                           std::optional<int> radius = {});
 
-/// At the end of the cycle.
+/// Returns the layers at the end of the cycle.
 [[nodiscard]] LayersDone allLayers(const LayerSeries& series);
 
-/// Σa of a column after so many of the layers done [mm].
+/// Returns Σa of a column after `count` of the finished layers [mm].
 [[nodiscard]] double sumDone_mm(const LayerSeries& series, const LayersDone& done,
                                 std::size_t column, std::size_t count);
 
-/// How many of the layers have been cut, and how much of the newest.
+/// Returns the layers cut up to a moment, with the depth of the last one.
 [[nodiscard]] LayersDone layersDone(const LayerSeries& series, const Trajectory& trajectory,
                                     const Progress& progress);
 

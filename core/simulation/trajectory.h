@@ -9,7 +9,7 @@
 
 namespace sparkout {
 
-/// One revolution or stroke of one zone or section: K visits, one a radius.
+/// One revolution or stroke over one zone or section, with K visits, one for each radius.
 struct Pass {
     Place place;
     double start_s = 0;           ///< time at which the pass begins
@@ -28,16 +28,16 @@ struct Visit {
     double accumulated_mm = 0; ///< Σa of this radius
     double radius_mm = 0;      ///< R_k of the part after the pass; not a number in a gap
     double normalForce_n = 0;  ///< P_y(a)
-    double printed_mm = 0;     ///< c(φ_k): in the machine's frame so much more stock is left
+    double printed_mm = 0;     ///< c(φ_k): additional remaining stock in the machine's frame
 
-    /// Whether the wheel passed a gap: nothing was there.
+    /// Returns whether the wheel passed a gap.
     [[nodiscard]] bool isGap() const { return std::isnan(radius_mm) && actual_mm == 0; }
 };
 
-/// Runs beyond this many visits are not recorded: 56 bytes each, and as a trace 130 more.
+/// Greatest number of visits that is recorded: each takes 56 bytes, and 130 more as a trace.
 inline constexpr long long maxRecordedVisits = 2'000'000;
 
-/// Everything that happened, pass by pass; recorded only when asked for.
+/// All passes and visits of a run; recorded only on request.
 struct Trajectory {
     int radii = 0; ///< K
     std::vector<Pass> passes;

@@ -9,20 +9,21 @@
 
 namespace sparkout {
 
-/// A dwell in whole revolutions: ⌊x + 0.5 + 1e-9⌋, at least 1 when there is a dwell [MODEL-5].
+/// Returns a dwell in whole revolutions: ⌊x + 0.5 + 1e-9⌋, at least 1 when there is a dwell
+/// [MODEL-5].
 [[nodiscard]] int dwellRevolutions(double dwell_s, double workSpeed_rpm);
 
-/// How a double stroke's radial feed S_t is shared among the reversals [MODEL-5].
+/// Radial feed S_t of a double stroke, divided between the reversals [MODEL-5].
 struct ReversalFeeds {
     double entry_mm = 0; ///< S_1
     double exit_mm = 0;  ///< S_2
 };
 [[nodiscard]] ReversalFeeds reversalFeeds(ReversalInfeed at, double infeed_mm);
 
-/// A plunge-in in whole revolutions: ⌈n·S/S_rad − 1e-9⌉.
+/// Returns a plunge-in in whole revolutions: ⌈n·S/S_rad − 1e-9⌉.
 [[nodiscard]] int plungeInRevolutions(const Machine& machine, double infeed_mm);
 
-/// The gauge of a traverse cycle stands in the middle of a zone.
+/// Makes the steps of a traverse cycle with the gauge in the middle of a zone.
 [[nodiscard]] std::unique_ptr<CycleSteps> traverseSteps(const Project& project, Zone gaugeZone,
                                                         Trajectory* trajectory,
                                                         const std::stop_token& stop);

@@ -8,7 +8,7 @@
 
 namespace sparkout {
 
-/// The same cycle with its sections independent and coupled [MODEL-6].
+/// Results of one cycle with independent and with coupled sections [MODEL-6].
 struct CouplingComparison {
     SimulationResult independent;
     SimulationResult coupled;
@@ -20,19 +20,20 @@ struct CouplingComparison {
     }
 };
 
-/// Why the two cannot be compared.
+/// Whether the two can be compared, and the reason why not.
 enum class CouplingAnswer {
     comparable,
     traverse,        ///< the wheel is on one zone at a time: there is nothing to couple
-    givenCompliance, ///< γ section by section says nothing of how one section moves another
+    givenCompliance, ///< γ of each section does not contain the influence of one section on another
 };
 [[nodiscard]] CouplingAnswer couplingOf(const Project& project);
 
-/// Runs a valid project twice, whatever it says of its sections. Only when comparable.
+/// Runs a valid, comparable project with independent and with coupled sections, whatever its own
+/// setting.
 [[nodiscard]] CouplingComparison compareCoupling(const Project& project,
                                                  const std::stop_token& stop = {});
 
-/// Mean diameter of a section less the nominal one [mm].
+/// Returns the mean diameter of a section less the nominal one [mm].
 [[nodiscard]] double meanDiameterDeviation(const SectionResult& section, const Part& part);
 
 } // namespace sparkout

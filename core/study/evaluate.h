@@ -7,7 +7,8 @@
 
 namespace sparkout {
 
-/// Checks a project, runs its cycle and holds it against the drawing. Null when stopped.
+/// Checks a project, runs its cycle and checks the result against the drawing. Returns null when
+/// stopped.
 [[nodiscard]] OutcomePtr evaluate(const Project& project, const std::stop_token& stop = {});
 
 } // namespace sparkout

@@ -9,15 +9,14 @@
 #include <optional>
 #include <vector>
 
-/// Exercises for students that the numbers of a project answer: one input is changed, and the
-/// engine runs the changed project for the answer. Here are the numbers; the words are the
-/// window's.
+/// Exercises for students on the numbers of a project: one input is changed, and the engine runs
+/// the changed project for the answer. This file makes the numbers, the window the texts.
 namespace sparkout {
 
-/// What is asked for.
+/// Quantity that an exercise asks for.
 enum class Asked {
     stepFeed_um,  ///< a of the chosen step
-    stepForce_n,  ///< P_y there
+    stepForce_n,  ///< P_y of that step
     time_min,     ///< machining time
     count,        ///< double strokes or revolutions
     spread_um,    ///< largest less smallest diameter over the part
@@ -32,13 +31,13 @@ struct ExerciseAnswer {
     double after = 0;
 };
 
-/// The input that is changed, and by how much.
+/// Input that is changed.
 enum class ExerciseChange {
     dullerWheel,  ///< dullness
     softerSystem, ///< every compliance, given or computed, by the same factor
-    slowerFeed,   ///< of the last stage that feeds
-    moreRunout,   ///< of the blank
-    thickerStock, ///< for the first stage to take off
+    slowerFeed,   ///< feed of the last feeding stage
+    moreRunout,   ///< radial runout of the blank
+    thickerStock, ///< stock of the first stage
 };
 inline constexpr double dullerBy = 2, softerBy = 1.5, slowerBy = 0.5, moreRunoutBy = 2,
                         thickerBy = 1.2;
@@ -47,26 +46,27 @@ inline constexpr double dullerBy = 2, softerBy = 1.5, slowerBy = 0.5, moreRunout
 struct ExerciseRun {
     ExerciseChange change = ExerciseChange::dullerWheel;
     Project changed{};
-    std::size_t stage = 0;                 ///< whose feed is slower
-    std::optional<Place> at{};             ///< the step that is asked for, in both runs
-    std::vector<ExerciseAnswer> answers{}; ///< what can be read
+    std::size_t stage = 0;                 ///< the stage whose feed is slower
+    std::optional<Place> at{};             ///< the step in question, in both runs
+    std::vector<ExerciseAnswer> answers{}; ///< answers that can be read off
     std::vector<double> timeByStage_s{};   ///< of the changed project
 };
 
 inline constexpr std::size_t mostExercises = 5;
 
-/// At most five, each of one input changed. Left out are a change that the inputs do not allow,
-/// one with which the cycle does not reach size, and what it does not move far enough to be read.
-/// `step` is of the outcome's trajectory, if that was recorded; `breathe` is called before each
-/// run.
+/// Runs at most mostExercises exercises, each with one input changed. Left out are changes that the
+/// inputs do not allow, changes after which the cycle does not reach size, and answers that change
+/// too little to be read off. `step` is a step of the outcome's trajectory, if that was recorded;
+/// `breathe` is called before each run.
 [[nodiscard]] std::vector<ExerciseRun> runExercises(
     const Outcome& outcome, const std::optional<RecordedStep>& step,
     const std::function<void()>& breathe = [] {});
 
-/// Whether the two differ by enough to be read off the run, and off a gauge in the shop.
+/// Returns whether the two values differ enough to be read off the run, and off a gauge in the
+/// shop.
 [[nodiscard]] bool canBeRead(const ExerciseAnswer& answer);
 
-/// What is asked for in a result; nothing for a step when there is no visit.
+/// Returns the quantity in a result; nothing: it is of a step, and there is no visit.
 [[nodiscard]] std::optional<double> askedValue(Asked asked, const SimulationResult& result,
                                                const Visit* visit);
 

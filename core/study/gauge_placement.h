@@ -11,14 +11,15 @@
 
 namespace sparkout {
 
-/// The part after a cycle that was controlled from one place along it.
+/// The part after a cycle with the gauge at one position.
 struct GaugePosition {
     double position_mm = 0;         ///< of the gauge, from the headstock end of the ground length
-    Zone zone = Zone::section;      ///< that it stands in (traverse)
-    double compliance_mm_per_n = 0; ///< γ there
+    Zone zone = Zone::section;      ///< the gauge's zone (traverse)
+    double compliance_mm_per_n = 0; ///< γ at the gauge
     RunStatus status = RunStatus::completed;
     double time_s = 0;
-    /// Diameter deviations from nominal over all sections or zones, and where they are.
+    /// Least and greatest deviation of the diameters from nominal over all sections or zones, and
+    /// their places.
     double deviationMin_mm = 0, deviationMax_mm = 0;
     std::size_t sectionOfMin = 0, sectionOfMax = 0;
     /// Mean diameter less nominal of each section or zone, headstock first or РЗ1, НЗ, РЗ2.
@@ -27,21 +28,21 @@ struct GaugePosition {
     double margin_mm = 0; ///< least distance of a diameter to the limits; negative outside
 };
 
-/// How the accuracy over the length depends on where the gauge stands [MODEL-7, AKINTSEVA2020
-/// section 3]: a gauge on the stiffest place leaves all other diameters larger, on the most
-/// compliant one smaller. Under position control the gauge has no say and all positions are alike.
+/// Accuracy over the length depending on the position of the gauge [MODEL-7, AKINTSEVA2020 section
+/// 3]: a gauge on the stiffest place leaves all other diameters larger, on the most compliant one
+/// smaller. Under position control the gauge has no effect and all positions are alike.
 struct GaugePlacement {
-    std::vector<GaugePosition> positions; ///< in the order asked for, as far as they were run
+    std::vector<GaugePosition> positions; ///< in the order requested, as far as they were run
     bool stopped = false;                 ///< by a stop request
-    /// The one with the largest margin among the completed; of equal neighbours the middle one.
+    /// The completed position with the largest margin; among equal neighbours the middle one.
     std::optional<std::size_t> best;
 };
 
-/// Places worth asking about: in plunge `count` ≥ 2 from end to end of the ground length, in
-/// traverse the middles of the zones, for the model knows no more than a γ a zone.
+/// Returns useful positions: in plunge grinding `count` ≥ 2 from end to end of the ground length,
+/// in traverse grinding the middles of the zones, because the model has one γ a zone.
 [[nodiscard]] std::vector<double> gaugeCandidates(const Project& project, int count);
 
-/// Called after each position.
+/// Receives the progress after each position.
 using PlacementProgress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Runs the cycle of a valid project once for each position [mm] of the gauge within 0…L_p. The

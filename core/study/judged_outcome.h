@@ -9,8 +9,8 @@
 
 namespace sparkout {
 
-/// How an outcome stands for every stock within one infeed, which is decided here, and for a batch
-/// of the same inputs; null: there is none. For papers, which wait for it.
+/// Judges an outcome for every stock within one infeed, which is decided here, and for a batch of
+/// the same inputs; null: there is none. Used by reports, which wait for the decision.
 [[nodiscard]] Judgement judgementOf(const Outcome& outcome, const BatchOutcome* batch = nullptr,
                                     const std::stop_token& stop = {});
 

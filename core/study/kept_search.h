@@ -15,16 +15,16 @@
 
 namespace sparkout {
 
-/// What a search is of, with the options as they would be typed: not how many threads it has, nor
-/// what it does beyond its answer.
+/// Returns the question of a search, with its options as typed on the command line; the number of
+/// threads and everything beyond the answer are left out.
 [[nodiscard]] SearchQuestion searchQuestion(const Project& project, const SearchWish& wish);
 
-/// What keeps the progress of a search from being kept: the file cannot be read or written, or what
-/// stands there is of something else or damaged.
+/// Reason why the progress of a search cannot be kept: the file cannot be read or written, or its
+/// contents are damaged or belong to another search.
 using KeptSearchFault = std::variant<FileError, ReadSearchState>;
 
-/// The progress of a search that isResumable() in a file: read at first, written every second and
-/// at the end, so that the search can be killed at any moment and gone on with.
+/// The progress of an isResumable() search in a file: read at first, written every second and at
+/// the end, so that the search can be killed at any moment and resumed.
 class KeptSearch {
 public:
     KeptSearch(std::filesystem::path file, SearchQuestion question)
@@ -32,12 +32,11 @@ public:
     KeptSearch(const KeptSearch&) = delete;
     KeptSearch& operator=(const KeptSearch&) = delete;
 
-    /// Called where the file cannot be written though it could be the time before, by one thread at
-    /// a time.
+    /// Called when the file can no longer be written, by one thread at a time.
     std::function<void(const FileError&)> onFailure;
 
-    /// Reads what was done before, or begins the file where there is none. With a fault what stands
-    /// there stays.
+    /// Reads the earlier progress, or creates the file where there is none. With a fault the file
+    /// stays as it is.
     [[nodiscard]] std::optional<KeptSearchFault> open();
     [[nodiscard]] const SearchQuestion& question() const { return m_question; }
     [[nodiscard]] SearchJournal& journal() { return m_journal; } ///< after open()
@@ -50,7 +49,7 @@ private:
     SearchQuestion m_question;
     SearchJournal m_journal;
     std::chrono::steady_clock::time_point m_written;
-    bool m_failed = false; ///< it could not be written, which was said
+    bool m_failed = false; ///< the last write failed and was reported
 };
 
 } // namespace sparkout

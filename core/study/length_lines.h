@@ -5,7 +5,7 @@
 
 #include <vector>
 
-/// The profile of a run along the axis: its lines over the ground length.
+/// Lines of a run's profile along the axis, over the ground length.
 namespace sparkout {
 
 /// The value drawn over the length.
@@ -28,22 +28,22 @@ struct LengthSpread {
 [[nodiscard]] LengthSpread spreadOf(const std::vector<double>& radii_mm,
                                     const ProfileSeries& series, LengthQuantity quantity);
 
-/// What lines along the part go through: the profiles, or at the end of the cycle the sections of
-/// zones that hold several.
+/// Returns the profiles along the part: those of the series, or at the end of the cycle the
+/// sections of zones with several sections.
 [[nodiscard]] const std::vector<Profile>& alongThePart(const ProfileSeries& series);
 
-/// Height of a line at a zone or section.
+/// Returns the value of a line at a zone or section.
 [[nodiscard]] double lengthValue(const ProfileSeries& series, const Profile& profile,
                                  LengthLine line, LengthQuantity quantity);
 
-/// Limits, target and blank run over the whole ground length. Traverse: a zone's value is held over
-/// the zone, with a step to the next. Plunge: the sections' values at their middles, joined by
-/// straight lines. x never falls.
+/// Returns the points of a line. Limits, target and blank run over the whole ground length.
+/// Traverse: a zone's value holds over the zone, with a step to the next. Plunge: the sections'
+/// values at their middles, joined by straight lines. x never falls.
 [[nodiscard]] std::vector<ProfilePoint> lengthLine(const ProfileSeries& series, LengthLine line,
                                                    LengthQuantity quantity);
 
-/// The profile at a place along the ground length, −1 without any: the zone that holds it, the
-/// nearest section.
+/// Returns the index of the profile at a place along the ground length, that of the containing zone
+/// or the nearest section; −1 without profiles.
 [[nodiscard]] int profileAt(const ProfileSeries& series, double position_mm);
 
 /// One step of the shaft, from the headstock end of the ground length on.
@@ -53,7 +53,7 @@ struct ShaftStep {
     double radius_mm = 0;
 };
 
-/// The segments of the shaft as far as they are given; none in internal grinding.
+/// Returns the given steps of the shaft; none in internal grinding.
 [[nodiscard]] std::vector<ShaftStep> shaftSteps(const Project& project);
 
 } // namespace sparkout

@@ -8,12 +8,13 @@
 
 namespace sparkout {
 
-/// The form of the machine that measured parts show: by zone or section the mean of the roundness
-/// deviations and of the radial runouts, of the listed parts, else of a summary. The number of
-/// lobes is not among what was measured. Empty where neither was measured in every zone or section.
+/// Returns the form of the machine from measured parts: for each zone or section the mean of the
+/// roundness deviations and of the radial runouts of the listed parts, or else of a summary. The
+/// number of lobes is not measured. Empty unless one of the two was measured in every zone or
+/// section.
 [[nodiscard]] std::optional<MachineForm> measuredForm(const Project& project);
 
-/// The project whose machine prints it; the number of lobes and the direction that are given stay.
+/// Returns the project whose machine has this form; a given number of lobes and direction stay.
 [[nodiscard]] Project withMeasuredForm(Project project);
 
 } // namespace sparkout

@@ -9,22 +9,23 @@
 
 namespace sparkout {
 
-/// A small complete cycle of each operation, to start from.
+/// Returns a small complete project of an operation to start from.
 [[nodiscard]] Project newProject(Operation operation = {});
 
-/// Paths of the numbers that a drawing has to give before anything can be computed.
+/// Returns the paths of the numbers from the drawing that are needed before anything can be
+/// computed.
 [[nodiscard]] std::vector<std::string> drawingInputs();
 
-/// A project for a drawing, startingProject(), with a usual search about its cycle.
+/// Returns startingProject() for a drawing, with a usual search about its cycle.
 [[nodiscard]] StartingAnswer drawnProject(const StartingDrawing& drawing,
                                           const StartingEntries& entries);
 
-/// A starting cycle on the usual machine of the catalogue for a part that is yet to be drawn: no
-/// requirement of form, no name, and in place of the drawing's numbers some that no drawing has, so
-/// that giving one is always a change.
+/// Returns a starting cycle on the usual machine of the catalogue for a part whose drawing is still
+/// to be entered: without a requirement of form and a name, and with numbers that no drawing has,
+/// so that entering one is always a change.
 [[nodiscard]] Project undrawnProject(Operation operation);
 
-/// In place of the limit deviations some that no drawing has, so that giving one is always a
+/// Returns the project with limit deviations that no drawing has, so that entering one is always a
 /// change.
 [[nodiscard]] Project withoutDeviations(Project project);
 

@@ -8,26 +8,29 @@
 /// Edits that must change several inputs together.
 namespace sparkout {
 
-/// The project under another operation: feeds, compliance, overruns and gauge get values the new
-/// operation can run with; what it does not read is cleared. The wheel stays, so that a length may
-/// be too short to be traversed with it. A search gets levels for the feeds of the new operation.
+/// Returns the project under another operation: feeds, compliance, overruns and gauge get values
+/// that the new operation can run with; inputs that it does not read are cleared. The wheel stays,
+/// so a length may be too short to be traversed with it. A search gets levels for the feeds of the
+/// new operation.
 [[nodiscard]] Project withOperation(Project project, Operation operation);
 
-/// The project with what suits an operation: for traverse overruns that leave a zone between the
-/// reversals, where the wheel allows it, for plunge a ground length that the wheel covers.
+/// Returns the project with lengths that suit an operation: for traverse grinding overruns that
+/// leave a zone between the reversals, where the wheel allows it, for plunge grinding a ground
+/// length that the wheel covers.
 [[nodiscard]] Project fitted(Project project, Operation operation);
 
-/// The project with another number of plunge sections; a listed compliance follows.
+/// Returns the project with another number of plunge sections; a listed compliance follows.
 [[nodiscard]] Project withSections(Project project, int sections);
 
-/// The project with its compliance entered directly (true) or computed from stiffness and shaft,
-/// which get usual values where they are not given.
+/// Returns the project with its compliance entered directly (true) or computed from stiffness and
+/// shaft, which get usual values where they are not given.
 [[nodiscard]] Project withGivenCompliance(Project project, bool given);
 
-/// The project with what a compliance left to stiffness and shaft needs; otherwise unchanged.
+/// Returns the project with the inputs that a compliance computed from stiffness and shaft needs;
+/// otherwise unchanged.
 [[nodiscard]] Project withComputable(Project project);
 
-/// The project with a measured profile as the form of its blank, a radius a value.
+/// Returns the project with a measured profile as the form of its blank, one value a radius.
 [[nodiscard]] Project withRadii(Project project, std::vector<double> radii_um);
 
 } // namespace sparkout

@@ -5,9 +5,9 @@
 
 namespace sparkout {
 
-/// withOperation() with the project as it last was under that operation: feeds come back as they
-/// were there, and of ground length, wheel, overruns, compliance, gauge and surface what was not
-/// touched since. There and back is the project it was.
+/// Like withOperation(), but restores from `last`, the project as it last was under that operation,
+/// the feeds and those inputs of ground length, wheel, overruns, compliance, gauge and surface that
+/// were not edited since. Switching there and back gives the same project.
 [[nodiscard]] Project withOperation(const Project& project, Operation operation,
                                     const Project* last);
 

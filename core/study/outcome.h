@@ -17,18 +17,18 @@
 
 namespace sparkout {
 
-/// All that is asked of one run: an immutable value. With errors among the issues nothing was run
-/// and the rest is empty.
+/// All results of one run, as an immutable value. With errors among the issues nothing was run and
+/// the rest is empty.
 struct Outcome {
     Issues issues; ///< errors and warnings of the inputs
     SimulationResult result;
     Trajectory trajectory;
     FeedSeries feeds;      ///< the trajectory summed up pass by pass
-    LayerSeries layers;    ///< and layer by layer, the means over the radii
-    StepShares steps;      ///< and by stage and step of the double strokes
+    LayerSeries layers;    ///< layer by layer, the means over the radii
+    StepShares steps;      ///< by stage and step of the double strokes
     PartAccuracy accuracy; ///< form of every zone or section and of the part
     std::vector<ConstraintResult> constraints;
-    LimitSeries limits;                     ///< the cuts against the limits of the feed
+    LimitSeries limits;                     ///< depths of cut and the limits of the feed
     std::vector<CompliantPlace> compliance; ///< γ along the part; none where it is given
     ShopNumbers shop;
 

@@ -15,27 +15,27 @@
 
 namespace sparkout {
 
-/// A CSV file with a row for every part of a batch, written while the parts are run: there may be
-/// more than the memory holds. It is there once it is finished.
+/// A CSV file with a row for every part of a batch, written during the run, as there may be more
+/// parts than fit into memory. The file exists once it is finished.
 class PartRowsFile {
 public:
-    /// How numbers, words and the heads of the columns are written.
+    /// Format of numbers and words, and the heads of the columns.
     struct Form {
         PartTable::Dialect dialect = {};
         std::function<std::vector<std::string>(const PartColumns&)> head = PartTable::keys;
     };
-    /// The share of the parts that is done; false: no more of them are wanted.
+    /// Receives the finished share of the parts; returns false to end the run.
     using KeepGoing = std::function<bool(double share)>;
 
     PartRowsFile(const std::filesystem::path& path, SafeFileWriter::Existing existing, Form form)
         : m_file(path, existing), m_form(std::move(form)) {}
 
-    /// Writes the head of the table and says what takes the parts, for BatchOptions::sink: it wants
-    /// no more when the file cannot be written. The file must outlive it.
+    /// Writes the head of the table and returns the sink for BatchOptions::sink, which ends the
+    /// batch when the file cannot be written. The file must outlive the sink.
     [[nodiscard]] PartSink begin(const ScenarioSource& source, const std::stop_token& stop);
     bool finish() { return m_file.finish(); } ///< false: see error()
-    /// Runs the whole batch of a project into the file. False: it was stopped, refused, or see
-    /// error().
+    /// Writes the whole batch of a project to the file. Returns false when it was stopped or
+    /// refused, or after an error: see error().
     [[nodiscard]] bool runBatch(const Project& project, BatchOptions options,
                                 const KeepGoing& keepGoing);
 

@@ -18,7 +18,7 @@ struct ProfilePoint {
     double x = 0, y = 0;
 };
 
-/// A circle of a cross-section; its centre is counted from the axis of rotation.
+/// A circle of a cross-section; its centre is relative to the axis of rotation.
 struct FittedCircle {
     double x_mm = 0;
     double y_mm = 0;
@@ -29,19 +29,19 @@ struct FittedCircle {
 struct Profile {
     Zone zone = Zone::section;
     int section = 0;
-    bool gauge = false;           ///< carries the gauge, or stands nearest to it
+    bool gauge = false;           ///< it carries the gauge or is nearest to it
     double position_mm = 0;       ///< its middle, from the headstock end of the ground length
-    double from_mm = 0;           ///< the stretch of the ground length it stands for
+    double from_mm = 0;           ///< beginning of its part of the ground length
     double to_mm = 0;             ///< its end, from < to
     std::vector<double> radii_mm; ///< R_k, K values; not a number in a gap
-    std::vector<double> blank_mm; ///< its own blank's; empty: that of the part
+    std::vector<double> blank_mm; ///< radii of its own blank; empty: those of the part
     double diameterMin_mm = 0;    ///< min of D_k less the nominal diameter
     double diameterMax_mm = 0;    ///< max of D_k less the nominal diameter
     double radialRunout_mm = 0;   ///< R_max − R_min plus the machine's geometric runout
     double mean_mm = 0;           ///< of the radii
     RoundnessZone leastSquares;
-    RoundnessZone minimumZone; ///< once addMinimumZone() has been asked for it
-    /// Once addHeldCircles() has; not given: no circle is held beside a wide gap.
+    RoundnessZone minimumZone; ///< after addMinimumZone()
+    /// After addHeldCircles(); not given: beside a wide gap no such circle exists.
     std::optional<RoundnessZone> inscribed, circumscribed;
 };
 
@@ -55,19 +55,21 @@ struct ProfileSeries {
     double upperLimit_mm = 0;     ///< radius at the upper deviation
     double length_mm = 0;         ///< L_p
     double gauge_mm = 0;          ///< where the gauge stands along the ground length
-    std::vector<double> blank_mm; ///< the K radii before the first touch, as the part has them
+    std::vector<double> blank_mm; ///< the K radii of the part before the first touch
     std::vector<Profile> profiles;
-    std::vector<Profile> zoneSections; ///< where zones hold several, at the end of the cycle
-    std::vector<ZoneForm> zoneForms;   ///< of those zones; empty where they are not asked for
+    std::vector<Profile>
+        zoneSections;                ///< at the end of the cycle, where zones have several sections
+    std::vector<ZoneForm> zoneForms; ///< forms of those zones; empty: not computed
     int stroke = 0;         ///< number of the last double stroke or revolution; 0: the blank
     int strokeCount = 0;    ///< of the whole cycle
     bool strokeDone = true; ///< else the moment is within that stroke
     int stage = 0;          ///< of that stroke; 0: the blank, or not known
     double time_s = 0;      ///< from the start of the cycle
-    bool knowsRunout = true, knowsRoundness = true; ///< whether the machine's own is in them
-    bool isWhole = true; ///< else strips stay uncut: no size and form is told of the surface
+    bool knowsRunout = true,
+         knowsRoundness = true; ///< whether the machine's own runout and roundness are included
+    bool isWhole = true;        ///< false: strips stay uncut, so the surface has no size and form
 
-    /// The K radii of a profile before the first touch.
+    /// Returns the K radii of a profile before the first touch.
     [[nodiscard]] const std::vector<double>& blankOf(const Profile& profile) const {
         return profile.blank_mm.empty() ? blank_mm : profile.blank_mm;
     }
@@ -75,33 +77,33 @@ struct ProfileSeries {
     [[nodiscard]] bool atEnd() const { return stroke == strokeCount && strokeDone; }
 };
 
-/// The profiles at a moment of the cycle; without one, or without a trajectory, at its end.
+/// Returns the profiles at a moment of the cycle; without one, or without a trajectory, at its end.
 [[nodiscard]] ProfileSeries makeProfileSeries(const SimulationResult& result,
                                               const Trajectory& trajectory,
                                               const std::optional<Progress>& moment = {});
 
-/// The circles of the minimum zone: a search.
+/// Finds the circles of the minimum zone by a search.
 void addMinimumZone(Profile& profile);
 
-/// The maximum inscribed and the minimum circumscribed circle: a search each.
+/// Finds the maximum inscribed and the minimum circumscribed circle, each by a search.
 void addHeldCircles(Profile& profile);
 
-/// Puts the radii as the Gaussian filter leaves them, which roundness machines apply, in place of
-/// those of a profile, and its mean and least-squares circle anew; its diameters and its runout
-/// stay those of the surface.
+/// Replaces the radii of a profile by those after the Gaussian filter of roundness machines, and
+/// recomputes its mean and least-squares circle; its diameters and its runout stay those of the
+/// surface.
 void filterProfile(Profile& profile, int cutoff_upr);
 
-/// A profile that was measured, of K ≥ 4 radii at even angles.
+/// Returns a measured profile of K ≥ 4 radii at even angles.
 [[nodiscard]] Profile measuredProfile(const ProfileSeries& series, std::vector<double> radii_mm);
 
-/// Index of the zone or section that carries the gauge, or stands nearest to it.
+/// Returns the index of the zone or section that carries the gauge or is nearest to it.
 [[nodiscard]] int gaugeProfile(const SimulationResult& result);
 
-/// Whether a diameter of the profile leaves the drawing's field by more than 1e-9 mm.
+/// Returns whether a diameter of the profile is outside the drawing's field by more than 1e-9 mm.
 [[nodiscard]] bool outOfField(const ProfileSeries& series, const Profile& profile);
 
-/// Where the ray at an angle from the axis meets a circle that holds the axis, for e = (x, y):
-/// x·cos φ + y·sin φ + √(r² − (x·sin φ − y·cos φ)²) [mm].
+/// Returns the distance from the axis at which the ray at an angle meets a circle that contains the
+/// axis, for e = (x, y): x·cos φ + y·sin φ + √(r² − (x·sin φ − y·cos φ)²) [mm].
 [[nodiscard]] double radiusOf(const FittedCircle& circle, double angle);
 
 [[nodiscard]] double angleOf(int k, int radii);           ///< φ_k = 2πk/K [rad]

@@ -14,34 +14,35 @@
 
 namespace sparkout {
 
-/// A kept run computed again: as this version of the engine has it.
+/// A kept run recomputed by this version of the engine.
 struct RecalledRun {
-    Issues issues;                           ///< with errors nothing was run
-    std::optional<RunSummary> summary;       ///< nothing: refused
+    Issues issues;                           ///< with errors the run is not made
+    std::optional<RunSummary> summary;       ///< nothing: the inputs were refused
     std::shared_ptr<const FeedSeries> feeds; ///< null: not kept
 };
 
-/// Computes the run of such inputs, the text of a project. One that was stopped is empty.
+/// Computes the run of inputs that are given as the text of a project. A stopped run gives an empty
+/// value.
 [[nodiscard]] RecalledRun recallRun(const std::string& inputs, const std::stop_token& stop);
 
-/// A kept run held against the engine.
+/// Comparison of a kept run with the engine.
 struct KeptRunCheck {
     std::string name;
-    std::string engineVersion;               ///< by which it was kept
+    std::string engineVersion;               ///< engine that computed the kept run
     Issues issues;                           ///< errors of its inputs: it cannot be run
-    bool isReadable = true;                  ///< its numbers are a summary
-    std::shared_ptr<const ReadSummary> kept; ///< the values below are of these
+    bool isReadable = true;                  ///< its numbers can be read as a summary
+    std::shared_ptr<const ReadSummary> kept; ///< the kept numbers, to which `changed` refers
     std::shared_ptr<const RunSummary> now;
-    std::vector<ChangedValue> changed; ///< numbers that are not the engine's
+    std::vector<ChangedValue> changed; ///< numbers that differ from the engine's
 
     [[nodiscard]] bool isTrue() const { return issues.empty() && isReadable && changed.empty(); }
 };
 
-/// Runs the inputs of a kept run again and holds its numbers against what comes out, as
-/// changedSince() does. Stopped: it is taken for true.
+/// Runs the inputs of a kept run again and compares its numbers with the result by changedSince().
+/// A stopped check counts as equal.
 [[nodiscard]] KeptRunCheck checkKeptRun(const KeptRun& run, const std::stop_token& stop = {});
 
-/// Of all kept runs of a project, those whose numbers are not the engine's.
+/// Returns the checks of those kept runs of a project whose numbers differ from the engine's.
 [[nodiscard]] std::vector<KeptRunCheck> untrueRuns(const Project& project,
                                                    const std::stop_token& stop = {});
 

@@ -17,11 +17,11 @@ struct RecordedStep {
 
 [[nodiscard]] const Visit* visitAt(const Trajectory& trajectory, const RecordedStep& step);
 
-/// The visit of a radius at a place; null: there is none.
+/// Returns the visit of a radius at a place; null: there is none.
 [[nodiscard]] const Visit* visitAt(const Trajectory& trajectory, const Place& place, int radius);
 
-/// The double stroke or revolution nearest to that of a place in which both runs are at this zone,
-/// stage, step and revolution; nothing when there is none.
+/// Returns the place nearest to the given one, by double stroke or revolution, at which both runs
+/// have this zone, stage, step and revolution; nothing when there is none.
 [[nodiscard]] std::optional<Place> sharedPlace(const Trajectory& one, const Trajectory& other,
                                                const Place& place);
 

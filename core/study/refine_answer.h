@@ -9,22 +9,22 @@
 
 namespace sparkout {
 
-/// What a robust search leaves to those that go on from its answer.
+/// Results of a robust search that a refinement of its answer needs.
 struct RobustTrail {
-    std::vector<Project> scenarios; ///< that it added
-    int candidates = 0;             ///< cycles that it tried on fresh phases
+    std::vector<Project> scenarios; ///< scenarios that it added
+    int candidates = 0;             ///< number of cycles that it tried on fresh phases
 };
 
 /// The answer of a search of a grid.
 struct GridAnswer {
     const Project& asked; ///< the project that was searched
-    const Project& best;  ///< with the machine set as the answer has it
+    const Project& best;  ///< with the machine settings of the answer
     const Cycle& cycle;
-    std::optional<RobustTrail> robust; ///< of a robust search
+    std::optional<RobustTrail> robust; ///< only for a robust search
 };
 
-/// Refines an answer off the grid; of a robust search in the scenarios that it added, and in fresh
-/// ones.
+/// Refines an answer off the grid; the answer of a robust search in the scenarios that it added and
+/// in fresh ones.
 [[nodiscard]] RefineSummary refineAnswer(const GridAnswer& answer, const std::stop_token& stop);
 
 } // namespace sparkout

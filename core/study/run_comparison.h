@@ -13,10 +13,10 @@
 #include <variant>
 #include <vector>
 
-/// Kept runs held against each other and against the present one.
+/// Comparison of kept runs with each other and with the current run.
 namespace sparkout {
 
-/// A run that is compared: its inputs and its summary, each null where it is not known.
+/// Inputs and summary of a compared run, each null where it is unknown.
 struct ComparedRun {
     const Project* inputs = nullptr;
     const ReadSummary* summary = nullptr;
@@ -38,8 +38,8 @@ struct WorstMargin {
     ConstraintResult requirement;
 };
 
-/// An input or a result of a run; a leaf is one of its project or summary and valid as long as they
-/// are, a light is its verdict.
+/// An input or a result of a run; a leaf belongs to its project or summary and is valid as long as
+/// they are, a light is its verdict.
 struct RunValue {
     std::string path; ///< "/wheel/width_mm", "/zones/0/roundness_um", "/requirements/burn/margin"
     std::variant<Leaf, StageCount, RequirementMargin, WorstMargin, Light> value;
@@ -49,10 +49,10 @@ struct RunValue {
 struct ComparedRow {
     std::string path;
     bool isResult = false;
-    std::vector<std::optional<RunValue>> runs; ///< nothing: a run has no such value
+    std::vector<std::optional<RunValue>> runs; ///< by run; nothing: the run has no such value
 };
 
-/// The digits to which a result is stated: decimals, or where they are below 0 significant ones.
+/// Digits to which a result is stated: decimals, or significant digits where decimals are below 0.
 struct ResultDigits {
     int decimals = -1;
     int significant = 3;
@@ -60,50 +60,52 @@ struct ResultDigits {
 [[nodiscard]] ResultDigits digitsOf(const Field& result);
 inline constexpr int worstDigits = 2; ///< significant, of the worst margin in per cent
 
-/// The inputs that the model reads, in the order of the tables; neither kept runs nor the sweep.
+/// Returns the inputs that the model reads, in the order of the tables, without kept runs and
+/// sweep.
 [[nodiscard]] std::vector<RunValue> inputsRead(const Project& project);
 std::vector<RunValue> inputsRead(Project&&) = delete; // its leaves would be gone
 
-/// What a summary says of a run, in the order of its table, then its margins, the worst of them and
-/// the verdict. What is missing is left out; where strips stay uncut, all that is of the surface.
+/// Returns the results in a summary in the order of its table, then its margins, the worst margin
+/// and the verdict. Missing values are left out; where strips stay uncut, so are all values of the
+/// surface.
 [[nodiscard]] std::vector<RunValue> resultsStated(const ReadSummary& summary);
 std::vector<RunValue> resultsStated(ReadSummary&&) = delete;
 
-/// The inputs, then the results, in which the runs differ, in the order of the tables: inputs in
-/// any digit, results in those to which they are stated. A value that only some runs have differs;
-/// a run of which nothing is known differs in nothing.
+/// Returns the inputs, then the results, in which the runs differ, in the order of the tables:
+/// inputs in any digit, results in those to which they are stated. A value that only some runs have
+/// differs; a run without inputs and summary differs in nothing.
 [[nodiscard]] std::vector<ComparedRow> compareRuns(const std::vector<ComparedRun>& runs);
 
-/// A requirement of a summary as the verdict has it; nothing of one that this version does not
-/// know.
+/// Converts a requirement of a summary to that of the verdict; nothing: this version does not know
+/// it.
 [[nodiscard]] std::optional<ConstraintResult> constraintOf(const RequirementSummary& requirement,
                                                            bool isWhole = true);
 
-/// The requirement with the least relative margin; of the machine's ranges and the least number of
-/// steps, which hold up to their ends, of those alone that fail, and where strips stay uncut none
-/// of the surface. Nothing where no requirement is known.
+/// Returns the requirement with the least relative margin; machine ranges and the least number of
+/// steps, which may be used up to their ends, count only where they fail, and where strips stay
+/// uncut requirements on the surface do not count. Nothing: no requirement is known.
 [[nodiscard]] std::optional<ConstraintResult> leastMargin(const RunSummary& summary);
 [[nodiscard]] std::optional<ConstraintResult>
 leastMargin(std::span<const ConstraintResult> constraints);
 
-/// The verdict by a summary alone; none where it holds no requirement.
+/// Returns the verdict by a summary alone; nothing: it contains no requirement.
 [[nodiscard]] std::optional<Light> verdictOf(const RunSummary& summary);
 
-/// The largest difference of two lists of numbers; nothing where they are not as long.
+/// Returns the largest difference of two lists of numbers; nothing: their lengths differ.
 [[nodiscard]] std::optional<double> largestDifference(const std::vector<double>& a,
                                                       const std::vector<double>& b);
 
-/// A run and what came out, to lay the curves of one over those of another.
+/// A run and its summary, for curves of one run over those of another.
 struct RunPlaces {
     const Project& project;
     const RunSummary& summary;
 };
 
-/// Whether the zones or sections of two runs are the same ones.
+/// Returns whether the zones or sections of two runs are the same.
 [[nodiscard]] bool haveSamePlaces(const RunPlaces& a, const RunPlaces& b);
 
-/// The zone or section of another run that belongs to one of this: the same one where both have
-/// the same, else the nearest along the ground length, each as a share of it.
+/// Returns the zone or section of another run that corresponds to one of this run: the same one
+/// where both have the same, else the nearest along the ground length, each as a share of it.
 [[nodiscard]] std::size_t matchingPlace(const RunPlaces& run, std::size_t zone,
                                         const RunPlaces& other);
 

@@ -190,7 +190,7 @@ private:
         searchRound();
         const auto isStopped = [this] { return m_now.grid.search.status == SearchStatus::stopped; };
         while (m_now.grid.hasBest() && !isStopped()
-               && m_levels.goOn(m_now.grid.search.cycle, *m_now.grid.search.best)) {
+               && m_levels.beginNextRound(m_now.grid.search.cycle, *m_now.grid.search.best)) {
             m_best_s = best_s();
             Round before = std::exchange(m_now, Round(m_levels.searched(), m_stop));
             searchRound();
@@ -376,7 +376,7 @@ private:
             noted.cycle.leastRelativeMargin = each.best->leastRelativeMargin;
             noted.isOtherSample = noted.isOtherSample || (m_robust && m_now.found.size() > before);
         }
-        m_outcome->isFrontWhole = front.isWhole;
+        m_outcome->isFrontWhole = front.isComplete;
     }
 
     [[nodiscard]] TradeOff frontOf(const SearchOptions& options, std::size_t most) const {
@@ -391,7 +391,8 @@ private:
                    : TradeOff{};
     }
 
-    // --- telling --------------------------------------------------------------------------------
+    // --- reporting
+    // --------------------------------------------------------------------------------
 
     [[nodiscard]] std::optional<double> best_s() const {
         std::optional<double> least_s = m_best_s;

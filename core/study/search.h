@@ -23,112 +23,115 @@
 #include <utility>
 #include <vector>
 
-/// The search of a project's grid, as the window, the command line and Python ask for it: the
-/// quickest cycle, proved or robust, what binds it, and on request the refinement between the
-/// levels, the best cycle of each number of stages, and slower ones farther from their limits.
+/// The search of a project's grid, as offered by the window, the command line and Python: the
+/// quickest cycle, proved or robust, the requirements that limit it, and on request the refinement
+/// between the levels, the best cycle of each number of stages, and slower cycles farther from
+/// their limits.
 namespace sparkout {
 
-/// What a search is to do beyond finding the best cycle of the grid. An answer that the project
-/// asks to hold for its batch does so whatever is wished.
+/// Wishes beyond the best cycle of the grid. An answer that the project requires to hold for its
+/// batch does so whatever the wishes.
 struct SearchWish {
     SearchMethod method = SearchMethod::pruned;
-    unsigned threads = 0; ///< of the full search; 0: as many as the machine has
-    bool phases = false;  ///< the answer holds in every phase of the stock too
-    bool refine = false;  ///< goes on between the levels
-    bool front = false;   ///< the best of each number of stages too, and margins by time
+    unsigned threads = 0; ///< threads of the full search; 0: one a processor
+    bool phases = false;  ///< the answer must also hold in every phase of the stock
+    bool refine = false;  ///< refine the answer between the levels
+    bool front = false;   ///< also the best cycle of each number of stages, and margins by time
     /// For the objectives between dressings; not given: the wheel does not wear.
     std::optional<SurfaceWear> wear{};
-    SearchJournal* journal = nullptr; ///< of a search that isResumable()
+    SearchJournal* journal = nullptr; ///< journal of an isResumable() search
 };
 
-/// Whether a search that was stopped can be gone on with by its journal: a full one, and not
-/// between dressings, where it is many.
+/// Returns whether a stopped search can be resumed by its journal: a full search, but not between
+/// dressings, where it consists of many searches.
 [[nodiscard]] bool isResumable(const Project& project, SearchMethod method);
 
-/// The wear of one surface of a set-up; nothing: it is not stated.
+/// Returns the wear of one surface of a set-up; nothing: it is not stated.
 [[nodiscard]] std::optional<SurfaceWear> searchWear(const Setup& setup, std::size_t surface);
 
-/// How a search came upon a cycle.
+/// Way in which a search found a cycle.
 enum class FoundBy {
     search,    ///< it was the best so far
-    margin,    ///< none of the grid is both quicker and farther from its nearest limit
+    margin,    ///< no cycle of the grid is both quicker and farther from its nearest limit
     refinement ///< between the levels of the grid; not proved
 };
 
-/// A feasible cycle that a search came upon.
+/// A feasible cycle that a search found.
 struct FoundCycle {
     FoundBy by = FoundBy::search;
     Cycle cycle;
-    MachineSettings machine; ///< that it is run with
+    MachineSettings machine; ///< settings with which it is run
     double time_s = 0;
     double leastRelativeMargin = 0;
-    bool isBest = false;            ///< of the whole grid, as far as it was searched
-    bool isBestOfItsNumber = false; ///< of stages
-    int candidate = 0; ///< its number among those tried on fresh phases, from 1; 0: not tried
-    /// Of a robust search under gauge control the cases for each of which it holds.
+    bool isBest = false;            ///< best of the whole grid, as far as it was searched
+    bool isBestOfItsNumber = false; ///< best with its number of stages
+    int candidate = 0; ///< its number among the cycles tried on fresh phases, from 1; 0: not tried
+    /// Cases for each of which it holds, from a robust search under gauge control.
     std::optional<PhaseCases> decided{};
-    std::optional<PartsHeld> held{}; ///< of a search between dressings, where the wheel wears
-    std::optional<double> cost{};    ///< of a part, there too
+    std::optional<PartsHeld> held{}; ///< from a search between dressings, where the wheel wears
+    std::optional<double> cost{};    ///< cost of a part, likewise
 };
 
-/// A project with the cycle and the machine's settings that were found.
+/// Returns the project with the cycle and the machine settings that were found.
 [[nodiscard]] Project withFound(Project project, const FoundCycle& found);
 
 /// The best cycle of one number of stages.
 struct SearchedNumber {
     int stages = 0;
     SearchStatus status = SearchStatus::infeasible;
-    double bound_s = 0;             ///< no cycle with so many stages is quicker
-    std::optional<double> best_s{}; ///< of one that holds in all that it must
+    double bound_s = 0;             ///< no cycle with this number of stages is quicker
+    std::optional<double> best_s{}; ///< time of the best cycle that holds everywhere it must
 };
 
-/// The project's own cycle, beside the one found.
+/// The project's own cycle, compared with the one found.
 struct GivenCycle {
-    bool isStopped = false;       ///< before its end: nothing is known of it
-    std::optional<double> time_s; ///< when it ends by itself
+    bool isStopped = false;       ///< its run was stopped, and its result is unknown
+    std::optional<double> time_s; ///< time, if it ends by itself
     std::vector<ConstraintKind> fails;
 };
 
-/// What simulating the answer would remark.
+/// Warnings that a simulation of the answer gives.
 struct AnswerRemarks {
     Issues issues; ///< warnings of remarksOn()
-    /// Of the wheel's revolutions to the work's, where it is near a whole number: waviness.
+    /// Ratio of the wheel's revolutions to the work's, where it is near a whole number: waviness.
     std::optional<double> ratioNearInteger;
 };
 
-/// All that one search gives: an immutable value. Where it did not run nothing was searched.
+/// All results of one search, as an immutable value. The search was made only if ran().
 struct SearchOutcome {
-    Project project; ///< as searched: the given cycle
+    Project project; ///< the project searched, with the given cycle
     SearchMethod method = SearchMethod::pruned;
-    Issues issues;      ///< errors of the project, with which it is not searched
-    Issues batchIssues; ///< why the batch that the cycle must hold for cannot be run
+    Issues issues;      ///< errors of the project that prevented the search
+    Issues batchIssues; ///< reasons why the batch for which the cycle must hold cannot be run
     GridFault fault = GridFault::none;
-    bool isOtherOperation = false; ///< the method is for plunge grinding alone
-    bool isOtherAim = false; ///< the method, or the refinement, looks for the least time alone
+    bool isOtherOperation = false; ///< the method is only for plunge grinding
+    bool isOtherAim = false; ///< the method or the refinement can only search for the least time
     ObjectiveFault objectiveFault = ObjectiveFault::none;
-    std::optional<SurfaceWear> wear; ///< for an objective between dressings
-    /// The greatest margin within this time was searched; nothing: the least time.
+    std::optional<SurfaceWear> wear; ///< wear, for an objective between dressings
+    /// Time within which the greatest margin was searched for; nothing: the least time was.
     std::optional<std::int64_t> marginWithin_us;
-    bool wishesFront = false;       ///< beyond its answer
-    bool isFrontComing = false;     ///< the cycles found by `margin` are still being looked for
-    bool isFrontWhole = false;      ///< those found by `margin` are all of the front
+    bool wishesFront = false;       ///< a front was wished for
+    bool isFrontComing = false;     ///< the cycles found by `margin` are still being searched for
+    bool isFrontWhole = false;      ///< the cycles found by `margin` are the complete front
     Project searched;               ///< the project with the levels of the last round
-    int rounds = 1;                 ///< of SearchLevels
+    int rounds = 1;                 ///< number of rounds of SearchLevels
     bool areLevelsCutShort = false; ///< a further round was stopped
-    std::vector<LevelEdge> edges;   ///< of its grid that the best of the grid reaches
-    std::vector<SettingEdge> settingEdges;   ///< the same of the machine's settings and spark-out
-    SearchSummary search;                    ///< of the last round
-    std::optional<RobustSummary> robust;     ///< of which the search is the last
-    std::optional<IntervalSummary> interval; ///< of which it is that for the answer's parts
+    std::vector<LevelEdge> edges;   ///< edges of the grid that its best cycle reaches
+    std::vector<SettingEdge> settingEdges; ///< likewise for machine settings and spark-out
+    SearchSummary search;                  ///< of the last round
+    std::optional<RobustSummary> robust;   ///< `search` is its last one
+    std::optional<IntervalSummary>
+        interval; ///< `search` is the one for the answer's number of parts
     std::optional<RefineSummary> refinement;
-    std::vector<SearchedNumber> numbers; ///< of stages, as listed; without a front the answer's
-    /// The answer first, a refined one before the best of the grid; those of the front that take
-    /// longer than the greatest margin may, or that are of a robust search and not its answer, come
-    /// last.
+    std::vector<SearchedNumber>
+        numbers; ///< by number of stages, as listed; without a front only the answer's
+    /// The answer first, a refined one before the best of the grid; cycles of the front that exceed
+    /// the time allowed for the greatest margin, and those of a robust search other than its
+    /// answer, come last.
     std::vector<FoundCycle> found;
     SteplessLimit limit;
-    /// What binds the best of the search, its time or its margin, whichever is searched; nothing:
-    /// not known, as it was stopped before, or no cycle was found.
+    /// Requirements that limit the best cycle, its time or its margin, whichever is searched for;
+    /// nothing: unknown after a stop, or no cycle was found.
     std::optional<std::vector<ConstraintKind>> binding;
     GivenCycle given;
     AnswerRemarks remarks;
@@ -142,12 +145,13 @@ struct SearchOutcome {
     [[nodiscard]] SearchAim aim() const {
         return marginWithin_us ? SearchAim::greatestMargin : SearchAim::leastTime;
     }
-    /// Time against margin, the quickest first: those found by `margin`.
+    /// Cycles of time against margin, the quickest first: those found by `margin`.
     [[nodiscard]] std::vector<const FoundCycle*> front() const;
-    [[nodiscard]] const FoundCycle* best() const;    ///< of the grid; null: none was found
-    [[nodiscard]] const FoundCycle* refined() const; ///< quicker than the grid's best, if any
-    [[nodiscard]] const FoundCycle* answer() const;  ///< refined, or the best of the grid
-    /// The rounds ran out before a cycle was found that holds in all that it must.
+    [[nodiscard]] const FoundCycle* best() const; ///< best of the grid; null: none was found
+    [[nodiscard]] const FoundCycle*
+    refined() const; ///< refined cycle, quicker than the grid's best; null: none
+    [[nodiscard]] const FoundCycle* answer() const; ///< refined, or the best of the grid
+    /// Returns whether the rounds ran out before a cycle was found that holds everywhere it must.
     [[nodiscard]] bool unresolved() const;
     /// The share of the stocks within one infeed that the answer of a robust search may fail for,
     /// at most, with 95 % confidence; nothing: that is decided, or was not asked.
@@ -155,34 +159,36 @@ struct SearchOutcome {
     /// Likewise of the parts of the batch that may be bad.
     [[nodiscard]] std::optional<double> mostPartsBad() const;
     [[nodiscard]] bool proved() const { return best() && search.status == SearchStatus::proved; }
-    /// What cut, the most frequent first.
+    /// Requirements with the number of their cuts, the most frequent first.
     [[nodiscard]] std::vector<std::pair<ConstraintKind, long long>> cuts() const;
-    [[nodiscard]] long long evaluations() const; ///< cycles judged, in all rounds of scenarios
-    [[nodiscard]] long long visits() const;      ///< radii under the wheel, likewise
+    [[nodiscard]] long long
+    evaluations() const;                    ///< number of cycles judged, in all rounds of scenarios
+    [[nodiscard]] long long visits() const; ///< number of radii under the wheel, likewise
 };
 
 using SearchOutcomePtr = std::shared_ptr<const SearchOutcome>;
 
-/// How far a search is.
+/// Progress of a search.
 struct SearchState {
     FoundBy looksFor = FoundBy::search;
-    int stages = 0;                    ///< the number that is searched now; 0: all
-    int round = 1;                     ///< of SearchLevels
-    std::optional<double> best_s = {}; ///< quickest so far
-    double share = 0;          ///< of the grid, full search, or of the time given for a margin
-    double bound_s = 0;        ///< no cycle of those that are searched now is quicker
-    long long evaluations = 0; ///< of these
+    int stages = 0;                    ///< number of stages searched now; 0: all
+    int round = 1;                     ///< round of SearchLevels
+    std::optional<double> best_s = {}; ///< time of the quickest cycle so far
+    double share =
+        0; ///< finished share of the grid (full search), or share of the time given for a margin
+    double bound_s = 0;        ///< no cycle searched now is quicker
+    long long evaluations = 0; ///< number of cycles judged of these
     double took_s = 0;
 };
 
-/// Whom a search keeps informed, in any thread.
+/// Receivers of the progress of a search, called in any thread.
 struct SearchEvents {
     std::function<void(const SearchState&)> note{};
-    /// The answer as soon as it stands, before the front is looked for.
+    /// Receives the answer before the front is searched for.
     std::function<void(const SearchOutcomePtr&)> answer{};
 };
 
-/// Searches a project's grid in this thread. A stop keeps the best so far.
+/// Searches a project's grid in the calling thread. A stop keeps the best so far.
 [[nodiscard]] SearchOutcomePtr search(const Project& project, const SearchWish& wish,
                                       std::stop_token stop = {}, SearchEvents events = {});
 

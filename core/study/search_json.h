@@ -7,7 +7,7 @@
 
 namespace sparkout {
 
-/// The object of `optimize --json`; its named keys are fixed.
+/// Returns the object of `optimize --json`; its keys are fixed.
 [[nodiscard]] std::string searchJson(const SearchOutcome& outcome);
 
 } // namespace sparkout

@@ -60,7 +60,7 @@ struct LevelRange {
     }
 };
 
-/// What the range and the stage's own bounds go on to.
+/// Limit of the range and the stage's own bounds.
 double limitOf(const Optimisation& search, const StageFeed& feed, std::size_t stage,
                const LevelRange& range, bool isMost) {
     const double own = isMost ? range.high : range.low;
@@ -176,7 +176,7 @@ std::vector<SettingEdge> settingEdgesReached(const Project& searched, const Cycl
 
 SearchLevels::SearchLevels(Project project) : m_searched(std::move(project)) {}
 
-bool SearchLevels::goOn(const Cycle& best, const FeasibleCycle& found) {
+bool SearchLevels::beginNextRound(const Cycle& best, const FeasibleCycle& found) {
     if (!m_searched.optimisation->adaptive || m_round == mostRounds) {
         return false;
     }

@@ -19,12 +19,12 @@ struct LevelEdge {
     std::size_t stage = 0; ///< from 0
     double level = 0;
     bool isMost = false;         ///< the greatest, else the least
-    std::optional<double> limit; ///< what the machine, or the stage's own bounds, go on to
-    bool isLimit = false;        ///< the level itself is that: no grid goes beyond
+    std::optional<double> limit; ///< limit of the machine or of the stage's own bounds
+    bool isLimit = false;        ///< the level itself is the limit, which no grid exceeds
 };
 
-/// Those of a cycle that a search of this project found, by stage; a stage without feed has none.
-/// A feed of which there is one level was not searched and has none.
+/// Returns the edges that a cycle found by a search of this project reaches, by stage; a stage
+/// without feed has none. A feed with one level was not searched and has none.
 [[nodiscard]] std::vector<LevelEdge> edgesReached(const Project& searched, const Cycle& cycle);
 
 /// A setting of the machine, or the spark-out, that is the least or the greatest level of its grid.
@@ -32,36 +32,36 @@ struct SettingEdge {
     const char* key = ""; ///< of its row in the search: "work_speed_rpm"
     double level = 0;
     bool isMost = false;         ///< the greatest, else the least
-    std::optional<double> limit; ///< what the machine's range, or the row's own, goes on to
-    bool isLimit = false;        ///< the level itself is that: no grid goes beyond
+    std::optional<double> limit; ///< limit of the machine's range or of the row
+    bool isLimit = false;        ///< the level itself is the limit, which no grid exceeds
 };
 
-/// Those of a cycle that a search of this project found, with the machine set so. What has one
-/// level, or none, was not searched and has none.
+/// Returns the edges that a cycle found by a search of this project reaches with these machine
+/// settings. A setting with at most one level was not searched and has none.
 [[nodiscard]] std::vector<SettingEdge>
 settingEdgesReached(const Project& searched, const Cycle& cycle, const MachineSettings& machine);
 
-/// A search whose levels follow its answer: with the answer of one grid in hand, levels are added
+/// A search whose levels follow its answer. After the answer of one grid, levels are added
 ///
-/// * beyond it, where it stands at the edge of the grid and the machine lets it pass: three, each
-///   by the ratio of the last two greater or smaller, within the machine's range;
-/// * on either side of each feed of it, halfway to the next level (geometric mean), as long as they
-///   are more than 5 % apart and the last levels between saved more than 0.5 % of the time, or
-///   added more than 0.005 to the margin that is searched.
+/// * beyond it, where it is at the edge of the grid and the machine allows more: three, each
+///   greater or smaller by the ratio of the last two, within the machine's range;
+/// * on either side of each of its feeds, halfway to the next level (geometric mean), as long as
+///   they are more than 5 % apart and the last levels between saved more than 0.5 % of the time, or
+///   added more than 0.005 to the margin that is searched for.
 ///
-/// All are steps of the machine. No level is taken away, so each grid holds those before it, and
-/// what is proved of the last holds for all.
+/// All levels are steps of the machine. No level is removed, so each grid contains the earlier
+/// ones, and a proof for the last grid holds for all.
 class SearchLevels {
 public:
-    /// Of a project with a grid; only with Optimisation::adaptive there is more than one round.
+    /// Takes a project with a grid; only with Optimisation::adaptive there is more than one round.
     explicit SearchLevels(Project project);
 
-    /// What is to be searched in this round.
+    /// Returns the project to be searched in this round.
     [[nodiscard]] const Project& searched() const { return m_searched; }
     [[nodiscard]] int round() const { return m_round; } ///< from 1
-    /// Takes the best cycle of this round and what it is compared by; whether there is another
-    /// round.
-    bool goOn(const Cycle& best, const FeasibleCycle& found);
+    /// Adds levels after the best cycle of this round and the values by which it is compared;
+    /// returns whether there is another round.
+    bool beginNextRound(const Cycle& best, const FeasibleCycle& found);
 
 private:
     Project m_searched;

@@ -12,12 +12,13 @@ namespace sparkout {
 
 [[nodiscard]] std::span<const Output<SearchOutcome>> searchOutputs();
 
-/// What a part costs that is ground by the answer; nothing: no answer, or no rates.
+/// Returns the cost of a part that is ground with the answer; nothing: there is no answer, or there
+/// are no rates.
 [[nodiscard]] std::optional<double> costOfAnswer(const SearchOutcome& outcome);
 
-/// A setting of the machine that was free to choose, and what it is in a cycle found.
+/// A machine setting that the search was free to choose, with its value in a cycle found.
 struct FreeSetting {
-    const char* key; ///< of Machine
+    const char* key; ///< key in Machine
     double value;
 };
 [[nodiscard]] std::vector<FreeSetting> freeSettings(const Project& searched,

@@ -5,24 +5,27 @@
 
 #include <string>
 
-/// Edits of a project that have to do with its sweep.
+/// Edits of a project's sweep.
 namespace sparkout {
 
-/// A varied input with a usual range about the project's own value of it, as far as it is allowed.
+/// Returns a varied input with a usual range about the project's own value, within the allowed
+/// range.
 [[nodiscard]] SweepAxis usualAxis(const Project& project, const std::string& path);
 
-/// The project that varies another input at a place of its sweep, 0 or 1; an empty path: none
-/// there.
+/// Returns the project with another varied input at a place of its sweep, 0 or 1; an empty path
+/// removes it.
 [[nodiscard]] Project withSweptInput(Project project, std::size_t place, const std::string& path);
 
-/// The project with another range at a place; unchanged when another input is varied there by now.
+/// Returns the project with another range at a place; it is unchanged when another input is now
+/// varied there.
 [[nodiscard]] Project withSweepAxis(Project project, std::size_t place, const SweepAxis& axis);
 
-/// The project with the values of the inputs at a point of a sweep, as far as it still has them.
+/// Returns the project with the values of the inputs at a point of a sweep, as far as it still has
+/// these inputs.
 [[nodiscard]] Project withPoint(Project project, const SweepResult& sweep, std::size_t point);
 
-/// Whether two projects make the same sweep: nothing differs but names, notes, batch, search, kept
-/// runs and the present values of what is varied.
+/// Returns whether two projects make the same sweep: only names, notes, batch, search, kept runs
+/// and the current values of the varied inputs differ.
 [[nodiscard]] bool sameSweep(const Project& a, const Project& b);
 
 } // namespace sparkout

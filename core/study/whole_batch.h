@@ -15,15 +15,15 @@
 
 namespace sparkout {
 
-/// All that one batch gives: an immutable value. With issues nothing was run.
+/// All results of one batch, as an immutable value. With issues nothing was run.
 struct BatchOutcome {
-    Issues issues; ///< why the batch cannot be run
+    Issues issues; ///< reasons why the batch cannot be run
     BatchResult result;
     BatchSummary summary;
     std::vector<std::optional<RankRegression>> regressions; ///< by characteristic
     std::vector<GivenFactor> factors;
     std::vector<std::vector<double>> drawn; ///< values of the factors, by kept part
-    std::vector<Undecided> notDecided;      ///< what no part can be judged by
+    std::vector<Undecided> notDecided;      ///< requirements that cannot be decided for any part
 
     [[nodiscard]] bool ran() const { return issues.empty(); }
 
@@ -32,7 +32,7 @@ struct BatchOutcome {
         return factors.size() + summary.characteristics.size();
     }
     [[nodiscard]] const Characteristic* characteristicOf(std::size_t quantity) const; ///< or null
-    /// Of the part in a kept row.
+    /// Returns a quantity of the part in a kept row.
     [[nodiscard]] double valueOf(std::size_t row, std::size_t quantity) const;
     [[nodiscard]] bool isOutside(std::size_t row, std::size_t quantity) const; ///< its limits
 };
@@ -43,10 +43,10 @@ using BatchOutcomePtr = std::shared_ptr<const BatchOutcome>;
 [[nodiscard]] BatchOutcomePtr runWholeBatch(const Project& project,
                                             const BatchOptions& options = {});
 
-/// How many parts the batch of a project has.
+/// Returns the number of parts in the batch of a project.
 [[nodiscard]] std::int64_t partsOf(const Project& project);
 
-/// How many parts Sobol indices take.
+/// Returns the number of parts that Sobol indices take.
 [[nodiscard]] std::int64_t partsOfIndices(const Project& project, int points);
 
 } // namespace sparkout

@@ -6,10 +6,10 @@
 
 #include <functional>
 
-/// File work off the window's thread: a disk may take its time.
+/// File operations outside the window's thread, because a disk may be slow.
 namespace sparkout {
 
-/// One job after the other, in a thread of its own. Destroying it waits for the job that runs.
+/// Runs one job after the other in a thread of its own. The destructor waits for the running job.
 class Background : public QObject {
     Q_OBJECT
 
@@ -19,16 +19,16 @@ public:
     explicit Background(QObject* parent = nullptr);
     ~Background() override;
 
-    /// `job` runs aside; what it returns runs afterwards in the thread of this object.
+    /// Runs `job` in that thread; the returned function then runs in the thread of this object.
     void start(std::function<Answer()> job);
-    void wait(); ///< until every job is done and answered
+    void wait(); ///< until every job and its answer are done
 
 private:
     QThreadPool m_pool;
 };
 
-/// Runs `work` aside and comes back when it is done. Meanwhile the window is painted and timers
-/// fire, but keys and clicks wait.
+/// Runs `work` in another thread and returns when it is done. Meanwhile the window is painted and
+/// timers fire, but keys and clicks wait.
 void runAside(const std::function<void()>& work);
 
 } // namespace sparkout

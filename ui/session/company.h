@@ -11,30 +11,30 @@ namespace sparkout {
 
 struct CardEntries;
 
-/// Who makes the documents: what their heads have beside the project. All of it may be empty.
+/// Company data in the heads of documents, in addition to the project. All of it may be empty.
 struct Company {
     QString name;
     QString department;
-    QString developed; ///< names of those who sign
+    QString developed; ///< names of the signatories
     QString checked;
     QString agreed;
-    QString standards; ///< who checks against the standards
+    QString standards; ///< name of the standards checker
     QString approved;
-    QString designation;                  ///< of the document
+    QString designation;                  ///< designation of the document
     QString part;                         ///< designation of the part
-    QString shop, area, place, operation; ///< their numbers
-    QByteArray logo; ///< the bytes of a file; refused unless it is as Logo says
+    QString shop, area, place, operation; ///< numbers of shop, area, workplace and operation
+    QByteArray logo;                      ///< contents of a file that satisfies Logo
 
     friend bool operator==(const Company&, const Company&) = default;
 
-    /// With the numbers that a project gives in place of its own.
+    /// Returns the company with the numbers that a project gives in place of its own.
     [[nodiscard]] Company with(const CardEntries& entries) const;
-    /// As settings keep it; what is empty is left out.
+    /// Returns the form in which settings store it; empty texts are left out.
     [[nodiscard]] QVariantMap kept() const;
     [[nodiscard]] static Company fromKept(const QVariantMap& kept);
 };
 
-/// A text of it: its key in the settings and its name.
+/// A text of the company: its key in the settings and its label.
 struct CompanyField {
     const char* key;
     QString Company::*value;

@@ -55,11 +55,11 @@ void CycleJudge::forget() {
     m_judged = {};
 }
 
-void CycleJudge::tellBatches(bool tells) {
-    if (std::exchange(m_tellsBatches, tells) == tells) {
+void CycleJudge::judgeBatches(bool isOn) {
+    if (std::exchange(m_judgesBatches, isOn) == isOn) {
         return;
     }
-    if (!tells) {
+    if (!isOn) {
         m_calm.stop();
         m_studies.judged.forget();
     }
@@ -84,7 +84,7 @@ void CycleJudge::judgeNow() {
         m_judged.judgement = {};
         return;
     }
-    m_judged.hasBatch = m_tellsBatches && outcome.result.project.batch;
+    m_judged.hasBatch = m_judgesBatches && outcome.result.project.batch;
     std::optional<JudgedBatch> ofBatch;
     if (const BatchOutcomePtr found = m_judged.hasBatch ? batch() : nullptr) {
         ofBatch = judgeBatch(found->result, found->summary);

@@ -10,17 +10,17 @@
 
 namespace sparkout {
 
-/// How a run stands, and what of it is still to come.
+/// Judgement of a run, with the parts of it that are still being computed.
 struct JudgedRun {
     OutcomePtr outcome; ///< null: none
     Judgement judgement;
     bool areStocksComing = false;
-    bool hasBatch = false; ///< that may be told of
+    bool hasBatch = false; ///< the batch may be reported
     bool isBatchComing = false;
 };
 
-/// Judges the cycle in front: with its run and its stocks at once, or with its stocks in a moment
-/// where they take longer; with its batch a little after the last edit, when that is quick to run
+/// Judges the current cycle: by its run and its stocks at once, or by its stocks somewhat later
+/// where they take longer; by its batch shortly after the last edit, when the batch is quick to run
 /// or was run by its view.
 class CycleJudge : public QObject {
     Q_OBJECT
@@ -28,18 +28,18 @@ class CycleJudge : public QObject {
 public:
     CycleJudge(const RunController& runs, Studies& studies, QObject* parent = nullptr);
 
-    /// Takes an outcome that the runs have just finished; changed() is not emitted for it.
+    /// Judges an outcome that the runs have just finished; changed() is not emitted for it.
     void setOutcome(const OutcomePtr& outcome);
-    void forget(); ///< another document comes
-    /// Whether batches are run and told of; in a lesson they are not.
-    void tellBatches(bool tells);
+    void forget(); ///< clears the judgement before another document is shown
+    /// Sets whether batches are run and reported; in a lesson they are not.
+    void judgeBatches(bool isOn);
     [[nodiscard]] const JudgedRun& judged() const { return m_judged; }
-    /// Of the inputs that were run; one of which all parts were run before one that was stopped.
-    /// Null: there is none.
+    /// Returns the batch of the inputs that were run, preferably one with all parts run; null:
+    /// there is none.
     [[nodiscard]] BatchOutcomePtr batch() const;
 
 signals:
-    void changed(); ///< the stocks or the batch have come, or are no longer told of
+    void changed(); ///< the stocks or the batch were decided, or are no longer reported
 
 private:
     void judgeAgain();
@@ -48,9 +48,9 @@ private:
 
     const RunController& m_runs;
     Studies& m_studies;
-    bool m_tellsBatches = true;
+    bool m_judgesBatches = true;
     JudgedRun m_judged;
-    QTimer m_calm; ///< since the last edit
+    QTimer m_calm; ///< delay after the last edit
 };
 
 } // namespace sparkout

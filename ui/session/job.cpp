@@ -10,7 +10,7 @@ namespace sparkout {
 Job::Job(QObject* parent) : QObject(parent) {
     constexpr int tick_ms = 100;
     m_progress.setInterval(tick_ms);
-    connect(&m_progress, &QTimer::timeout, this, &Job::tell);
+    connect(&m_progress, &QTimer::timeout, this, &Job::reportProgress);
 }
 
 void Job::run(std::int64_t parts, Work work) {
@@ -49,7 +49,7 @@ void Job::drop() {
     m_job.stop();
 }
 
-void Job::tell() {
+void Job::reportProgress() {
     const std::int64_t done = m_done->load(std::memory_order_relaxed);
     emit progressed(
         done, m_parts,

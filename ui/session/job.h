@@ -16,8 +16,8 @@
 
 namespace sparkout {
 
-/// Work off the window's thread, one at a time: a newer one drops the older. It leaves one
-/// processor to the window. Destroying it ends what runs and waits for it.
+/// Work outside the window's thread, one at a time: a newer one replaces the older. It leaves one
+/// processor to the window. The destructor stops the work and waits for it.
 class Job : public QObject {
     Q_OBJECT
 
@@ -27,40 +27,41 @@ public:
     struct Means {
         int threads = 1;
         std::stop_token stop;
-        std::atomic<std::int64_t>* done = nullptr; ///< the work counts its parts here
-        /// Does something in the window's thread while the work goes on.
+        std::atomic<std::int64_t>* done =
+            nullptr; ///< counter of the finished parts, set by the work
+        /// Runs a function in the window's thread while the work continues.
         std::function<void(NewestJob::Answer)> post;
     };
 
-    /// Computes `work(means)` aside and gives the result to `take` in the window's thread. `parts`:
-    /// how many the work counts; 0: it counts none.
+    /// Computes `work(means)` in another thread and passes the result to `take` in the window's
+    /// thread. `parts`: number of parts that the work counts; 0: it counts none.
     template <class Work, class Take>
     void start(std::int64_t parts, Work work, Take take) {
         run(parts, [work = std::move(work), take = std::move(take)](const Means& means) {
             return NewestJob::Answer([take, result = work(means)] { take(result); });
         });
     }
-    void stop(); ///< ends it; what is done until then is the result
-    void drop(); ///< ends it without a result
+    void stop(); ///< ends the work; its result is what it has finished
+    void drop(); ///< ends the work without a result
     [[nodiscard]] bool running() const { return m_progress.isActive(); }
     [[nodiscard]] double took_s() const { return double(m_took.elapsed()) / 1000; }
 
 signals:
-    void progressed(qint64 done, qint64 parts, double left_s); ///< left_s below 0: not known yet
-    void answered(); ///< a result was taken, the last one when it runs no more
+    void progressed(qint64 done, qint64 parts, double left_s); ///< left_s < 0: not known yet
+    void answered(); ///< a result was taken; the last one once the work no longer runs
 
 private:
     using Work = std::function<NewestJob::Answer(const Means&)>;
 
     void run(std::int64_t parts, Work work);
-    void tell();
+    void reportProgress();
 
     QTimer m_progress;
     QElapsedTimer m_took;
     qint64 m_parts = 0;
-    std::shared_ptr<std::atomic<std::int64_t>> m_done; ///< shared with the work that is running
+    std::shared_ptr<std::atomic<std::int64_t>> m_done; ///< shared with the running work
     std::stop_source m_stop;
-    NewestJob m_job; ///< the last member: gone before what its work uses
+    NewestJob m_job; ///< last member: destroyed before the members that its work uses
 };
 
 } // namespace sparkout

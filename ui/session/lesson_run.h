@@ -15,27 +15,27 @@
 
 namespace sparkout {
 
-/// A laboratory work that is being done: what was handed in, what the engine finds of it, and the
-/// step in front. Every entry is sealed, and saveWanted() asks for the student's file to be
-/// written. What is not handed in yet, answers and settings, is kept in a draft of the program's
-/// own, from which the work goes on where it was left.
+/// A laboratory work in progress: the answers handed in, their results by the engine, and the
+/// current step. Every entry is sealed, and saveWanted() requests that the student's file be
+/// written. Answers and settings not handed in yet are kept in a draft of the program's own, from
+/// which the work can be continued.
 class LessonRun : public QObject {
     Q_OBJECT
 
 public:
-    /// How a step stands.
+    /// State of a step.
     enum class Mark {
-        open,    ///< nothing was handed in
-        checked, ///< handed in, and the engine is at it
+        open,    ///< no answer was handed in
+        checked, ///< handed in and being checked by the engine
         passed,
         failed,
-        teacher ///< handed in, for the teacher to mark
+        teacher ///< handed in, to be marked by the teacher
     };
 
     explicit LessonRun(QObject* parent = nullptr);
     ~LessonRun() override;
 
-    /// Drafts are kept in this folder; without it none is.
+    /// Sets the folder for drafts; without it none is kept.
     void keepDraftsIn(const QString& folder) { m_draftFolder = folder; }
 
     [[nodiscard]] bool isRunning() const { return m_work.has_value(); }
@@ -44,54 +44,58 @@ public:
     [[nodiscard]] const QString& file() const { return m_file; }
     [[nodiscard]] std::size_t step() const { return m_step; }
     [[nodiscard]] const LessonStep& current() const { return lesson().steps[m_step]; }
-    /// The project of the surface that a step is about, as the step begins.
+    /// Returns the project of the surface of a step at its beginning.
     [[nodiscard]] Project projectOf(std::size_t step) const;
 
-    /// Begins or takes up a work; `isSaved`: its file holds it.
+    /// Begins or continues a work; `isSaved`: its file contains it.
     void start(Work work, const QString& file, bool isSaved);
-    void end();                  ///< keeps the draft
+    void end();                  ///< ends the work and keeps the draft
     void show(std::size_t step); ///< announce() follows once its set-up is in the document
     void announce() { emit stepShown(); }
 
-    /// Whether a prediction is asked for in the step in front, and not given yet: till then nobody
-    /// is to see a result.
+    /// Returns whether the current step asks for a prediction that is not given yet; until then no
+    /// result may be shown.
     [[nodiscard]] bool isCovered() const;
-    /// Other steps that ask for a prediction of the set-up in front and have none yet: what they
-    /// ask is not to be read off in this one.
+    /// Returns the other steps that ask for a prediction of the current set-up and have none yet:
+    /// their answers must not be visible in this step.
     [[nodiscard]] std::vector<std::size_t> openPredictions() const;
     [[nodiscard]] StepRecord record(std::size_t step) const;
-    /// What the engine finds of the answer that counts; nothing while it is not known.
+    /// Returns the engine's result for the answer that counts; null: not known yet.
     [[nodiscard]] const GoalResult* result(std::size_t step) const;
     [[nodiscard]] Mark mark(std::size_t step) const;
-    [[nodiscard]] double pointsOf(std::size_t step) const; ///< less the hints that were taken
+    [[nodiscard]] double
+    pointsOf(std::size_t step) const; ///< points less those for the hints taken
     [[nodiscard]] double points() const;
-    [[nodiscard]] bool isFull() const; ///< it takes no further entry
+    [[nodiscard]] bool isFull() const; ///< the work takes no further entry
 
-    void handIn(Answer answer); ///< as the answer to the step in front
-    void takeHint();            ///< the next one of the step in front
+    void handIn(Answer answer); ///< hands in an answer to the current step
+    void takeHint();            ///< takes the next hint of the current step
     void keepRun(const KeptRun& run);
 
-    /// What stands in the panel and the inputs of the step in front and is not handed in.
+    /// Sets the contents of the panel and the inputs of the current step that are not handed in.
     void setDraft(Answer draft);
-    /// What a step is shown with: the draft, else what was handed in last; null: neither.
+    /// Returns the answer shown in a step: the draft, or else the answer handed in last; null:
+    /// neither.
     [[nodiscard]] const Answer* draft(std::size_t step) const;
-    /// The set-up that a step is shown with.
+    /// Returns the set-up shown in a step.
     [[nodiscard]] Setup setupFor(std::size_t step) const;
 
-    /// A file, which may be another one, holds the work with its first entries.
+    /// Records that a file, which may be another one, contains the work with its first `entries`
+    /// entries.
     void markSaved(const QString& file, std::size_t entries);
-    /// The file no longer holds the work: another program has changed or removed it.
+    /// Records that the file no longer contains the work, because another program changed or
+    /// removed it.
     void markUnsaved() { m_savedEntries.reset(); }
-    void flush(); ///< until the draft is written
+    void flush(); ///< waits until the draft is written
     [[nodiscard]] bool isSaved() const { return m_savedEntries == m_work->entries.size(); }
 
 signals:
     void started();
     void ended();
     void stepShown();
-    void changed();    ///< an entry came, or a result
-    void answered();   ///< to the step in front
-    void saveWanted(); ///< an entry came; last
+    void changed();    ///< an entry or a result was added
+    void answered();   ///< the current step was answered
+    void saveWanted(); ///< an entry was added; emitted last
 
 private:
     void add(WorkEntry entry);
@@ -106,10 +110,10 @@ private:
     QString m_draftFolder;
     std::size_t m_step = 0;
     std::map<std::size_t, Answer> m_drafts;
-    std::map<std::size_t, GoalResult> m_results; ///< of the answers that count
-    std::optional<std::size_t> m_savedEntries;   ///< nothing: it has no file yet
+    std::map<std::size_t, GoalResult> m_results; ///< results of the answers that count
+    std::optional<std::size_t> m_savedEntries;   ///< nothing: there is no file yet
     Background m_disk;
-    NewestJob m_job; ///< last: stopped before what it uses is gone
+    NewestJob m_job; ///< last: stopped before the members that it uses are destroyed
 };
 
 } // namespace sparkout

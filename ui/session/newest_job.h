@@ -9,8 +9,8 @@
 
 namespace sparkout {
 
-/// Computing off the window's thread, one job at a time: a newer job stops the older one, whose
-/// answers are dropped. Destroying it stops the job and waits for it.
+/// Computations outside the window's thread, one job at a time: a newer job stops the older one,
+/// whose answers are discarded. The destructor stops the job and waits for it.
 class NewestJob : public QObject {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ public:
     ~NewestJob() override;
 
     void start(Job job);
-    void stop(); ///< and drops its answers
+    void stop(); ///< stops the job and discards its answers
 
 private:
     QThreadPool m_pool;

@@ -16,23 +16,23 @@
 
 namespace sparkout {
 
-/// Runs all surfaces of a document after every edit, aside and in their order, each with the wheel
-/// as those before leave it, and decides then over the stocks of each. What an edit does not
-/// concern is not run again.
+/// Runs all surfaces of a document after every edit, in another thread and in their order, each
+/// with the wheel in the state left by the earlier ones, and then decides on the stocks of each.
+/// Surfaces that an edit does not affect are not run again.
 class PartRuns : public QObject {
     Q_OBJECT
 
 public:
     explicit PartRuns(Document& document, QObject* parent = nullptr);
 
-    /// By surface, as many as the document has.
+    /// Returns the status of each surface of the document.
     [[nodiscard]] const std::vector<SurfaceStatus>& statuses() const { return m_statuses; }
     [[nodiscard]] bool running() const { return m_running; }
-    /// Whether every surface is ground to size, and every requirement on each of them holds.
+    /// Returns whether every surface is ground to size and meets every requirement.
     [[nodiscard]] bool holds() const;
-    [[nodiscard]] std::optional<PieceTime> time() const; ///< once every surface is completed
-    /// Of the surface in front: in a set-up of one it is not run a second time, in another one its
-    /// judgement is taken, which may have a batch.
+    [[nodiscard]] std::optional<PieceTime> time() const; ///< time once every surface is completed
+    /// Takes the judgement of the current surface: in a set-up with one surface it is not run a
+    /// second time, in others its judgement is used, which may include a batch.
     void setJudged(const JudgedRun& judged);
 
 signals:
@@ -49,7 +49,7 @@ private:
         [[nodiscard]] bool isOf(const Known& wanted) const;
     };
     using KnownList = std::vector<Known>;
-    /// One that was just run.
+    /// A surface that was just run.
     struct Fresh {
         std::size_t surface;
         Known known;
@@ -60,17 +60,17 @@ private:
     [[nodiscard]] bool takeKnown();
     void take(std::size_t surface, Known run);
     void takeFront(std::size_t surface, SurfaceStatus& status) const;
-    /// Nothing where the inputs are refused.
+    /// Runs a surface; returns nothing where the inputs are refused.
     static std::optional<SurfaceRun> runOf(const SetupState& state, const Known& wanted,
                                            const std::stop_token& stop);
 
     Document& m_document;
     std::vector<SurfaceStatus> m_statuses;
     KnownList m_known;
-    SurfaceStatePtr m_frontOf; ///< the surface that was judged in front
+    SurfaceStatePtr m_frontOf; ///< surface to which the judgement belongs
     Judgement m_front;
     bool m_running = false;
-    NewestJob m_job; ///< last: stopped before what it uses is gone
+    NewestJob m_job; ///< last: stopped before the members that it uses are destroyed
 };
 
 } // namespace sparkout

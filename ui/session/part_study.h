@@ -14,26 +14,27 @@
 
 namespace sparkout {
 
-/// What a batch or a search of one surface came to.
+/// Result of a batch or a search of one surface.
 struct SurfaceStudy {
     enum class Kind { batch, search };
     Kind kind = Kind::batch;
     std::size_t surface = 0;
-    bool isSetUp = true; ///< the surface has a batch, if that is asked for
-    Issues issues;       ///< with which it, or a surface before it, cannot be run
+    bool isSetUp = true; ///< for a batch: the surface has one
+    Issues issues;       ///< faults with which it, or an earlier surface, cannot be run
     BatchOutcomePtr batch;
     SearchOutcomePtr search;
 };
 using SurfaceStudyPtr = std::shared_ptr<const SurfaceStudy>;
 
-/// What is ticked for the searches of all surfaces; of one that cannot be asked so it is left out.
+/// Options ticked for the searches of all surfaces; an option that does not apply to a surface is
+/// ignored there.
 struct SearchTicks {
-    bool phases = false; ///< the answer holds in every phase of the stock
-    bool refine = false; ///< goes on between the levels
+    bool phases = false; ///< the answer must hold in every phase of the stock
+    bool refine = false; ///< refine the answer between the levels
 };
 
-/// The batches or the searches of all surfaces, one after the other in their order, each with the
-/// wheel as those before leave it: in a search as the cycles found do.
+/// The batches or the searches of all surfaces in their order, each with the wheel in the state
+/// left by the earlier ones; in a search by the cycles found for them.
 class PartStudy : public Job {
     Q_OBJECT
 
@@ -41,7 +42,8 @@ public:
     using Job::Job;
 
     void startBatches(const Setup& setup); ///< counts parts
-    /// Counts thousandths of a surface's search; one that has none is searched by a usual one.
+    /// Starts the searches and counts thousandths of each; a surface without a search gets the
+    /// usual one.
     void startSearches(const Setup& setup, SearchTicks ticks = {});
 
 signals:

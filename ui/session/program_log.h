@@ -11,15 +11,15 @@
 
 namespace sparkout {
 
-/// Something the program or Qt reported.
+/// A message of the program or Qt.
 struct LogLine {
     QDateTime when;
     QtMsgType type = QtInfoMsg;
     QString text;
 };
 
-/// What was reported since it was made, of every thread, the newest lines only. As long as it
-/// lives it receives Qt's messages, which still go where they went before. There is one at a time.
+/// Messages of all threads since its creation, only the newest lines. While it exists it receives
+/// Qt's messages and passes them to the previous handler. At most one exists at a time.
 class ProgramLog : public QObject {
     Q_OBJECT
 
@@ -27,18 +27,18 @@ public:
     ProgramLog();
     ~ProgramLog() override;
 
-    /// Adds a line to the log there is, if there is one; any thread.
+    /// Adds a line to the current log, if there is one; may be called in any thread.
     static void note(const QString& text);
-    [[nodiscard]] static ProgramLog* current(); ///< null when there is none
+    [[nodiscard]] static ProgramLog* current(); ///< null: there is none
 
     [[nodiscard]] std::vector<LogLine> lines() const; ///< oldest first
-    [[nodiscard]] long long dropped() const;          ///< lines that gave way to newer ones
+    [[nodiscard]] long long dropped() const;          ///< number of lines replaced by newer ones
 
     static constexpr std::size_t mostLines = 1000;
     static constexpr qsizetype longestLine = 2000; ///< characters; the rest is cut off
 
 signals:
-    void changed(); ///< maybe from another thread
+    void changed(); ///< may be emitted in another thread
 
 private:
     void add(QtMsgType type, const QString& text);

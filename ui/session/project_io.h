@@ -15,41 +15,42 @@
 #include <string>
 #include <string_view>
 
-/// Project files in and out, as plain functions of values: they may run in any thread.
+/// Reading and writing of project files by plain functions, which may run in any thread.
 namespace sparkout {
 
 [[nodiscard]] std::filesystem::path systemPath(const QString& path);
 
-/// SHA-256: how the session knows the bytes of a file again, whatever its times say.
+/// Returns the SHA-256 by which the session recognises the contents of a file, whatever its times
+/// are.
 [[nodiscard]] QByteArray contentHash(std::string_view bytes);
 
-/// A project text read: opened, refused with faults, or not read at all. Unfinished work, in which
-/// only a rule between values is broken, is a set-up with its faults beside it.
+/// Result of reading a project text: opened, refused with faults, or not read at all. Unfinished
+/// work, in which only rules between values are broken, is a set-up with faults.
 struct LoadedProject {
     std::optional<Setup> setup;
     Issues issues;
     std::optional<FileError> error;
-    QByteArray hash; ///< of the bytes read
+    QByteArray hash; ///< hash of the bytes read
 };
 
-/// A stop leaves nothing: neither a set-up, nor issues, nor an error.
+/// Reads a project text; after a stop there is no set-up, issue or error.
 [[nodiscard]] LoadedProject parseProject(std::string_view text, const std::stop_token& stop = {});
 [[nodiscard]] LoadedProject loadProject(const QString& path, const std::stop_token& stop = {});
 
 struct SavedContent {
     std::optional<FileError> error;
-    QByteArray hash; ///< of the bytes to be written
+    QByteArray hash; ///< hash of the bytes to be written
 };
 
-/// What a file shall hold; nothing when its own reader would refuse that.
+/// Returns the contents of a file; nothing: its reader would refuse them.
 using MakeContent = std::function<std::optional<std::string>()>;
 
-/// Makes the content, writes it, reads the file again and compares the hash: only then is it saved.
-/// A content that its reader would refuse never reaches the disk (FileStep::content).
+/// Makes the contents, writes them, reads the file again and compares the hash; only then is it
+/// saved. Contents that the reader would refuse are not written (FileStep::content).
 [[nodiscard]] SavedContent saveContent(const MakeContent& make, const QString& path,
                                        const WriteOptions& options = {});
 
-/// The text of a set-up, read back and compared.
+/// Returns the text of a set-up, read back and compared; nothing: it differs or is refused.
 [[nodiscard]] std::optional<std::string> projectText(const Setup& setup);
 
 } // namespace sparkout

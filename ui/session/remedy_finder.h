@@ -15,35 +15,35 @@ namespace sparkout {
 
 using RemedyResultPtr = std::shared_ptr<const RemedyResult>;
 
-/// Looks for remedies off the window's thread, once no newer outcome has come for a moment. A newer
-/// request stops the older one, whose result is dropped. Destroying it stops the work and waits for
-/// it.
+/// Searches for remedies outside the window's thread, shortly after the newest outcome. A newer
+/// request stops the older one, whose result is discarded. The destructor stops the work and waits
+/// for it.
 class RemedyFinder : public QObject {
     Q_OBJECT
 
 public:
     explicit RemedyFinder(QObject* parent = nullptr);
 
-    void request(OutcomePtr outcome); ///< of a project that ran
-    void drop();                      ///< and its result
-    void end();                       ///< what was found so far is the result
+    void request(OutcomePtr outcome); ///< of a project that was run
+    void drop();                      ///< stops the search and discards its result
+    void end();                       ///< ends the search with the result found so far
     [[nodiscard]] bool running() const { return m_running; }
 
 signals:
-    /// What was found, of this outcome; now and then also before all is tried.
+    /// Remedies found for this outcome; also emitted at intervals before all are tried.
     void found(sparkout::OutcomePtr outcome, sparkout::RemedyResultPtr result);
 
 private:
     void start();
     void reportBegun(const OutcomePtr& outcome);
 
-    OutcomePtr m_outcome; ///< that waits
+    OutcomePtr m_outcome; ///< outcome that waits
     QTimer m_calm;
     std::stop_source m_end;
     bool m_running = false;
     bool m_hasReported = false;
-    int m_search = 0; ///< its number
-    NewestJob m_job;  ///< last: stopped before what it uses is gone
+    int m_search = 0; ///< number of the search
+    NewestJob m_job;  ///< last: stopped before the members that it uses are destroyed
 };
 
 } // namespace sparkout

@@ -15,10 +15,10 @@
 
 namespace sparkout {
 
-/// Runs projects off the window's thread. A project is taken by value, its outcome comes back as a
-/// signal in the thread of the controller; a newer request stops the older one, whose result is
-/// dropped. Destroying the controller stops the run and waits for it. With the run its cycle is
-/// decided for every stock within one infeed, where that takes a moment; else afterwards.
+/// Runs projects outside the window's thread. A project is taken by value and its outcome is
+/// returned by a signal in the thread of the controller; a newer request stops the older one, whose
+/// result is discarded. The destructor stops the run and waits for it. The cycle is decided for
+/// every stock within one infeed together with the run where that is quick, otherwise afterwards.
 class RunController : public QObject {
     Q_OBJECT
 
@@ -27,25 +27,26 @@ public:
 
     explicit RunController(QObject* parent = nullptr, Runner runner = evaluate);
 
-    /// Runs the last of these surfaces, with the wheel as those before it leave it. Numbers that
-    /// are missing are the outcome of a project that is not complete: it is not run.
+    /// Runs the last of these surfaces, with the wheel in the state left by the earlier ones. With
+    /// missing numbers the project is not run, and they are the issues of the outcome.
     void request(Setup upTo, Issues missing = {});
-    void request(Project project); ///< of a surface alone
-    void stop();                   ///< and drops its outcome
-    /// The same in the calling thread.
+    void request(Project project); ///< runs the project of a single surface
+    void stop();                   ///< stops the run and discards its outcome
+    /// Returns the outcome of request(), computed in the calling thread.
     [[nodiscard]] OutcomePtr outcomeOf(const Setup& upTo, const Issues& missing,
                                        const std::stop_token& stop = {}) const;
     [[nodiscard]] const Runner& runner() const { return m_runner; }
     [[nodiscard]] bool running() const { return m_running; }
     [[nodiscard]] double lastRun_ms() const { return m_lastRun_ms; }
-    /// The stocks of the outcome that was finished last; nothing: not decided, or not yet.
+    /// Returns the decision on the stocks of the last finished outcome; nothing: not decided, or
+    /// not yet.
     [[nodiscard]] const std::optional<JudgedStocks>& stocks() const { return m_stocks; }
     [[nodiscard]] bool areStocksComing() const { return m_areStocksComing; }
 
 signals:
     void started();
     void finished(sparkout::OutcomePtr outcome);
-    void stocksDecided(); ///< after the outcome
+    void stocksDecided(); ///< emitted after finished()
 
 private:
     Runner m_runner;
@@ -53,8 +54,9 @@ private:
     double m_lastRun_ms = 0;
     std::optional<JudgedStocks> m_stocks;
     bool m_areStocksComing = false;
-    mutable RemovedVolumes m_removed; ///< of the surfaces before: an edit seldom concerns them
-    NewestJob m_job;                  ///< last: stopped before what it uses is gone
+    mutable RemovedVolumes
+        m_removed;   ///< volumes of the earlier surfaces, which an edit seldom affects
+    NewestJob m_job; ///< last: stopped before the members that it uses are destroyed
 };
 
 } // namespace sparkout

@@ -13,33 +13,34 @@
 
 namespace sparkout {
 
-/// What the program remembers between starts; or, for pictures and tests, only while it runs. A
-/// value that makes no sense counts as not set.
+/// Settings that the program keeps between starts or, for pictures and tests, only while it runs.
+/// An invalid value counts as not set.
 class Settings {
 public:
-    Settings();                                ///< the user's own
+    Settings();                                ///< the user's settings file
     explicit Settings(const QString& file);    ///< another file
-    [[nodiscard]] static Settings transient(); ///< nothing is read or written
+    [[nodiscard]] static Settings transient(); ///< no file is read or written
 
-    [[nodiscard]] QString language() const; ///< "en" or "ru": as chosen, else as the system speaks
+    [[nodiscard]] QString
+    language() const; ///< "en" or "ru": as chosen, otherwise the language of the system
     void setLanguage(const QString& code);
     [[nodiscard]] QString theme() const; ///< "system", "light", "dark" or "contrast"
     void setTheme(const QString& theme);
-    [[nodiscard]] int fontSize() const; ///< in per cent of the system's; 100: as it is
+    [[nodiscard]] int fontSize() const; ///< in per cent of the system's font size
     void setFontSize(int percent);
-    [[nodiscard]] bool stockOnDiameter() const; ///< as the inputs show and take it
+    [[nodiscard]] bool stockOnDiameter() const; ///< whether inputs state the stock on the diameter
     void setStockOnDiameter(bool onDiameter);
-    [[nodiscard]] bool allInputs() const; ///< not the usual ones alone
+    [[nodiscard]] bool allInputs() const; ///< whether all inputs are shown, not only the usual ones
     void setAllInputs(bool all);
-    [[nodiscard]] bool tourSeen() const; ///< the tour of the window was shown once
+    [[nodiscard]] bool tourSeen() const; ///< whether the tour of the window was shown
     void setTourSeen();
-    [[nodiscard]] QString handout() const; ///< what the last course hand-out had, in words
+    [[nodiscard]] QString handout() const; ///< options of the last course hand-out, as text
     void setHandout(const QString& words);
-    [[nodiscard]] Company company() const; ///< of the heads of documents
+    [[nodiscard]] Company company() const; ///< company in the heads of documents
     void setCompany(const Company& company);
-    [[nodiscard]] QVariantMap titlePage() const; ///< of the reports of a course, by its keys
+    [[nodiscard]] QVariantMap titlePage() const; ///< texts of the title page of reports, by key
     void setTitlePage(const QVariantMap& texts);
-    /// Name and group of the student who worked last.
+    /// Returns the name and group of the last student.
     [[nodiscard]] QStringList student() const;
     void setStudent(const QString& name, const QString& group);
     [[nodiscard]] QString lastFolder() const;
@@ -53,17 +54,17 @@ public:
 
     [[nodiscard]] QByteArray dialogGeometry(const QString& name) const;
     void setDialogGeometry(const QString& name, const QByteArray& geometry);
-    /// Keys of the columns that were hidden in a table, which is known by its object name.
+    /// Returns the keys of the hidden columns of a table, which is identified by its object name.
     [[nodiscard]] QStringList hiddenColumns(const QString& table) const;
     void setHiddenColumns(const QString& table, const QStringList& keys);
 
-    /// Where the file stands, and what else is the user's own; empty when nothing is kept.
+    /// Returns the folder of the file and of the user's other files; empty: nothing is kept.
     [[nodiscard]] const QString& folder() const { return m_folder; }
-    std::optional<FileError> flush() { return m_file->flush(); } ///< writes now what is unwritten
-    /// The file itself: what was put aside or could not be read, and what it refuses.
+    std::optional<FileError> flush() { return m_file->flush(); } ///< writes all changes now
+    /// Returns the file itself, with its damaged copies, reading errors and refusals.
     [[nodiscard]] SettingsFile& file() const { return *m_file; }
 
-    static constexpr int recentFilesKept = 9; ///< as many as there are digits to choose one by
+    static constexpr int recentFilesKept = 9; ///< one for each digit 1…9
 
 private:
     [[nodiscard]] QString oneOf(const QString& key, const QStringList& allowed) const;

@@ -9,38 +9,38 @@
 
 namespace sparkout {
 
-/// What a slider is made for.
+/// Specification of a slider.
 struct SliderSpec {
-    Range usual;   ///< what it spans; the value it holds may lie outside
-    Range allowed; ///< what it never leaves
+    Range usual;   ///< range of the slider; its value may be outside
+    Range allowed; ///< range that the value never leaves
     bool integer = false;
-    bool zero = false;          ///< zero is to be reached, too
-    std::optional<double> step; ///< of the machine; counted from usual.low
+    bool zero = false;          ///< zero can be reached, too
+    std::optional<double> step; ///< step of the machine, from usual.low
 
     friend bool operator==(const SliderSpec&, const SliderSpec&) = default;
 };
 
-/// The slider of an input: the usual range, or the machine's own where it states one for a feed or
-/// a speed. Zero is reached where it is allowed.
+/// Returns the slider of an input: the usual range, or the machine's range where it states one for
+/// a feed or a speed. Zero can be reached where it is allowed.
 [[nodiscard]] SliderSpec sliderSpec(const Project& project, const std::string& path,
                                     const Field& field);
 
-/// Where a value stands on a slider, and at which values the slider stops: round ones, about a
-/// hundred over its length. Even where the range allows, wider to small values where it begins at
-/// zero, logarithmic where it spans more than a factor of twenty.
+/// Positions of values on a slider, and the round values at which it stops, about a hundred over
+/// its length. The scale is linear where the range allows, expanded at small values where it begins
+/// at zero, logarithmic where it spans more than a factor of twenty.
 class SliderScale {
 public:
-    /// The scale extends, to round ends, to hold the value.
+    /// The scale is extended to round ends so that it contains the value.
     explicit SliderScale(const SliderSpec& spec = {}, std::optional<double> value = {});
 
     [[nodiscard]] double low() const { return m_low; }
     [[nodiscard]] double high() const { return m_high; }
-    [[nodiscard]] bool extended() const;              ///< beyond the usual range
+    [[nodiscard]] bool extended() const; ///< returns whether the scale exceeds the usual range
     [[nodiscard]] double shareOf(double value) const; ///< 0 at the low end, 1 at the high one
     [[nodiscard]] double valueAt(double share) const; ///< a round value
-    /// The round value so many steps up or down, as arrow keys go.
+    /// Returns the round value this number of steps up or down, as for arrow keys.
     [[nodiscard]] double stepped(double value, int steps) const;
-    /// The same in great steps: ten of the small ones, on a logarithmic scale 1, 2, 5, 10 …
+    /// As stepped(), in large steps: ten small ones, on a logarithmic scale 1, 2, 5, 10 …
     [[nodiscard]] double leapt(double value, int leaps) const;
 
 private:

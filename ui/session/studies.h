@@ -27,27 +27,32 @@ using SobolIndicesPtr = std::shared_ptr<const SobolIndices>;
     return outcome.project;
 }
 
-/// A result that is computed on demand from the inputs of the document: what stands, whether it is
-/// of the present inputs, what is being computed, and what could not be.
+/// A result computed on demand from the inputs of the document: the last result, whether it belongs
+/// to the current inputs, the running computation and a refusal.
 template <class Outcome>
 class StudyOf {
 public:
     using Ptr = std::shared_ptr<const Outcome>;
-    /// Whether two projects have the same answer.
+    /// Returns whether two projects have the same answer.
     using Same = bool (*)(const Project&, const Project&);
 
     explicit StudyOf(Same same) : m_same(same) {}
 
-    [[nodiscard]] Job& job() { return m_job; } ///< progress, stop, and when it has answered
-    [[nodiscard]] const Ptr& result() const { return m_result; } ///< the last one that was computed
-    [[nodiscard]] const Ptr& refusal() const { return m_refusal; } ///< of the present inputs
-    [[nodiscard]] bool stale() const { return m_stale; } ///< there is no result of these inputs
+    [[nodiscard]] Job& job() { return m_job; } ///< progress, stop and end of the computation
+    [[nodiscard]] const Ptr& result() const { return m_result; } ///< last computed result
+    [[nodiscard]] const Ptr& refusal() const {
+        return m_refusal;
+    } ///< refusal of the current inputs
+    [[nodiscard]] bool stale() const {
+        return m_stale;
+    } ///< there is no result for the current inputs
     [[nodiscard]] bool running() const { return m_job.running(); }
-    [[nodiscard]] bool isOf(const Project& project) const { ///< there is a result of it
+    [[nodiscard]] bool isOf(const Project& project) const { ///< there is a result for this project
         return m_result && m_same(studied(*m_result), project);
     }
 
-    /// The present inputs, null: there are none. What runs of others is dropped.
+    /// Sets the current inputs, null: there are none. A running computation for other inputs is
+    /// discarded.
     void follow(const Project* present) {
         m_present = present ? std::optional(*present) : std::nullopt;
         const bool runsOthers = m_running && present && !m_same(*m_running, *present);
@@ -59,20 +64,20 @@ public:
             m_job.drop();
         }
     }
-    void forget() { ///< another document comes, or the project has nothing to compute
+    void forget() { ///< clears the study for another document or a project without it
         m_job.drop();
         m_result.reset();
         m_refusal.reset();
         noteStale();
     }
-    /// Computes the result of a project; what `work(means)` gives is taken as take() does.
+    /// Computes the result of a project; the result of `work(means)` is passed to take().
     template <class Work>
     void start(const Project& project, std::int64_t parts, Work work) {
         m_running = project;
         m_refusal.reset();
         m_job.start(parts, std::move(work), [this](const Ptr& outcome) { take(outcome); });
     }
-    /// A result, or a refusal; null: it was stopped before there was anything to show.
+    /// Takes a result or a refusal; null: it was stopped before there was a result.
     void take(const Ptr& outcome) {
         if (outcome && !outcome->ran()) {
             m_refusal = outcome;
@@ -89,63 +94,65 @@ private:
     std::optional<Project> m_present, m_running;
     Ptr m_result, m_refusal;
     bool m_stale = true;
-    Job m_job; ///< last: ended before what it gives its result to is gone
+    Job m_job; ///< last: ended before the members that receive its result are destroyed
 };
 
-/// The search, whose answer stands before it ends, and of which one knows how far it is. One that
-/// was stopped is continued, where that can be.
+/// The search, which gives its answer before it ends and reports its progress. A stopped search is
+/// continued where that is possible.
 class SearchStudy : public StudyOf<SearchOutcome> {
 public:
     SearchStudy();
 
     void start(const Project& project, const SearchWish& wish);
     void forget(); ///< another document comes
-    /// The last search was this one, and was stopped: started again it is continued, and its answer
-    /// is the same as without the stop.
+    /// Returns whether the last search was this one and was stopped: started again it is continued,
+    /// and its answer is the same as without the stop.
     [[nodiscard]] bool isContinued(const Project& project, const SearchWish& wish) const;
-    [[nodiscard]] SearchState state() const; ///< of the one that is running
-    /// The answer of what is running stands; its front is still looked for.
+    [[nodiscard]] SearchState state() const; ///< progress of the running search
+    /// Returns whether the running search has given its answer and still searches for the front.
     [[nodiscard]] bool isAnswered() const { return result() && result()->isFrontComing; }
     void follow(const Project* present);
 
 private:
-    void endAnswer(); ///< its search has been dropped: no margins by time will come
+    void endAnswer(); ///< after its search was discarded: there will be no front
 
     struct Shared {
         std::mutex mutex;
         SearchState state;
-        std::optional<Project> project; ///< that is searched; none: nothing was
+        std::optional<Project> project; ///< project of the search; none: none was made
         SearchWish wish;
-        SearchRecord record; ///< how to continue it; empty: not at all
+        SearchRecord record; ///< record to continue it; empty: it cannot be continued
     };
     std::shared_ptr<Shared> m_shared = std::make_shared<Shared>();
 };
 
-/// The batch of a project; null: it was stopped before its first part.
+/// Runs the batch of a project; null: it was stopped before its first part.
 [[nodiscard]] BatchOutcomePtr batchOf(const Project& project, const Job::Means& means);
 
-/// All that the window computes on demand, for its views, reports and exports.
+/// All results that the window computes on demand, for its views, reports and exports.
 struct Studies {
     Studies();
 
     StudyOf<BatchOutcome> batch;
-    StudyOf<BatchOutcome> judged;     ///< of the verdict, where that of the view is of other inputs
-    StudyOf<BatchOutcome> prediction; ///< of what was measured
+    StudyOf<BatchOutcome>
+        judged; ///< batch for the verdict, where that of the view has other inputs
+    StudyOf<BatchOutcome> prediction; ///< batch for the comparison with measurements
     StudyOf<SweepResult> sweep;
     SearchStudy search;
 
-    /// Of the present inputs, run whole; null: none.
+    /// Returns the complete prediction for the current inputs; null: none.
     [[nodiscard]] BatchOutcomePtr currentPrediction() const;
-    /// Of the batch that is shown; null: none were asked for, or there are none.
+    /// Returns the indices of the batch that is shown; null: none were requested, or there are
+    /// none.
     [[nodiscard]] const SobolIndicesPtr& indices() const { return m_indices; }
     [[nodiscard]] Job& indexJob() { return m_indexJob; }
-    /// Whether they were asked for of the batch that is shown, whatever came of it.
+    /// Returns whether the indices of the batch that is shown were requested, whatever the result.
     [[nodiscard]] bool haveIndicesBeenTried() const { return m_indicesOf == batch.result(); }
 
     void runBatch(const Project& project);
     void runJudged(const Project& project);
     void runPrediction(const Project& project);
-    void runIndices(int points); ///< of the batch that is shown
+    void runIndices(int points); ///< for the batch that is shown
     void runSweep(const Project& project);
     void dropIndices();
 

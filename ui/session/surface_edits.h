@@ -11,8 +11,8 @@
 
 namespace sparkout {
 
-/// Edits of the surfaces of a document, each a step of its history. While there are several each
-/// has a name of its own; a surface alone needs none.
+/// Edits of the surfaces of a document, each one step of its history. Several surfaces have
+/// different names; a single surface needs none.
 class SurfaceEdits {
     Q_DECLARE_TR_FUNCTIONS(SurfaceEdits)
 
@@ -21,20 +21,22 @@ public:
 
     [[nodiscard]] bool canAdd() const;
     [[nodiscard]] bool canRemove() const { return m_document.surfaceCount() > 1; }
-    [[nodiscard]] bool canMove(int by) const; ///< the one in front
-    /// Not empty, and of no other surface.
+    [[nodiscard]] bool canMove(int by) const; ///< the current surface
+    /// Returns whether a name is not empty and belongs to no other surface.
     [[nodiscard]] bool isFreeName(const QString& name, std::size_t of) const;
-    [[nodiscard]] QString freeName() const; ///< for one that is added
-    /// As it is shown: its name, else "Surface 1".
+    [[nodiscard]] QString freeName() const; ///< name for an added surface
+    /// Returns the displayed name of a surface: its name, or else "Surface 1".
     [[nodiscard]] static QString nameOf(const SetupState& state, std::size_t surface);
 
-    /// Behind the one in front, and in front from then on. It keeps no runs; `open`: the numbers of
-    /// its drawing that are yet to be given, and whether a starting cycle is made once they are.
+    /// Adds a surface after the current one and makes it current. It has no kept runs; `open`: the
+    /// numbers of its drawing that are still to be entered; `startsWhenDrawn`: a starting cycle is
+    /// made once they are.
     void add(Project project, const QString& name, std::vector<std::string> open = {},
              bool startsWhenDrawn = true, bool isDuplicate = false);
-    bool rename(std::size_t surface, const QString& name); ///< false, and nothing done: not free
-    void remove();                                         ///< the one in front
-    void move(int by); ///< the one in front, in the order of grinding
+    bool rename(std::size_t surface,
+                const QString& name); ///< returns false and does nothing: the name is not free
+    void remove();                    ///< the current surface
+    void move(int by);                ///< moves the current surface in the order of grinding
     void setTimes(const SetupTimes& times, const WheelWear& wear);
 
 private:

@@ -9,23 +9,23 @@
 
 namespace sparkout {
 
-/// How the cycle of a surface of the set-up stands.
+/// Status of the cycle of a surface of the set-up.
 struct SurfaceStatus {
     enum class State {
-        notRun,  ///< not yet, or a surface before it cannot be
-        refused, ///< its inputs are
+        notRun,  ///< not run yet, or an earlier surface cannot be run
+        refused, ///< its inputs are refused
         ran
     };
     State state = State::notRun;
-    Judgement judgement;          ///< of one that ran
-    bool areStocksComing = false; ///< they are being decided
+    Judgement judgement;          ///< judgement of the cycle, if it was run
+    bool areStocksComing = false; ///< the stocks are being decided
     double time_s = 0;
-    std::vector<ConstraintResult> requirements{}; ///< the worst of each kind
-    bool isRoughnessEstimate = false;             ///< Ra rests on no calibration
+    std::vector<ConstraintResult> requirements{}; ///< worst requirement of each kind
+    bool isRoughnessEstimate = false;             ///< Ra is not calibrated
     RemovedMetal removed{};
 
     [[nodiscard]] bool ran() const { return state == State::ran; }
-    [[nodiscard]] bool isCompleted() const { ///< by itself, at size
+    [[nodiscard]] bool isCompleted() const { ///< whether the cycle ends by itself, at size
         return ran() && judgement.status == RunStatus::completed;
     }
     [[nodiscard]] bool holds() const { return ran() && !isFailure(judgement.state); }

@@ -584,7 +584,7 @@ void MainWindow::connectLesson() {
         if (m_partWindow && m_lesson->isRunning()) { // it tells the results of all surfaces
             m_partWindow->hide();
         }
-        m_judge->tellBatches(!m_lesson->isRunning()); // its steps may ask to predict them
+        m_judge->judgeBatches(!m_lesson->isRunning()); // its steps may ask to predict them
         m_strip->tellResults(!m_lesson->isCovered()
                              && !m_lesson->hidden().isHidden(Hideable::verdict));
         m_actions->follow(m_document, !m_inputs->refusals().empty());

@@ -202,7 +202,7 @@ private slots:
         QVERIFY2(quicker > 5, QByteArray::number(quicker));
     }
 
-    // The bound that progress tells holds for the variants to come, too.
+    // The bound in the progress holds for the variants still to be searched, too.
     void aStoppedSearchKeepsItsBound() {
         int stopped = 0;
         for (unsigned seed = 0; seed < searches(60); ++seed) {

@@ -119,7 +119,7 @@ private slots:
             plainVisits += plain.visits;
             prunedVisits += pruned.visits;
         }
-        // the cases must not all be easy or all be hopeless
+        // the cases must not all be easy or all be infeasible
         const int all = static_cast<int>(caseCount());
         QVERIFY2(found > all / 5 && found < all - all / 20, QByteArray::number(found));
         QVERIFY2(foundAgain > found / 3, QByteArray::number(foundAgain));

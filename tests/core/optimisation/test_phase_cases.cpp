@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a robust answer under gauge control is decided to hold for.
 #include "core/batch/scenario_source.h"
-#include "core/optimisation/phase_outlook.h"
+#include "core/optimisation/case_refuter.h"
 #include "core/optimisation/robust.h"
 #include "core/phases/failing_stock.h"
 #include "core/simulation/stage_control.h"
@@ -45,11 +45,11 @@ Project withCorners(unsigned seed) {
 
 constexpr double fine_mm = 1e-12;
 
-/// Whether its last stage is too deep for a stock without following it.
-bool isToldAtOnce(PhaseOutlook& outlook, const GridCycle& cycle) {
+/// Whether its last stage is refuted without following a radius.
+bool isRefutedUnfollowed(CaseRefuter& refuter, const GridCycle& cycle) {
     const GridCycle beforeLast(cycle.begin(), cycle.end() - 1);
     std::vector<std::size_t> settings{cycle.back().setting};
-    outlook.keepHopeless(beforeLast, settings);
+    refuter.keepRefuted(beforeLast, settings);
     return !settings.empty();
 }
 
@@ -121,7 +121,7 @@ private slots:
                  QByteArray::number(answers) + ' ' + QByteArray::number(excluded));
     }
 
-    /// The full search runs every cycle, and knows of no outlook.
+    /// The full search runs every cycle and refutes none.
     void theQuickestIsThatOfTheFullSearch() {
         int answers = 0;
         const unsigned cases = static_cast<unsigned>(samples::sized(60, 20, 2000));
@@ -130,22 +130,22 @@ private slots:
             RobustOptions full;
             full.search.method = SearchMethod::full;
             full.search.threads = 1;
-            const RobustSummary told = optimiseRobustly(p, undecidedScenarios(p));
+            const RobustSummary pruned = optimiseRobustly(p, undecidedScenarios(p));
             const RobustSummary all = optimiseRobustly(p, scenariosAskedFor(p), full);
-            QCOMPARE(told.holdsInSample, all.holdsInSample);
-            QCOMPARE(told.search.status, all.search.status);
+            QCOMPARE(pruned.holdsInSample, all.holdsInSample);
+            QCOMPARE(pruned.search.status, all.search.status);
             if (all.search.best) {
                 ++answers;
-                QCOMPARE(told.search.best->time_us, all.search.best->time_us);
+                QCOMPARE(pruned.search.best->time_us, all.search.best->time_us);
             }
         }
         QVERIFY2(answers * 5 > static_cast<int>(cases), QByteArray::number(answers));
     }
 
-    /// Of all cycles of small grids, with every number of stages: none that holds for each stock of
-    /// its range is called hopeless, and most that fail by a diameter that is too small are.
-    void whatIsHopelessFailsForSomeStock() {
-        int told = 0, failing = 0, severalStages = 0, notFollowed = 0;
+    /// Cycles of small grids, with every number of stages: none that holds for each stock of its
+    /// range is refuted, and most that fail by a diameter that is too small are.
+    void refutedCycleFailsForSomeStock() {
+        int refuted = 0, failing = 0, severalStages = 0, notFollowed = 0;
         const unsigned cases = static_cast<unsigned>(samples::sized(40, 12, 1000));
         for (unsigned seed = 0; seed < cases; ++seed) {
             Project p = smallCase(seed);
@@ -156,29 +156,29 @@ private slots:
             const Grid grid(p);
             const double stock_mm = p.part->stock_mm, wide_mm = 0.001 * (seed % 3);
             const StockRange stocks{stock_mm - wide_mm, stock_mm + wide_mm};
-            PhaseOutlook outlook({-1, p, stocks}, grid, seed % 4 == 0 ? 0 : 1 << 20, {});
+            CaseRefuter refuter({-1, p, stocks}, grid, seed % 4 == 0 ? 0 : 1 << 20, {});
             int cycles = 0;
             for (GridCycle cycle; cycles < 300 && grid.next(cycle); ++cycles) {
-                const bool isTold = isToldAtOnce(outlook, cycle);
-                const bool isHopeless = outlook.isHopeless(cycle) || isTold;
-                notFollowed += isTold ? 1 : 0;
-                if (!isHopeless && cycles % 4 > 0) {
+                const bool isUnfollowed = isRefutedUnfollowed(refuter, cycle);
+                const bool isRefuted = refuter.refutes(cycle) || isUnfollowed;
+                notFollowed += isUnfollowed ? 1 : 0;
+                if (!isRefuted && cycles % 4 > 0) {
                     continue; // those that hold are not the question
                 }
                 *p.cycle = grid.cycle(cycle);
                 const std::vector<double> infeeds_mm = infeedsOfStages(p);
                 const StockRange range = widened(stocks, std::ranges::max(infeeds_mm));
                 const bool fails = failingStock_mm(p, range).has_value();
-                QVERIFY2(fails || !isHopeless, QByteArray::number(seed));
+                QVERIFY2(fails || !isRefuted, QByteArray::number(seed));
                 failing += fails ? 1 : 0;
-                told += isHopeless ? 1 : 0;
-                severalStages += isHopeless && cycle.size() > 2 ? 1 : 0;
+                refuted += isRefuted ? 1 : 0;
+                severalStages += isRefuted && cycle.size() > 2 ? 1 : 0;
             }
         }
-        qInfo("%d of %d told, %d of more than two stages, %d of all not followed", told, failing,
-              severalStages, notFollowed);
-        QVERIFY(told > static_cast<int>(cases) * 5 && severalStages > static_cast<int>(cases));
-        QVERIFY(notFollowed > told / 4);
+        qInfo("%d of %d refuted, %d of more than two stages, %d of all not followed", refuted,
+              failing, severalStages, notFollowed);
+        QVERIFY(refuted > static_cast<int>(cases) * 5 && severalStages > static_cast<int>(cases));
+        QVERIFY(notFollowed > refuted / 4);
     }
 
     void onlyWhatIsNotDecidedIsDrawn() {

@@ -106,7 +106,7 @@ private slots:
                     continue;
                 }
                 const TradeOff found = tradeOff(project, quickest, options, 1000);
-                QVERIFY(found.isWhole);
+                QVERIFY(found.isComplete);
                 const std::vector<Point> plain = plainFront(project);
                 QVERIFY2(pointsOf(found) == plain, qPrintable(QString::number(seed)));
                 longest = std::max(longest, plain.size());
@@ -131,7 +131,7 @@ private slots:
                 options.method = method;
                 const TradeOff front = tradeOffRobustly(project, threePhases, options, 1000);
                 QVERIFY2(pointsOf(front) == plain, qPrintable(QString::number(seed)));
-                QVERIFY(front.isWhole || plain.empty());
+                QVERIFY(front.isComplete || plain.empty());
             }
             found += plain.empty() ? 0 : 1;
             withSeveral += plain.size() > 1 ? 1 : 0;
@@ -149,12 +149,12 @@ private slots:
         }
         const SearchSummary quickest = optimise(project);
         const TradeOff two = tradeOff(project, quickest, {}, 2);
-        QVERIFY(two.cycles.size() == 2 && !two.isWhole);
+        QVERIFY(two.cycles.size() == 2 && !two.isComplete);
         SearchOptions stopped;
         const StoppedSource source;
         stopped.stop = source.get_token();
         const TradeOff one = tradeOff(project, quickest, stopped, 1000);
-        QVERIFY(one.cycles.size() == 1 && !one.isWhole);
+        QVERIFY(one.cycles.size() == 1 && !one.isComplete);
     }
 };
 

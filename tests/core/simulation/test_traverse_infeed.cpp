@@ -314,7 +314,7 @@ private slots:
         QVERIFY(hasErrors(validate(p)));
     }
 
-    /// As it is without one: test_last_stage_outlook holds what is followed against whole runs.
+    /// As it is without one: test_last_stage_bound holds what is followed against whole runs.
     void aRadiusIsFollowedWithAContinuousInfeed() {
         Project p = byHand(false);
         p.gauge->control = Control::gauge;

@@ -374,10 +374,10 @@ private slots:
                     .status,
                 2);
         }
-        Project hopeless = fixtures::searchedShaft();
-        hopeless.part->tolerance.radial_runout_um = 1e-6;
+        Project infeasible = fixtures::searchedShaft();
+        infeasible.part->tolerance.radial_runout_um = 1e-6;
         const Run run =
-            exported(QStringLiteral("search"), book, saved(hopeless, "hopeless.sparkout"));
+            exported(QStringLiteral("search"), book, saved(infeasible, "infeasible.sparkout"));
         QVERIFY2(run.status == 5 && run.said.contains(QStringLiteral("No cycle of the grid")),
                  qPrintable(run.said));
         QVERIFY(!QFile::exists(book));

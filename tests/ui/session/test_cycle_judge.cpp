@@ -92,14 +92,14 @@ private slots:
 
     void batchIsNotToldWhereItMayNot() {
         Bench bench;
-        bench.judge.tellBatches(false);
+        bench.judge.judgeBatches(false);
         bench.run(withUsualBatch(fixtures::plungeProject(3)));
         QVERIFY(!bench.judge.judged().hasBatch);
         QVERIFY(!bench.judge.judged().isBatchComing);
-        bench.judge.tellBatches(true);
+        bench.judge.judgeBatches(true);
         QVERIFY(bench.judge.judged().hasBatch);
         QTRY_VERIFY_WITH_TIMEOUT(bench.judge.judged().judgement.batch.has_value(), patience_ms);
-        bench.judge.tellBatches(false);
+        bench.judge.judgeBatches(false);
         QVERIFY(!bench.judge.judged().judgement.batch);
     }
 

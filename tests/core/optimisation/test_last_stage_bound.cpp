@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What three radii tell of a last stage is true of the whole part.
-#include "core/optimisation/last_stage_outlook.h"
+// The bound that three radii give for a last stage holds for the whole part.
+#include "core/optimisation/last_stage_bound.h"
 #include "core/simulation/plunge.h"
 #include "core/simulation/traverse.h"
 
 #include "tests/core/optimisation/followed_cases.h"
 #include "tests/registry.h"
 
-namespace sparkout::test_last_stage_outlook {
+namespace sparkout::test_last_stage_bound {
 
 using search_cases::fedContinuously;
 using search_cases::plunged;
@@ -47,8 +47,8 @@ LastStage lastStage(const CycleRun& run, double infeed_mm) {
     return {.feed = run.steps->follower()->feed(step)};
 }
 
-LastStageOutlook toldOf(const CycleRun& run, const LastStage& stage) {
-    return outlook(*run.steps, tellingRadii(*run.steps), stage, PassCuts(run.project));
+LastStageBound boundOf(const CycleRun& run, const LastStage& stage) {
+    return lastStageBound(*run.steps, criticalRadii(*run.steps), stage, PassCuts(run.project));
 }
 
 bool diameterMisses(const SimulationResult& result, ConstraintKind kind) {
@@ -57,7 +57,7 @@ bool diameterMisses(const SimulationResult& result, ConstraintKind kind) {
                        [kind](const auto& each) { return each.kind == kind && !each.holds; });
 }
 
-class TestLastStageOutlook : public QObject {
+class TestLastStageBound : public QObject {
     Q_OBJECT
 
 private slots:
@@ -103,15 +103,15 @@ private slots:
             QVERIFY(follower && follower->hasStrokesAlone());
             const FollowedFeed feed = follower->feed(whole.feed());
             FollowedRadii alone = follower->follow(lanes);
-            FollowedRadii telling = tellingRadii(*whole.steps);
+            FollowedRadii critical = criticalRadii(*whole.steps);
             while (whole.control.stage() == 0) {
                 follower->stepAlone(alone, feed);
-                follower->strokesAlone(telling, feed);
+                follower->strokesAlone(critical, feed);
                 whole.step();
                 QVERIFY(standAlike(alone, follower->follow(lanes)));
                 const Run& run = whole.steps->run();
                 const double deepest_mm = run.depth_mm(run.deepestLane(whole.steps->gaugePoint()));
-                QVERIFY(telling.radii[0].depth_mm > deepest_mm - 1e-14); // none comes deeper
+                QVERIFY(critical.radii[0].depth_mm > deepest_mm - 1e-14); // none comes deeper
             }
         }
     }
@@ -140,23 +140,23 @@ private slots:
             if (run.control.finished()) { // both ended at one reading
                 continue;
             }
-            const LastStageOutlook told = toldOf(run, lastStage(run, run.feed().infeed_mm));
+            const LastStageBound bound = boundOf(run, lastStage(run, run.feed().infeed_mm));
             while (!run.control.finished()) {
                 run.step();
             }
             const int steps = run.control.stepsByStage().back();
             const bool misses = diameterMisses(
                 run.steps->copy()->finish(run.control.stepsByStage()), cuts.tooDeep());
-            QVERIFY(told.leastSteps <= steps);
-            QVERIFY(!told.cutsTooDeep || misses);
+            QVERIFY(bound.leastSteps <= steps);
+            QVERIFY(!bound.cutsTooDeep || misses);
             ++stages;
-            exact += !told.cutsTooDeep && told.leastSteps == steps;
-            deep += told.cutsTooDeep;
+            exact += !bound.cutsTooDeep && bound.leastSteps == steps;
+            deep += bound.cutsTooDeep;
             missed += misses;
         }
-        qInfo("%d of %d last stages ended at the step told, %d of %d too deep were told", exact,
+        qInfo("%d of %d last stages ended at the bound, %d of %d too deep were refuted", exact,
               stages - deep, deep, missed);
-        QVERIFY(exact > (stages - deep) / 2); // else it tells too little to be of use
+        QVERIFY(exact > (stages - deep) / 2); // else the bound is too weak to be of use
         QVERIFY(deep > missed / 2 && missed > 20 && missed < stages);
     }
 
@@ -168,12 +168,12 @@ private slots:
         }
         LastStage sparkOut = lastStage(run, 0);
         sparkOut.sparkOut = 7;
-        QCOMPARE(toldOf(run, sparkOut).leastSteps, 7);
+        QCOMPARE(boundOf(run, sparkOut).leastSteps, 7);
         sparkOut.mostSteps = 4;
-        QCOMPARE(toldOf(run, sparkOut).leastSteps, 4);
+        QCOMPARE(boundOf(run, sparkOut).leastSteps, 4);
     }
 
-    void nothingIsToldWhereRadiiDependOnEachOther() {
+    void noRadiusIsFollowedWhereRadiiDependOnEachOther() {
         Project p = traversed(1);
         p.machine->wheel_contact = WheelContact{std::vector<std::vector<double>>{{50, 20}}};
         QVERIFY(!CycleRun(p).steps->follower());
@@ -190,7 +190,7 @@ private slots:
     }
 };
 
-} // namespace sparkout::test_last_stage_outlook
+} // namespace sparkout::test_last_stage_bound
 
-SPARKOUT_TEST(test_last_stage_outlook, TestLastStageOutlook)
-#include "test_last_stage_outlook.moc"
+SPARKOUT_TEST(test_last_stage_bound, TestLastStageBound)
+#include "test_last_stage_bound.moc"

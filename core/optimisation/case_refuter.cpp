@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/optimisation/phase_outlook.h"
+#include "core/optimisation/case_refuter.h"
 
-#include "core/optimisation/last_stage_outlook.h"
+#include "core/optimisation/last_stage_bound.h"
 #include "core/optimisation/stage_runs.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
@@ -41,8 +41,8 @@ Project withStock(Project project, double stock_mm) {
 
 } // namespace
 
-PhaseOutlook::PhaseOutlook(const PhaseCase& of, const Grid& grid, std::size_t memory_bytes,
-                           const std::stop_token& stop)
+CaseRefuter::CaseRefuter(const PhaseCase& of, const Grid& grid, std::size_t memory_bytes,
+                         const std::stop_token& stop)
     : m_grid(grid)
     , m_corner(of.corner)
     , m_stocks(of.stocks)
@@ -56,26 +56,27 @@ PhaseOutlook::PhaseOutlook(const PhaseCase& of, const Grid& grid, std::size_t me
     if (!follower || isLate(m_part) || form_mm > mostFormChange_mm) {
         return;
     }
-    m_doubt_mm = form_mm + roundings_mm;
+    m_tolerance_mm = form_mm + roundings_mm;
     for (const StageSetting& setting : grid.settings()) {
         m_infeeds_mm.push_back(infeedOf(m_part, setting));
         m_feeds.push_back(follower->feed(stepFeedOf(m_part, setting, 0)));
     }
-    m_unbegun = stateOf(*m_blank);
+    m_blankState = stateOf(*m_blank);
     m_lags.emplace(*follower, m_feeds, m_blank->gaugePoint());
     const Run& run = m_blank->run();
-    m_sure_mm = run.sizeDepth_mm() - stageSlack_mm - 8 * m_doubt_mm;
-    m_excess_mm =
-        (m_runner.cuts().left_mm(run.diameterDeviation(m_sure_mm, m_sure_mm)) + larger_mm(0)) / 2;
+    m_leastDepth_mm = run.sizeDepth_mm() - stageSlack_mm - 8 * m_tolerance_mm;
+    m_excess_mm = (m_runner.cuts().left_mm(run.diameterDeviation(m_leastDepth_mm, m_leastDepth_mm))
+                   + larger_mm(0))
+                  / 2;
 }
 
-bool PhaseOutlook::isHopeless(const GridCycle& cycle) {
+bool CaseRefuter::refutes(const GridCycle& cycle) {
     if (m_feeds.empty()) {
         return false;
     }
     const StockRange range = stocksOf(cycle);
     if (cycle.size() == 1) {
-        return endsTooDeep(m_unbegun, cycle, range);
+        return endsTooDeep(m_blankState, cycle, range);
     }
     return visitLast(
         first(cycle.size(), cycle.front().setting), std::span(cycle).first(cycle.size() - 1), 0, 0,
@@ -83,12 +84,12 @@ bool PhaseOutlook::isHopeless(const GridCycle& cycle) {
         [&](const State& state, StockRange stocks) { return endsTooDeep(state, cycle, stocks); });
 }
 
-void PhaseOutlook::keepHopeless(const GridCycle& beforeLast, std::vector<std::size_t>& settings) {
+void CaseRefuter::keepRefuted(const GridCycle& beforeLast, std::vector<std::size_t>& settings) {
     m_ends.clear();
     if (!m_feeds.empty() && !beforeLast.empty()) {
         visitLast(first(beforeLast.size() + 1, beforeLast.front().setting), beforeLast, 0, 0,
                   stocksOf(beforeLast), [&](const State& state, StockRange stocks) {
-                      m_ends.push_back(endOf(state.telling, stocks));
+                      m_ends.push_back(endOf(state.critical, stocks));
                       return false;
                   });
     }
@@ -103,8 +104,9 @@ void PhaseOutlook::keepHopeless(const GridCycle& beforeLast, std::vector<std::si
     });
 }
 
-/// How much more than the least stock of all those that a cycle of these stages must hold for are.
-StockRange PhaseOutlook::stocksOf(const GridCycle& cycle) const {
+/// Range of the stocks for which a cycle of these stages must hold, counted from the least stock of
+/// all [mm].
+StockRange CaseRefuter::stocksOf(const GridCycle& cycle) const {
     double infeed_mm = 0;
     for (const GridStage& stage : cycle) {
         const bool feeds = m_grid.settings()[stage.setting].sparkOut == 0;
@@ -116,7 +118,7 @@ StockRange PhaseOutlook::stocksOf(const GridCycle& cycle) const {
     return range;
 }
 
-PhaseOutlook::Stage& PhaseOutlook::first(std::size_t stages, std::size_t setting) {
+CaseRefuter::Stage& CaseRefuter::first(std::size_t stages, std::size_t setting) {
     if (m_kept_bytes > m_mostKept_bytes) {
         m_first.clear();
         m_kept_bytes = 0;
@@ -129,24 +131,24 @@ PhaseOutlook::Stage& PhaseOutlook::first(std::size_t stages, std::size_t setting
 }
 
 /// Goes through the steps at which stocks of the range end a stage before the last.
-bool PhaseOutlook::visitLast(Stage& stage, std::span<const GridStage> before, std::size_t place,
-                             int taken, StockRange range, const AtLast& atLast) {
+bool CaseRefuter::visitLast(Stage& stage, std::span<const GridStage> before, std::size_t place,
+                            int taken, StockRange range, const AtLast& atLast) {
     const int behind = taken + before[place].steps;
     const double later_mm = m_grid.remainder(behind) + stageSlack_mm;
     const auto isBefore = [&](const State& each) { // no stock of the range ends it there
-        return later_mm - each.remaining_mm - range.from_mm <= 4 * m_doubt_mm;
+        return later_mm - each.remaining_mm - range.from_mm <= 4 * m_tolerance_mm;
     };
     const auto first = std::ranges::partition_point(stage.states, isBefore);
     const auto known = static_cast<std::size_t>(first - stage.states.begin());
     for (std::size_t count = std::max<std::size_t>(known, place == 0 ? 1 : 0);
-         range.to_mm - range.from_mm > 4 * m_doubt_mm; ++count) {
+         range.to_mm - range.from_mm > 4 * m_tolerance_mm; ++count) {
         const State* const state = stateAt(stage, count, place, before[place].setting);
         if (!state) {
             return false;
         }
         const double end_mm = later_mm - state->remaining_mm;
         const StockRange ending{range.from_mm, std::min(range.to_mm, end_mm)};
-        if (ending.to_mm - ending.from_mm <= 4 * m_doubt_mm) {
+        if (ending.to_mm - ending.from_mm <= 4 * m_tolerance_mm) {
             continue;
         }
         if (place + 1 == before.size()) {
@@ -162,7 +164,7 @@ bool PhaseOutlook::visitLast(Stage& stage, std::span<const GridStage> before, st
     return false;
 }
 
-PhaseOutlook::Stage PhaseOutlook::begin(std::shared_ptr<const CycleSteps> from) {
+CaseRefuter::Stage CaseRefuter::begin(std::shared_ptr<const CycleSteps> from) {
     Stage stage;
     stage.steps = from->copy();
     stage.steps->run().keepRadiiAlone();
@@ -172,12 +174,12 @@ PhaseOutlook::Stage PhaseOutlook::begin(std::shared_ptr<const CycleSteps> from) 
     return stage;
 }
 
-PhaseOutlook::State PhaseOutlook::stateOf(const CycleSteps& steps) const {
-    return {tellingRadii(steps), steps.remaining()};
+CaseRefuter::State CaseRefuter::stateOf(const CycleSteps& steps) const {
+    return {criticalRadii(steps), steps.remaining()};
 }
 
-const PhaseOutlook::State* PhaseOutlook::stateAt(Stage& stage, std::size_t count, std::size_t place,
-                                                 std::size_t setting) {
+const CaseRefuter::State* CaseRefuter::stateAt(Stage& stage, std::size_t count, std::size_t place,
+                                               std::size_t setting) {
     while (stage.states.size() <= count) {
         if (!stage.steps || stage.steps->run().mustEnd()
             || !stage.steps->step(stepFeedOf(m_part, m_grid.settings()[setting], place))) {
@@ -191,8 +193,8 @@ const PhaseOutlook::State* PhaseOutlook::stateAt(Stage& stage, std::size_t count
 }
 
 /// The next stage of the cycle after so many steps; nothing: it was stopped.
-PhaseOutlook::Stage* PhaseOutlook::follower(Stage& stage, std::size_t count,
-                                            std::span<const GridStage> before, std::size_t place) {
+CaseRefuter::Stage* CaseRefuter::follower(Stage& stage, std::size_t count,
+                                          std::span<const GridStage> before, std::size_t place) {
     const std::size_t setting = before[place].setting;
     const std::pair key(count, before[place + 1].setting);
     if (const auto found = stage.next.find(key); found != stage.next.end()) {
@@ -217,16 +219,16 @@ PhaseOutlook::Stage* PhaseOutlook::follower(Stage& stage, std::size_t count,
     return &stage.next.emplace(key, begin(from)).first->second;
 }
 
-bool PhaseOutlook::endsTooDeep(const State& state, const GridCycle& cycle, StockRange range) {
+bool CaseRefuter::endsTooDeep(const State& state, const GridCycle& cycle, StockRange range) {
     const std::size_t setting = cycle.back().setting;
     const int sparkOut = m_grid.settings()[setting].sparkOut;
     const RadiusFollower& follower = *m_blank->follower();
     const Run& run = m_blank->run();
     const double size_mm = run.sizeDepth_mm() - stageSlack_mm - roundings_mm;
     const long long mostPasses = maxVisits / run.radii();
-    const double most_mm = range.to_mm - m_doubt_mm;
-    FollowedRadii strokes = state.telling;
-    m_least_mm.assign(1, range.from_mm + m_doubt_mm);
+    const double most_mm = range.to_mm - m_tolerance_mm;
+    FollowedRadii strokes = state.critical;
+    m_least_mm.assign(1, range.from_mm + m_tolerance_mm);
     for (int made = 0; m_least_mm.back() < most_mm; ++made) {
         if (isTooDeep(strokes, m_least_mm.back())) {
             return true;
@@ -235,11 +237,11 @@ bool PhaseOutlook::endsTooDeep(const State& state, const GridCycle& cycle, Stock
             break;
         }
         const bool mayEnd = sparkOut == 0 && (cycle.size() > 1 || made > 0);
-        const double ended_mm = strokes.radii[0].depth_mm - size_mm + m_doubt_mm;
+        const double ended_mm = strokes.radii[0].depth_mm - size_mm + m_tolerance_mm;
         m_least_mm.push_back(mayEnd ? std::max(m_least_mm.back(), ended_mm) : m_least_mm.back());
         follower.strokesAlone(strokes, m_feeds[setting]);
     }
-    FollowedRadii all = state.telling;
+    FollowedRadii all = state.critical;
     for (std::size_t made = 1;
          !follower.hasStrokesAlone() && made < m_least_mm.size() && m_least_mm[made] < most_mm;
          ++made) {
@@ -251,23 +253,23 @@ bool PhaseOutlook::endsTooDeep(const State& state, const GridCycle& cycle, Stock
     return false;
 }
 
-PhaseOutlook::End PhaseOutlook::endOf(const FollowedRadii& telling, StockRange stocks) {
-    const auto& [gauged, one, other] = telling.radii;
+CaseRefuter::End CaseRefuter::endOf(const FollowedRadii& critical, StockRange stocks) {
+    const auto& [gauged, one, other] = critical.radii;
     const bool isLater = m_blank->follower()->hasStrokesAlone();
     const auto deep = [&](const FollowedRadius& radius) {
-        return Deep{.lag_mm = telling.fed_mm - radius.depth_mm,
+        return Deep{.lag_mm = critical.fed_mm - radius.depth_mm,
                     .share = isLater ? radius.share : 0,
                     .most = m_lags->most(radius.zone).data()};
     };
-    return {.infeed_mm = m_sure_mm + stocks.from_mm - telling.fed_mm,
+    return {.infeed_mm = m_leastDepth_mm + stocks.from_mm - critical.fed_mm,
             .stocks_mm = stocks.to_mm - stocks.from_mm,
-            .gauged_mm = telling.fed_mm - gauged.depth_mm,
+            .gauged_mm = critical.fed_mm - gauged.depth_mm,
             .least_mm = m_lags->least_mm().data(),
             .deep = {deep(one), deep(other)},
-            .isTooDeep = isTooDeep(telling, stocks.from_mm + m_doubt_mm)};
+            .isTooDeep = isTooDeep(critical, stocks.from_mm + m_tolerance_mm)};
 }
 
-bool PhaseOutlook::isFedTooFar(const End& end, std::size_t setting) const {
+bool CaseRefuter::isFedTooFar(const End& end, std::size_t setting) const {
     const double infeed_mm = m_infeeds_mm[setting];
     const double least_mm = std::min(end.gauged_mm, end.least_mm[setting]);
     const double beyond_mm = std::min(infeed_mm, end.stocks_mm) + least_mm - m_excess_mm;
@@ -287,12 +289,12 @@ bool PhaseOutlook::isFedTooFar(const End& end, std::size_t setting) const {
 }
 
 /// By what a diameter is larger at most for a stock greater by so much than that of the shared run.
-double PhaseOutlook::larger_mm(double more_mm) const {
-    return 2 * more_mm + nearest_mm + 4 * m_doubt_mm;
+double CaseRefuter::larger_mm(double more_mm) const {
+    return 2 * more_mm + nearest_mm + 4 * m_tolerance_mm;
 }
 
 /// Of a stock greater by so much than that of the shared run.
-bool PhaseOutlook::isTooDeep(const FollowedRadii& radii, double more_mm) const {
+bool CaseRefuter::isTooDeep(const FollowedRadii& radii, double more_mm) const {
     const double deviation_mm =
         m_blank->run().diameterDeviation(radii.radii[1].depth_mm, radii.radii[2].depth_mm);
     return m_runner.cuts().left_mm(deviation_mm) + larger_mm(more_mm) < 0;
