@@ -10619,7 +10619,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>fit</source>
-            <translation>выполнено</translation>
+            <translation>годен</translation>
         </message>
         <message>
             <source>unfit</source>
@@ -20555,7 +20555,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>%1 %2</translation>
         </message>
         <message>
-            <source>unknown</source>
+            <source>undetermined</source>
             <translation>не определяется</translation>
         </message>
         <message>

@@ -191,7 +191,7 @@ QStringList TrialPage::cellsOf(const Trial& trial) const {
         const auto found =
             std::ranges::find(trial.expected, parameter, &TrialExpectation::parameter);
         cells << (found == trial.expected.end()
-                      ? tr("unknown")
+                      ? tr("undetermined")
                       : FitWords::interval(Interval{found->low, found->high}));
     }
     return cells;
