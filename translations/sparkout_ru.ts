@@ -23155,7 +23155,7 @@ s</source>
         </message>
         <message>
             <source>Dup&amp;licate</source>
-            <translation>Ду&amp;блировать</translation>
+            <translation>КоДу&amp;блироватьamp;пировать</translation>
         </message>
         <message>
             <source>The same step once more</source>
