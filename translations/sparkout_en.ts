@@ -56,30 +56,6 @@
         </message>
     </context>
     <context>
-        <name>OptimiseText</name>
-        <message numerus="yes">
-            <source>%n stage(s)</source>
-            <translation>
-                <numerusform>%n stage</numerusform>
-                <numerusform>%n stages</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>It holds in the last sample of scenarios; %n of them had to be added.</source>
-            <translation>
-                <numerusform>It holds in the last sample of scenarios; %n of them had to be added.</numerusform>
-                <numerusform>It holds in the last sample of scenarios; %n of them had to be added.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>All %n cycle(s) of the grid of which none is both quicker and farther from its limits.</source>
-            <translation>
-                <numerusform>The one cycle of the grid of which none is both quicker and farther from its limits.</numerusform>
-                <numerusform>All %n cycles of the grid of which none is both quicker and farther from its limits.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
         <name>PassportPrediction</name>
         <message numerus="yes">
             <source>Of the %n part(s) number %1 has the minimum margin. %2.</source>

@@ -7534,10 +7534,6 @@ With another name both versions stay as they are.</source>
             <translation>врезному шлифованию</translation>
         </message>
         <message>
-            <source>one that reads the maximum diameter</source>
-            <translation>прибор, читающий наибольший диаметр</translation>
-        </message>
-        <message>
             <source>&quot;rz1&quot;, &quot;nz&quot;, &quot;rz2&quot;, or the number of a section</source>
             <translation>«rz1», «nz», «rz2» или номер сечения</translation>
         </message>
@@ -20245,11 +20241,6 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Импорт измерений…</translation>
         </message>
         <message>
-            <source>Measured</source>
-            <comment>the view&apos;s tab</comment>
-            <translation>Измерения</translation>
-        </message>
-        <message>
             <source>Recorded over time: %1. The view Feeds draws it over the simulated curves, “Calibrate…” fits the process to it, the list “Traces” keeps it. No part is measured yet that could be compared with the predicted batch.</source>
             <translation>Записано по времени: %1. Вид «Подачи» рисует это поверх расчётных кривых, «Калибровка…» подбирает по этому процесс, в списке «Записи» оно хранится. Измеренных деталей, которые можно сравнить с партией, ещё нет.</translation>
         </message>
@@ -20549,10 +20540,6 @@ The size alone gives α and β, that is the compliance with the force together; 
         <message>
             <source>Trials are being run …</source>
             <translation>Опыты рассчитываются…</translation>
-        </message>
-        <message>
-            <source>%1 %2</source>
-            <translation>%1 %2</translation>
         </message>
         <message>
             <source>undetermined</source>
@@ -23155,7 +23142,7 @@ s</source>
         </message>
         <message>
             <source>Dup&amp;licate</source>
-            <translation>КоДу&amp;блироватьamp;пировать</translation>
+            <translation>Ко&amp;пировать</translation>
         </message>
         <message>
             <source>The same step once more</source>
@@ -23481,10 +23468,6 @@ s</source>
         <message>
             <source>Keyway, width × length</source>
             <translation>Шпоночный паз, ширина × длина</translation>
-        </message>
-        <message>
-            <source>e.g. %1</source>
-            <translation>напр. %1</translation>
         </message>
         <message>
             <source>12P9 × 45 makes a gap of the surface; 12P9 × 45, 90° also sets the angle of its first edge</source>

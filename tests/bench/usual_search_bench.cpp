@@ -4,10 +4,12 @@
 // each: the time of the cycle and how many of 500 fresh parts are bad; of the answer of the usual
 // search rough and finish feed, spark-out, and how long it was searched [s]. The exit status is 1
 // where more parts are bad than the answer promises, or no answer is found where the cycle that the
-// search is about is good itself.
+// search is about is good itself. A search is stopped after 20 s; without an answer by then it
+// says so.
 #include "core/batch/batch_check.h"
 #include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
+#include "core/deadline_stop.h"
 #include "core/digits.h"
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
@@ -42,6 +44,7 @@ using namespace sparkout;
 
 namespace {
 
+constexpr double mostSearch_s = 20;
 constexpr int otherDraw = 1000; // than any that a search tries its answers on
 
 std::string textOf(const std::filesystem::path& file) {
@@ -105,12 +108,15 @@ struct Answered {
     std::optional<Project> project;
     int candidate = 0;
     double took_s = 0;
+    bool isStopped = false;
 };
 
 Answered answerOf(const Project& project) {
     const std::clock_t begin = std::clock();
-    const SearchOutcomePtr found = search(project, {});
+    const DeadlineStop deadline({}, DeadlineStop::Duration(mostSearch_s));
+    const SearchOutcomePtr found = search(project, {}, deadline.token());
     Answered answered;
+    answered.isStopped = found->search.status == SearchStatus::stopped;
     answered.took_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     if (const FoundCycle* answer = found->ran() ? found->answer() : nullptr) {
         answered.project = withFound(project, *answer);
@@ -153,13 +159,15 @@ bool compare(const std::string& name, const Project& stated, const Project& star
     }
     std::printf("USUAL %s | before %s | about %s | %s | %s | %.2f s\n", name.c_str(),
                 before.c_str(), cell(start).c_str(),
-                answer.project ? cell(*answer.project).c_str() : "none",
+                answer.project     ? cell(*answer.project).c_str()
+                : answer.isStopped ? "stopped"
+                                   : "none",
                 answer.project ? stagesOf(*answer.project).c_str() : "-", answer.took_s);
     std::fflush(stdout);
     if (!answer.project) {
         const std::optional<int> bad = badOf(start);
         const std::optional<CycleTrial> trial = tried(start, {});
-        return !bad || *bad > 0 || !trial || !trial->holds;
+        return answer.isStopped || !bad || *bad > 0 || !trial || !trial->holds;
     }
     const std::optional<int> bad = badOf(*answer.project);
     return !bad

@@ -58,6 +58,12 @@ QString translated(const char* context, const char* text) {
     QT_TRANSLATE_NOOP("Unit", "kg/m³"),
     QT_TRANSLATE_NOOP("Unit", "°C, W/(m·K)"),
     QT_TRANSLATE_NOOP("Unit", "°C, J/(kg·K)"),
+    QT_TRANSLATE_NOOP("Unit", "10⁻⁶/K"),
+    QT_TRANSLATE_NOOP("Unit", "µm/h"),
+    QT_TRANSLATE_NOOP("Unit", "h"),
+    QT_TRANSLATE_NOOP("Unit", "kW/A"),
+    QT_TRANSLATE_NOOP("Unit", "kg"),
+    QT_TRANSLATE_NOOP("Unit", "1/mm"),
 };
 
 /// "L_p" → "Lₚ", where there are signs for all of an index.
