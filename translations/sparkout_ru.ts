@@ -23142,7 +23142,7 @@ s</source>
         </message>
         <message>
             <source>Dup&amp;licate</source>
-            <translation>Ко&amp;пировать</translation>
+            <translation>Копирова&amp;ть</translation>
         </message>
         <message>
             <source>The same step once more</source>
