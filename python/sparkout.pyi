@@ -110,7 +110,7 @@ class Judgement:
         """the same in words"""
     @property
     def nominal(self) -> bool:
-        """whether the part that was run reaches size and holds every requirement"""
+        """whether the part that was run reaches size and meets every requirement"""
     @property
     def stocks(self) -> JudgedStocks: ...
     @property
@@ -172,7 +172,7 @@ class Remedy:
         """number of the values in the interval"""
     @property
     def failing(self) -> Optional[float]:
-        """the next value towards the present one before the interval, which was run and fails"""
+        """the next value towards the current one before the interval, which was run and fails"""
     @property
     def holds_beyond(self) -> bool:
         """whether the next value behind the interval helps, too"""

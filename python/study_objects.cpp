@@ -522,7 +522,7 @@ void bindSearch(py::module_& module) {
         py::arg("project"), py::kw_only(), py::arg("robust") = false, py::arg("refine") = false,
         py::arg("front") = false, py::arg("method") = "search",
         py::arg("time_limit_s") = py::none(), py::arg("resume") = py::none(),
-        "Finds the quickest cycle of the project's grid that holds every requirement, or where "
+        "Finds the quickest cycle of the project's grid that meets every requirement, or where "
         "margin_within_min is given the one of the maximum margin within that time. `front`: the "
         "best cycle of each number of stages and margins by time, too, in to_dict(). `method`: "
         "search, full, dp or labels. `resume`: a file in which the search of the method full keeps "
@@ -704,7 +704,7 @@ py::object dressingOf(const std::string& text) {
 void bindDecisions(py::module_& module) {
     module.def("phases", &phasesOf, py::arg("project"), py::kw_only(),
                py::arg("from_mm") = py::none(), py::arg("to_mm") = py::none(),
-               "Decides for which stocks per side of the blank the cycle holds every requirement, "
+               "Decides for which stocks per side of the blank the cycle meets every requirement, "
                "as `sparkout-cli phases --json` has it.");
     module.def("dressing", &dressingOf, py::arg("text"),
                "How many parts hold between two dressings, of the text of a file with one surface "

@@ -2366,7 +2366,7 @@ axial feed, mm/min</source>
             <translation>более 9·10¹⁸</translation>
         </message>
         <message>
-            <source>Proved: none of the %1 cycles of the grid holds every requirement.</source>
+            <source>Proved: none of the %1 cycles of the grid meets every requirement.</source>
             <translation>Доказано: ни один из циклов сетки (%1) не выполняет всех требований.</translation>
         </message>
         <message>
@@ -4123,7 +4123,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Minimum and maximum for each stage in order, where it is fed continuously; equal values fix it.</source>
-            <translation>Наименьшее и наибольшее значения для первой ступени, для второй и так далее, если они подаются так; два одинаковых задают его.</translation>
+            <translation>Наименьшее и наибольшее значения для первой ступени, для второй и так далее, где подача непрерывная; два одинаковых числа закрепляют значение.</translation>
         </message>
         <message>
             <source>Levels of the plunge feed</source>
@@ -6666,7 +6666,7 @@ With another name both versions stay as they are.</source>
             <translation>задано время</translation>
         </message>
         <message>
-            <source>Of the quickest cycle of the project&apos;s grid that holds every requirement, as the search proves it for each variant.</source>
+            <source>Of the quickest cycle of the project&apos;s grid that meets every requirement, as the search proves it for each variant.</source>
             <translation>От самого быстрого цикла на сетке проекта, выполняющего все требования: его доказывает поиск для каждого варианта.</translation>
         </message>
         <message>
@@ -7996,15 +7996,15 @@ With another name both versions stay as they are.</source>
             <translation>Не найдено цикла, годного во всех сценариях, и ни один не короче %1; каждый испытанный не выдержал ещё одного сценария.</translation>
         </message>
         <message>
-            <source>The heuristic found no cycle that holds every requirement; there may be one, which the exact search finds (%1).</source>
+            <source>The heuristic found no cycle that meets every requirement; there may be one, which the exact search finds (%1).</source>
             <translation>Эвристика не нашла цикла, который выполняет все требования; он может быть, его найдёт точный поиск (%1).</translation>
         </message>
         <message>
-            <source>No cycle of the grid that takes at most %1 min holds every requirement.</source>
+            <source>No cycle of the grid that takes at most %1 min meets every requirement.</source>
             <translation>Ни один цикл сетки, который не длиннее %1 мин, не выдерживает всех требований.</translation>
         </message>
         <message>
-            <source>No cycle of the grid holds every requirement.</source>
+            <source>No cycle of the grid meets every requirement.</source>
             <translation>Ни один цикл сетки не выдерживает всех требований.</translation>
         </message>
         <message>
@@ -8017,11 +8017,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>What has the minimum margin is not known: the search was stopped first.</source>
-            <translation>У чего запас наименьший, не известно: поиск был остановлен раньше.</translation>
+            <translation>У чего запас наименьший, неизвестно: поиск был остановлен раньше.</translation>
         </message>
         <message>
             <source>What limits the time is not known: the search was stopped first.</source>
-            <translation>Что ограничивает время, не известно: поиск был остановлен раньше.</translation>
+            <translation>Что ограничивает время, неизвестно: поиск был остановлен раньше.</translation>
         </message>
         <message>
             <source>The minimum margin is that of: %1.</source>
@@ -10261,7 +10261,7 @@ With another name both versions stay as they are.</source>
     <context>
         <name>StudiesShown</name>
         <message>
-            <source>These results are for the inputs before the last edit. Compute them for the present inputs in the view “%1”.</source>
+            <source>These results are for the inputs before the last edit. Compute them for the current inputs in the view “%1”.</source>
             <translation>Исходные данные изменены. Повторите расчёт в виде «%1».</translation>
         </message>
         <message>
@@ -10272,11 +10272,11 @@ With another name both versions stay as they are.</source>
     <context>
         <name>sparkout::StudyView</name>
         <message>
-            <source>These results are for the inputs before the last edit; those for the present inputs are being computed.</source>
+            <source>These results are for the inputs before the last edit; those for the current inputs are being computed.</source>
             <translation>Исходные данные изменены; расчёт идёт заново.</translation>
         </message>
         <message>
-            <source>These results are for the inputs before the last edit. Press “%1” to compute them for the present inputs.</source>
+            <source>These results are for the inputs before the last edit. Press “%1” to compute them for the current inputs.</source>
             <translation>Исходные данные изменены. Нажмите «%1».</translation>
         </message>
     </context>
@@ -10539,7 +10539,7 @@ With another name both versions stay as they are.</source>
             <translation> (ещё диапазонов: %1)</translation>
         </message>
         <message>
-            <source>Other stocks do not meet other requirements: see the table of the plot.</source>
+            <source>With other stocks, other requirements are not met: see the table of the plot.</source>
             <translation>При других припусках нарушены другие требования: см. таблицу графика.</translation>
         </message>
         <message>
@@ -13528,7 +13528,7 @@ With another name both versions stay as they are.</source>
             <translation>Основное время</translation>
         </message>
         <message>
-            <source>Against the time of your cycle: the present one, or the one that a cycle found took the place of</source>
+            <source>Against the time of your cycle: the current one, or the one that a cycle found took the place of</source>
             <translation>По сравнению с временем исходного цикла: текущего или того, который заменил найденный</translation>
         </message>
         <message>
@@ -13634,7 +13634,7 @@ yours, %</source>
             <translation>наибольший из найденных; за %1 мин возможен и больший</translation>
         </message>
         <message>
-            <source>%1, a heuristic: a quicker cycle may hold, too</source>
+            <source>%1, a heuristic: a quicker cycle may be fit, too</source>
             <translation>%1, эвристика: требования может выполнять и более быстрый цикл</translation>
         </message>
         <message>
@@ -13646,11 +13646,11 @@ yours, %</source>
             <translation>дешевле нет, доказано (%1)</translation>
         </message>
         <message>
-            <source>none holds for more parts, proved: %1</source>
+            <source>none is fit for more parts, proved: %1</source>
             <translation>для большего числа деталей не годен ни один, доказано (%1)</translation>
         </message>
         <message>
-            <source>none that holds for the part and the scenarios added is quicker, proved: %1</source>
+            <source>none that is fit for the part and the scenarios added is quicker, proved: %1</source>
             <translation>быстрее из годных для детали и добавленных сценариев нет, доказано (%1)</translation>
         </message>
         <message>
@@ -13686,11 +13686,11 @@ yours, %</source>
             <translation>годен для всех припусков %1…%2 мм, решено точно</translation>
         </message>
         <message>
-            <source>held for %1 stocks at random, as cycle no. %2 tried so</source>
+            <source>fit for %1 random stocks, cycle no. %2 tried</source>
             <translation>годен для %1 случайных припусков, проверен %2-м</translation>
         </message>
         <message>
-            <source>none of %1 parts at random is bad, as cycle no. %2 tried so</source>
+            <source>all %1 random parts are good, cycle no. %2 tried</source>
             <translation>из %1 случайных деталей все годны, проверен %2-м</translation>
         </message>
         <message>
@@ -13730,7 +13730,7 @@ yours, %</source>
             <translation>дешевле нет</translation>
         </message>
         <message>
-            <source>none holds for more parts</source>
+            <source>none is fit for more parts</source>
             <translation>для большего числа деталей не годен ни один</translation>
         </message>
         <message>
@@ -13766,31 +13766,31 @@ yours, %</source>
             <translation>бесступенчатый цикл</translation>
         </message>
         <message>
-            <source>Failing
+            <source>Unfit for
 stocks, ≤ %</source>
             <translation>Не годен для
 припусков, ≤ %</translation>
         </message>
         <message>
-            <source>Failing stocks, at most, %</source>
+            <source>Unfit for stocks, at most, %</source>
             <translation>Не годен для припусков, не более, %</translation>
         </message>
         <message>
-            <source>Share of the stocks within one infeed that the cycle may fail for, with 95 % confidence: it held for all that were tried</source>
+            <source>Share of the stocks within one infeed for which the cycle may be unfit, with 95 % confidence: it was fit for all those tried</source>
             <translation>Доля припусков в пределах подачи на шаг, для которых цикл может быть не годен, с доверительной вероятностью 95 %: для всех проверенных он годен</translation>
         </message>
         <message>
-            <source>Bad
+            <source>Rejected
 parts, ≤ %</source>
-            <translation>Не годны
+            <translation>Негодные
 детали, ≤ %</translation>
         </message>
         <message>
-            <source>Bad parts, at most, %</source>
-            <translation>Не годны детали, не более, %</translation>
+            <source>Rejected parts, at most, %</source>
+            <translation>Негодные детали, не более, %</translation>
         </message>
         <message>
-            <source>Share of the batch that may be bad, with 95 % confidence: none of the parts that were tried is</source>
+            <source>Share of the batch that may be rejected, with 95 % confidence: all parts tried were good</source>
             <translation>Доля деталей партии, которые могут быть не годны, с доверительной вероятностью 95 %: все проверенные годны</translation>
         </message>
         <message>
@@ -14848,7 +14848,7 @@ target, µm</source>
             <translation>Без фасок, пазов и отверстий; масса по чертежу важнее</translation>
         </message>
         <message>
-            <source>Levels of each feed about the present cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is good for the batch, without one for every stock</source>
+            <source>Levels of each feed about the current cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is good for the batch, without one for every stock</source>
             <translation>Уровни каждой подачи около текущего цикла с шагом станка, припуски, выхаживание и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; ответ годен для партии, без неё — для всех припусков</translation>
         </message>
         <message>
@@ -14895,11 +14895,11 @@ target, µm</source>
             <translation>Данные не приняты; поиск — по последним верным.</translation>
         </message>
         <message>
-            <source>This project does not say what may be changed. A search takes every listed feed and stock of the stages and finds the quickest cycle that holds every requirement. Choose them on the page Search of the inputs, or start with usual ones.</source>
+            <source>This project does not say what may be changed. A search takes every listed feed and stock of the stages and finds the quickest cycle that meets every requirement. Choose them on the page Search of the inputs, or start with usual ones.</source>
             <translation>В проекте не задано, что можно менять. Поиск перебирает заданные подачи и припуски ступеней и находит самый быстрый цикл, который выдерживает все требования. Задайте их на странице «Поиск» исходных данных или начните с типовых.</translation>
         </message>
         <message>
-            <source>“Search” finds the quickest cycle of the grid that holds every requirement. It can be stopped at any time and keeps the best so far.</source>
+            <source>“Search” finds the quickest cycle of the grid that meets every requirement. It can be stopped at any time and keeps the best so far.</source>
             <translation>«Найти» ищет самый быстрый цикл сетки, который выдерживает все требования. Поиск можно остановить в любой момент, лучший найденный цикл сохранится.</translation>
         </message>
         <message>
@@ -14955,7 +14955,7 @@ target, µm</source>
             <translation>Найти</translation>
         </message>
         <message>
-            <source>Find the quickest cycle of the grid that holds every requirement</source>
+            <source>Find the quickest cycle of the grid that meets every requirement</source>
             <translation>Найти самый быстрый цикл сетки, который выдерживает все требования</translation>
         </message>
         <message>
@@ -14971,7 +14971,7 @@ target, µm</source>
             <translation>Применить этот цикл</translation>
         </message>
         <message>
-            <source>Put the chosen cycle in the place of the present one; undo brings yours back</source>
+            <source>Put the chosen cycle in the place of the current one; undo brings yours back</source>
             <translation>Поставить выбранный цикл на место текущего; отмена вернёт ваш</translation>
         </message>
         <message>
@@ -15015,7 +15015,7 @@ target, µm</source>
             <translation>«Найти» находит цикл сетки, который за заданное время дальше всех от пределов. Поиск можно остановить в любой момент, лучшее найденное остаётся.</translation>
         </message>
         <message>
-            <source>Levels of each feed about the present cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is good for the batch, without one for every stock; can be undone and changed on the pages Search and Cycle</source>
+            <source>Levels of each feed about the current cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is good for the batch, without one for every stock; can be undone and changed on the pages Search and Cycle</source>
             <translation>Уровни каждой подачи около текущего цикла с шагом станка, припуски, выхаживание и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; ответ годен для партии, без неё — для всех припусков; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
         </message>
         <message>
@@ -16297,7 +16297,7 @@ target, µm</source>
             </translation>
         </message>
         <message>
-            <source>%1: no cycle was found that holds every requirement</source>
+            <source>%1: no cycle was found that meets every requirement</source>
             <translation>%1: цикл, который выдерживает все требования, не найден</translation>
         </message>
         <message>
@@ -16495,8 +16495,8 @@ target, µm</source>
             <translation>Диапазон должен возрастать: он начинается с %1 мм и кончается на %2 мм.</translation>
         </message>
         <message>
-            <source>Stopped before a result. Press “Run”.</source>
-            <translation>Остановлено, прежде чем что-либо решено. Нажмите «Рассчитать».</translation>
+            <source>Stopped before there was a result. Press “Run”.</source>
+            <translation>Остановлено до получения результата. Нажмите «Рассчитать».</translation>
         </message>
         <message>
             <source>Minimum stock per side to check; empty: half the maximum infeed below the given stock</source>
@@ -17186,7 +17186,7 @@ target, µm</source>
         </message>
         <message>
             <source>The cycle is fit for all {phases} stocks drawn at random within one infeed: with 95 % confidence it is unfit for at most {share} % of all stocks.</source>
-            <translation>Цикл годен для всех {phases} случайных припусков в пределах подачи на шаг: с вероятностью 95 % не годен не более чем для {share} % из них.</translation>
+            <translation>Цикл годен для всех {phases} случайных припусков в пределах подачи на шаг: с вероятностью 95 % не годен не более чем для {share} % всех припусков.</translation>
         </message>
         <message>
             <source>Each change helps for every stock within half an infeed of the stated one.</source>
@@ -20582,7 +20582,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Он не определяет: %1.</translation>
         </message>
         <message>
-            <source>The intervals are those expected at 95 % about the present inputs, for %1 values a second with a scatter of %2 µm, %3 kW or %4 % of the maximum force. Then import the trace and calibrate on the page Cycle.</source>
+            <source>The intervals are those expected at 95 % about the current inputs, for %1 values a second with a scatter of %2 µm, %3 kW or %4 % of the maximum force. Then import the trace and calibrate on the page Cycle.</source>
             <translation>Интервалы — ожидаемые 95 %-е около текущих исходных данных, при %1 отсчётах в секунду с разбросом %2 мкм, %3 кВт или %4 % наибольшей силы. Затем импортируйте запись и калибруйте на странице «Цикл».</translation>
         </message>
         <message numerus="yes">
@@ -20765,7 +20765,7 @@ s</source>
         </message>
         <message>
             <source>Stopped before there was a result.</source>
-            <translation>Остановлено: ничего не известно.</translation>
+            <translation>Остановлено до получения результата.</translation>
         </message>
     </context>
     <context>
@@ -21182,7 +21182,7 @@ s</source>
             <translation>шаг требует выполнить требования или время, а в проекте нет оптимизации, поиск которой доказал бы ответ</translation>
         </message>
         <message>
-            <source>no cycle of the grid of the lesson&apos;s own project holds every requirement</source>
+            <source>no cycle of the grid of the lesson&apos;s own project meets every requirement</source>
             <translation>ни один цикл сетки исходного проекта работы не выполняет все требования</translation>
         </message>
         <message>

@@ -23,7 +23,7 @@ constexpr Output<Judgement> judgementRows[] = {
     {{.key = "headline", .hint = "the same in words"},
      [](const Judgement& j) { return JudgementWording().headline(j); }},
     {{.key = "nominal",
-      .hint = "whether the part that was run reaches size and holds every requirement"},
+      .hint = "whether the part that was run reaches size and meets every requirement"},
      [](const Judgement& j) { return j.isNominalGood(); }},
 };
 

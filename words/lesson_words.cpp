@@ -192,7 +192,7 @@ const char* lessonFaultText(LessonFault fault) {
         return SPARKOUT_NOOP("Variants", "a step asks for requirements or a time, and the project "
                                          "has no optimisation whose search could prove an answer");
     case LessonFault::noReference:
-        return SPARKOUT_NOOP("Variants", "no cycle of the grid of the lesson's own project holds "
+        return SPARKOUT_NOOP("Variants", "no cycle of the grid of the lesson's own project meets "
                                          "every requirement");
     }
     return "";

@@ -300,17 +300,17 @@ std::string SearchWording::noAnswer(const SearchOutcome& outcome) const {
         }
         if (outcome.search.status == SearchStatus::notFound) {
             return filled(SPARKOUT_NOOP("Search",
-                                        "The heuristic found no cycle that holds every "
+                                        "The heuristic found no cycle that meets every "
                                         "requirement; there may be one, which the exact search "
                                         "finds (%1)."),
                           {method(SearchMethod::pruned)});
         }
         return outcome.marginWithin_us
                    ? filled(SPARKOUT_NOOP("Search", "No cycle of the grid that takes at most %1 "
-                                                    "min holds every requirement."),
+                                                    "min meets every requirement."),
                             {within(outcome)})
                    : translated(
-                       SPARKOUT_NOOP("Search", "No cycle of the grid holds every requirement."));
+                       SPARKOUT_NOOP("Search", "No cycle of the grid meets every requirement."));
     };
     constexpr std::size_t most = 4;
     std::string cut;

@@ -79,7 +79,7 @@ Command optimizeCommand() {
     return {
         "optimize",
         Kind::project,
-        {"finds the quickest cycle of the file's grid that holds every requirement",
+        {"finds the quickest cycle of the file's grid that meets every requirement",
          "находит самый быстрый цикл сетки файла, при котором выполнены все требования"},
         {surface,
          {"--robust",
@@ -280,7 +280,7 @@ Command phasesCommand() {
     return {
         "phases",
         Kind::project,
-        {"decides for which stocks of the blank the cycle holds every requirement, under gauge "
+        {"decides for which stocks of the blank the cycle meets every requirement, under gauge "
          "control: where the last step of a stage falls changes with the stock, and the size "
          "with it. Every stock of the range is decided, none is sampled",
          "решает, при каких припусках заготовки цикл выдерживает все требования при управлении "

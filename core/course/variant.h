@@ -13,7 +13,7 @@ namespace sparkout {
 
 using VariantLevels = std::vector<std::size_t>;
 
-/// The quickest cycle of a project's grid that holds every requirement: proved by the search.
+/// The quickest cycle of a project's grid that meets every requirement: proved by the search.
 struct BestAnswer {
     double time_min = 0;
     double margin_percent = 0; ///< least relative margin of a requirement

@@ -51,7 +51,7 @@ struct DressingOptions {
 struct DressingInterval {
     DressingFault fault = DressingFault::none;
     Issues issues; ///< why a surface cannot be run, or its batch
-    /// Each of the parts 1 to N holds every requirement; the next one does not, as `end` says.
+    /// Each of the parts 1 to N meets every requirement; the next one does not, as `end` says.
     std::int64_t parts = 0;
     std::optional<WornFailure> end;
     /// No part fails however many there are, for from one on all find the same wheel.

@@ -12,7 +12,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr Output<DressingInterval> intervalRows[] = {
-    {{.key = "parts", .hint = "parts of one dressing that hold every requirement"},
+    {{.key = "parts", .hint = "parts of one dressing that meet every requirement"},
      [](const DressingInterval& d) { return d.parts; }},
     {{.key = "endless", .hint = "no part fails however many there are"},
      [](const DressingInterval& d) { return d.isEndless; }},

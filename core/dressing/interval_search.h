@@ -14,7 +14,7 @@
 /// The cycle of a grid and the number of parts between dressings together: what of a grid is the
 /// cheapest, or keeps the wheel longest [MODEL-12].
 ///
-/// A cycle c holds for N parts when it ends by itself and holds every requirement for each of the
+/// A cycle c holds for N parts when it ends by itself and meets every requirement for each of the
 /// parts 1…N, part n with the wheel as the metal that c removes of the parts before it leaves it
 /// (WheelCourse); its life L(c) is the greatest such N, ∞ where from a part on the wheel comes to
 /// all parts alike and none fails. t(c) is its time on the part as it stands, the first after

@@ -96,7 +96,7 @@ const StructInfo& tableOf<TimeGoal>() {
                        .label = SPARKOUT_NOOP("Input", "Maximum excess over the best"), .unit = "%",
                        .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "a time is given"),
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Of the quickest cycle of the project's grid that holds every "
+                           "Input", "Of the quickest cycle of the project's grid that meets every "
                                     "requirement, as the search proves it for each variant.")),
         SPARKOUT_FIELD(TimeGoal, requirements_hold,
                        .label = SPARKOUT_NOOP("Input", "Every requirement must be met too")),

@@ -11,7 +11,7 @@
 /// exactly one of them.
 namespace sparkout {
 
-/// The cycle ends by itself and holds every requirement of the drawing and the machine.
+/// The cycle ends by itself and meets every requirement of the drawing and the machine.
 struct RequirementsGoal {
     double least_margin_percent = 0; ///< that the worst requirement is to have left
     bool every_stock = false; ///< within one infeed, where that can be decided; else the part run

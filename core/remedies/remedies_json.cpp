@@ -52,7 +52,7 @@ constexpr Output<RemedyOf> remedyRows[] = {
      [](const RemedyOf& r) { return std::int64_t{r.remedy.values}; }},
     {{.key = "failing",
       .hint =
-          "the next value towards the present one before the interval, which was run and fails"},
+          "the next value towards the current one before the interval, which was run and fails"},
      [](const RemedyOf& r) { return r.remedy.failing; }},
     {{.key = "holds_beyond", .hint = "whether the next value behind the interval helps, too"},
      [](const RemedyOf& r) { return r.remedy.holdsBeyond; }},

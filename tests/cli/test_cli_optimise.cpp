@@ -197,7 +197,7 @@ private slots:
         const Outcome outcome = optimize({saved, "--method", "dp"});
         QCOMPARE(outcome.status, 6);
         QVERIFY(outcome.out.empty());
-        QVERIFY(outcome.err.find("The heuristic found no cycle that holds every requirement")
+        QVERIFY(outcome.err.find("The heuristic found no cycle that meets every requirement")
                 != std::string::npos);
         const json answer = json::parse(optimize({saved, "--method", "dp", "--json"}).out);
         QVERIFY(answer.at("status") == "not_found" && answer.at("cycle").is_null());
@@ -368,7 +368,7 @@ private slots:
         const Outcome outcome = optimize({saved, "-o", written});
         QCOMPARE(outcome.status, 5);
         QVERIFY(outcome.out.empty());
-        QVERIFY2(outcome.err.find("No cycle of the grid holds every requirement. Excluded most "
+        QVERIFY2(outcome.err.find("No cycle of the grid meets every requirement. Excluded most "
                                   "often by: wheel_power (")
                      != std::string::npos,
                  outcome.err.c_str());
@@ -522,7 +522,8 @@ private slots:
             endBySignal(process, signal);
             const Outcome outcome = outcomeOf(process);
             QCOMPARE(outcome.status, 128 + signal);
-            QVERIFY2(outcome.err.find("Stopped before a cycle was found") != std::string::npos,
+            QVERIFY2(outcome.err.find("Stopped before a cycle that meets every")
+                         != std::string::npos,
                      outcome.err.c_str());
             QVERIFY(json::parse(outcome.out).at("status") == "stopped");
         }

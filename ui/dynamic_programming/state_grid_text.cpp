@@ -112,7 +112,7 @@ QString StateGridText::provenAnswer(const ExactAnswer& exact) {
                                ? tr("more than 9·10¹⁸")
                                : counted(exact.gridSize);
     if (exact.status == SearchStatus::infeasible) {
-        return tr("Proved: none of the %1 cycles of the grid holds every requirement.").arg(cycles);
+        return tr("Proved: none of the %1 cycles of the grid meets every requirement.").arg(cycles);
     }
     if (exact.isProved() && exact.time_s) {
         return tr("Proven quickest of the %1 cycles of the grid: %2; stages %3.")

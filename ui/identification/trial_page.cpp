@@ -261,7 +261,7 @@ void TrialPage::showTrial(int row) {
         }
         words << tr("Undetermined: %1.").arg(names.join(QStringLiteral("; ")));
     }
-    words << tr("The intervals are those expected at 95 % about the present inputs, for %1 values "
+    words << tr("The intervals are those expected at 95 % about the current inputs, for %1 values "
                 "a second with a scatter of %2 µm, %3 kW or %4 % of the maximum force. Then "
                 "import the trace and calibrate on the page Cycle.")
                  .arg(FitWords::number(noise.hertz),

@@ -18,9 +18,9 @@ public:
     /// Over results that are not of the present inputs; `button` computes those.
     [[nodiscard]] static QString staleText(bool isRunning, const QString& button) {
         return isRunning ? tr("These results are for the inputs before the last edit; those for "
-                              "the present inputs are being computed.")
+                              "the current inputs are being computed.")
                          : tr("These results are for the inputs before the last edit. Press “%1” "
-                              "to compute them for the present inputs.")
+                              "to compute them for the current inputs.")
                                .arg(button);
     }
 

@@ -18,7 +18,7 @@ struct StudiesShown {
 QString hindrance(bool isRunning, bool isStale, const char* view, const char* title) {
     return isRunning ? StudiesShown::tr("It is being run: wait for it, or stop it.")
            : isStale ? StudiesShown::tr("These results are for the inputs before the last edit. "
-                                        "Compute them for the present inputs in the view “%1”.")
+                                        "Compute them for the current inputs in the view “%1”.")
                            .arg(QCoreApplication::translate(view, title))
                      : QString();
 }

@@ -18,7 +18,7 @@ Project example(const std::string& name) {
     return samples::projectIn("resources/examples/" + name + ".sparkout");
 }
 
-/// The time of the cycle if it holds every requirement.
+/// The time of the cycle if it meets every requirement.
 double time_s(Project p, std::vector<Stage> stages) {
     p.part->stock_mm = 0;
     for (const Stage& stage : stages) {

@@ -430,7 +430,7 @@ private slots:
         QVERIFY(close(steplessLimit_s(p), result.time_s, 2e-9));
     }
 
-    // Whatever cycle is drawn: of those that hold every requirement none is quicker.
+    // Whatever cycle is drawn: of those that meet every requirement none is quicker.
     void noCycleThatHoldsIsQuicker_data() {
         addColumns<bool, double>("plunge", "nearest");
         QTest::newRow("plunge") << true << 0.7;

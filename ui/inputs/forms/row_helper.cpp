@@ -98,7 +98,7 @@ const Offer searchOffer{
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a typical search"),
     QT_TRANSLATE_NOOP(
         "sparkout::OfferHelper",
-        "Levels of each feed about the present cycle in steps of the machine, stocks, "
+        "Levels of each feed about the current cycle in steps of the machine, stocks, "
         "spark-out, and the usual minimum overlap and steps of a stage where none "
         "are given; the answer is good for the batch, without one for every "
         "stock")};

@@ -34,7 +34,7 @@ ValueHead changeHead() {
     return {.text = FoundTable::tr("Against\nyours, %"),
             .name = FoundTable::tr("Against yours, %"),
             .tip =
-                FoundTable::tr("Against the time of your cycle: the present one, or the one that "
+                FoundTable::tr("Against the time of your cycle: the current one, or the one that "
                                "a cycle found took the place of"),
             .key = "change"};
 }
@@ -190,7 +190,7 @@ QString proofOf(const SearchOutcome& outcome) {
                          .arg(within);
     }
     if (isHeuristic(outcome.method) && !isProved) {
-        return FoundTable::tr("%1, a heuristic: a quicker cycle may hold, too")
+        return FoundTable::tr("%1, a heuristic: a quicker cycle may be fit, too")
             .arg(OptimiseText::method(outcome.method));
     }
     if (!isProved) {
@@ -199,10 +199,10 @@ QString proofOf(const SearchOutcome& outcome) {
     if (outcome.wear && outcome.best()->held) {
         return outcome.objective() == SearchObjective::cost
                    ? FoundTable::tr("none is cheaper, proved: %1").arg(size)
-                   : FoundTable::tr("none holds for more parts, proved: %1").arg(size);
+                   : FoundTable::tr("none is fit for more parts, proved: %1").arg(size);
     }
     return outcome.robust
-               ? FoundTable::tr("none that holds for the part and the scenarios added is quicker, "
+               ? FoundTable::tr("none that is fit for the part and the scenarios added is quicker, "
                                 "proved: %1")
                      .arg(size)
                : FoundTable::tr("none is quicker, proved: %1").arg(size);
@@ -240,12 +240,12 @@ QStringList robustBasis(const SearchOutcome& outcome, const FoundCycle& answer) 
                             .arg(from, to, QLocale().toString(qlonglong(cases.corners)))
                       : FoundTable::tr("decided for every stock of %1…%2 mm").arg(from, to));
     } else {
-        basis << FoundTable::tr("held for %1 stocks at random, as cycle no. %2 tried so")
+        basis << FoundTable::tr("fit for %1 random stocks, cycle no. %2 tried")
                      .arg(freshPhaseCount)
                      .arg(std::max(answer.candidate, 1));
     }
     if (robust.freshParts > 0) {
-        basis << FoundTable::tr("none of %1 parts at random is bad, as cycle no. %2 tried so")
+        basis << FoundTable::tr("all %1 random parts are good, cycle no. %2 tried")
                      .arg(robust.freshParts)
                      .arg(std::max(robust.candidate, 1));
     }
@@ -303,7 +303,7 @@ std::optional<AnswerRow> boundRow(const SearchOutcome& outcome) {
         row.basis << FoundTable::tr("none is cheaper");
     } else {
         row.held.emplace().parts = std::llround(*outcome.interval->bound);
-        row.basis << FoundTable::tr("none holds for more parts");
+        row.basis << FoundTable::tr("none is fit for more parts");
     }
     return row;
 }
@@ -392,18 +392,19 @@ ValueTable answerTable(const SearchOutcome& outcome, std::optional<double> befor
     }
     if (hasStocks) {
         table.columns.push_back(
-            {.text = FoundTable::tr("Failing\nstocks, ≤ %"),
-             .name = FoundTable::tr("Failing stocks, at most, %"),
-             .tip = FoundTable::tr("Share of the stocks within one infeed that the cycle may fail "
-                                   "for, with 95 % confidence: it held for all that were tried"),
+            {.text = FoundTable::tr("Unfit for\nstocks, ≤ %"),
+             .name = FoundTable::tr("Unfit for stocks, at most, %"),
+             .tip =
+                 FoundTable::tr("Share of the stocks within one infeed for which the cycle may be "
+                                "unfit, with 95 % confidence: it was fit for all those tried"),
              .key = "stocks"});
     }
     if (hasParts) {
         table.columns.push_back(
-            {.text = FoundTable::tr("Bad\nparts, ≤ %"),
-             .name = FoundTable::tr("Bad parts, at most, %"),
-             .tip = FoundTable::tr("Share of the batch that may be bad, with 95 % confidence: none "
-                                   "of the parts that were tried is"),
+            {.text = FoundTable::tr("Rejected\nparts, ≤ %"),
+             .name = FoundTable::tr("Rejected parts, at most, %"),
+             .tip = FoundTable::tr("Share of the batch that may be rejected, with 95 % confidence: "
+                                   "all parts tried were good"),
              .key = "batch"});
     }
     table.columns.push_back({.text = FoundTable::tr("Basis"), .key = "basis", .isText = true});

@@ -188,7 +188,7 @@ std::optional<double> OptimiseView::before_s() const {
                : std::nullopt;
 }
 
-/// Whether the present cycle is one of those that were found.
+/// Whether the current cycle is one of those that were found.
 bool OptimiseView::isTaken() const {
     return !stale() && std::ranges::any_of(search()->found, [&](const FoundCycle& found) {
         const Project& present = good()->result.project;
@@ -546,7 +546,7 @@ QString OptimiseView::keptText() const {
 QString OptimiseView::remark() const {
     if (!isGiven()) {
         return tr("This project does not say what may be changed. A search takes every listed feed "
-                  "and stock of the stages and finds the quickest cycle that holds every "
+                  "and stock of the stages and finds the quickest cycle that meets every "
                   "requirement. Choose them on the page Search of the inputs, or start with usual "
                   "ones.");
     }
@@ -564,7 +564,7 @@ QString OptimiseView::remark() const {
                : good()->result.project.optimisation->margin_within_min
                    ? tr("“Search” finds the cycle of the grid farthest from its limits within the "
                         "time given. It can be stopped at any time and keeps the best so far.")
-                   : tr("“Search” finds the quickest cycle of the grid that holds every "
+                   : tr("“Search” finds the quickest cycle of the grid that meets every "
                         "requirement. It can be stopped at any time and keeps the best so far.");
     }
     if (stale()) {
@@ -626,14 +626,14 @@ void OptimiseView::nameRun() {
                       "without the stop"));
     } else {
         tellButton(*m_bar->run(), tr("Search"),
-                   tr("Find the quickest cycle of the grid that holds every requirement"));
+                   tr("Find the quickest cycle of the grid that meets every requirement"));
     }
 }
 
 void OptimiseView::nameButtons() {
     tellButton(*m_bar->stop(), tr("Stop"), tr("End the search; the best so far is kept and shown"));
     tellButton(*m_take, tr("Take this cycle"),
-               tr("Put the chosen cycle in the place of the present one; undo brings yours back"));
+               tr("Put the chosen cycle in the place of the current one; undo brings yours back"));
     tellButton(*m_phases, tr("In every phase of the stock"),
                tr("The cycle must hold for stocks spread over one feed step of every stage too: "
                   "where the last step falls decides on the size"));
@@ -642,7 +642,7 @@ void OptimiseView::nameButtons() {
                   "steps: every cycle is run in full, but that none is quicker is not proved"));
     tellButton(
         *m_add, tr("Add a typical search"),
-        tr("Levels of each feed about the present cycle in steps of the machine, stocks, "
+        tr("Levels of each feed about the current cycle in steps of the machine, stocks, "
            "spark-out, and the usual minimum overlap and steps of a stage where none are given; "
            "the answer is good for the batch, without one for every stock; can be undone and "
            "changed on the pages Search and Cycle"));

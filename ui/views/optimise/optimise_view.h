@@ -24,7 +24,7 @@ class ValueModel;
 struct SearchTicks;
 struct ValueTable;
 
-/// The view "Optimise": searches the grid of the project for the quickest cycle that holds every
+/// The view "Optimise": searches the grid of the project for the quickest cycle that meets every
 /// requirement. The answer beside what it is held against; the best cycles as they were found; the
 /// one chosen beside the present cycle, or the one that it took the place of, curve by curve; the
 /// time over the number of stages; the margin over the time; what keeps it from being quicker. A

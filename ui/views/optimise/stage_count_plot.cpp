@@ -95,7 +95,7 @@ QString StageCountPlot::valuesAt(const QPointF& at) const {
     if (number.best_s) {
         return BarPlot::valuesAt(at);
     }
-    return tr("%1: no cycle was found that holds every requirement")
+    return tr("%1: no cycle was found that meets every requirement")
         .arg(tr("%n stage(s)", nullptr, number.stages));
 }
 

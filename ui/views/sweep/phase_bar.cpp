@@ -182,7 +182,7 @@ QString PhaseBar::remark() const {
         return m_phases ? StudyView::staleText(true, {}) : QString();
     }
     return m_phases ? StudyView::staleText(false, m_bar->run()->text())
-                    : tr("Stopped before a result. Press “Run”.");
+                    : tr("Stopped before there was a result. Press “Run”.");
 }
 
 void PhaseBar::showState(bool accepted) {

@@ -100,7 +100,8 @@ QString PhaseText::verdict(const PhaseDecision& decision) {
     QStringList lines;
     for (const auto& [why, ranges] : byReason) {
         if (lines.size() == mostReasonsNamed) {
-            lines << tr("Other stocks do not meet other requirements: see the table of the plot.");
+            lines << tr("With other stocks, other requirements are not met: see the table of the "
+                        "plot.");
             break;
         }
         const auto more = ranges.size() - mostRangesNamed;

@@ -554,11 +554,10 @@ private slots:
         QCOMPARE(cellOf(proved, "best", "name"), QStringLiteral("Robust answer"));
         QCOMPARE(cellOf(proved, "best", "stocks"), QStringLiteral("0.74"));
         const QString basis = cellOf(proved, "best", "basis");
-        QVERIFY2(
-            basis.contains(QStringLiteral("scenarios added is quicker, proved"))
-                && basis.contains(QStringLiteral("scenarios added: 3"))
-                && basis.contains(QStringLiteral("held for 500 stocks at random, as cycle no. 1")),
-            qPrintable(basis));
+        QVERIFY2(basis.contains(QStringLiteral("scenarios added is quicker, proved"))
+                     && basis.contains(QStringLiteral("scenarios added: 3"))
+                     && basis.contains(QStringLiteral("fit for 500 random stocks, cycle no. 1")),
+                 qPrintable(basis));
     }
 
     void theShareThatMayFailGrowsWithTheCyclesTried() {
@@ -572,7 +571,7 @@ private slots:
         found.candidate = 3;
         const ValueTable third = answerTable(outcome, {});
         QCOMPARE(cellOf(third, "best", "stocks"), QStringLiteral("1.10"));
-        QVERIFY(cellOf(third, "best", "basis").contains(QStringLiteral("as cycle no. 3 tried so")));
+        QVERIFY(cellOf(third, "best", "basis").contains(QStringLiteral("cycle no. 3 tried")));
         QVERIFY(cellOf(third, "best", "batch").isEmpty()); // no batch is searched
         found.decided = PhaseCases{{0.149, 0.151}, 8};
         robust.freshParts = 500;
@@ -582,7 +581,7 @@ private slots:
         QCOMPARE(cellOf(decided, "best", "batch"), QStringLiteral("0.96"));
         const QString basis = cellOf(decided, "best", "basis");
         QVERIFY2(basis.contains(QStringLiteral("every stock of 0.149000…0.151000 mm, also at 8"))
-                     && basis.contains(QStringLiteral("none of 500 parts at random is bad")),
+                     && basis.contains(QStringLiteral("all 500 random parts are good")),
                  qPrintable(basis));
     }
 
