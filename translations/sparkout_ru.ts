@@ -14975,7 +14975,7 @@ target, µm</source>
             <translation>Поставить выбранный цикл на место текущего; отмена вернёт ваш</translation>
         </message>
         <message>
-            <source>In every phase of the stock</source>
+            <source>For every stock</source>
             <translation>Для всех припусков</translation>
         </message>
         <message>

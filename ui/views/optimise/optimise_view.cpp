@@ -634,7 +634,7 @@ void OptimiseView::nameButtons() {
     tellButton(*m_bar->stop(), tr("Stop"), tr("End the search; the best so far is kept and shown"));
     tellButton(*m_take, tr("Take this cycle"),
                tr("Put the chosen cycle in the place of the current one; undo brings yours back"));
-    tellButton(*m_phases, tr("In every phase of the stock"),
+    tellButton(*m_phases, tr("For every stock"),
                tr("The cycle must hold for stocks spread over one feed step of every stage too: "
                   "where the last step falls decides on the size"));
     tellButton(*m_refine, tr("Between levels"),
