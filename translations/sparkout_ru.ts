@@ -1886,8 +1886,8 @@
             <translation>Предел бесступенчатого цикла</translation>
         </message>
         <message>
-            <source>Excess over the limit</source>
-            <translation>Превышение предела бесступенчатого цикла</translation>
+            <source>Gap to the stepless limit</source>
+            <translation>Возможное сокращение до предела бесступенчатого цикла</translation>
         </message>
         <message>
             <source>No cycle of the grid is quicker than</source>

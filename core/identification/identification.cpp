@@ -660,7 +660,9 @@ void addOutOfStepAnew(const Project& project, const IdentificationRequest& reque
             continue;
         }
         if (with.values.empty()) {
-            untold = isCertainlyBetter(with, without) ? with.unidentified : untold;
+            if (untold.empty() && isCertainlyBetter(with, without)) {
+                untold = with.unidentified;
+            }
             continue;
         }
         OutOfStep one{kind, with.values.back().value, with.values.back().error, 0, 0};

@@ -13,7 +13,7 @@ namespace sparkout {
 namespace {
 
 constexpr std::string_view stages("/cycle/stages/");
-constexpr double lastBits = 1e-6; ///< of a step: a value that misses one by no more is on it
+constexpr double onStep = 1e-6; ///< of a step: a value that misses one by no more is on it
 
 double withoutLastBits(double value) {
     constexpr double tidy = 1e9;
@@ -55,8 +55,8 @@ double MachineSteps::stepped(double value, int steps) const {
         return -stepped(-value, -steps);
     }
     const double place = (value - low) / step;
-    const double from = steps > 0 ? std::floor(place + lastBits) : std::ceil(place - lastBits);
-    const double last = std::floor((high - low) / step + lastBits); // infinite where high is
+    const double from = steps > 0 ? std::floor(place + onStep) : std::ceil(place - onStep);
+    const double last = std::floor((high - low) / step + onStep); // infinite where high is
     const double next = withoutLastBits(low + std::clamp(from + steps, 0.0, last) * step);
     return (next - value) * steps > 0 ? next : value; // one beyond the ends goes no farther
 }

@@ -184,7 +184,8 @@ const StructInfo& tableOf<Wheel>() {
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Wheel, roughness_factor, .label = SPARKOUT_NOOP("Input", "Roughness calibration"),
-            .hard = {0, 100, true}, .soft = {0.2, 10}, .page = Page::wheel, .usual = true,
+            .hard = {0, mostRoughnessFactor, true}, .soft = {0.2, 10}, .page = Page::wheel,
+            .usual = true,
             .hint =
                 SPARKOUT_NOOP("Input", "Measured Ra divided by computed Ra. At 1 it is not known, "
                                        "and Ra is given as a range. A measured Ra sets it."),

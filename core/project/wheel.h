@@ -28,6 +28,9 @@ struct MeasuredRa {
     friend bool operator==(const MeasuredRa&, const MeasuredRa&) = default;
 };
 
+/// Highest calibration factor of Ra.
+inline constexpr double mostRoughnessFactor = 100;
+
 /// The grinding wheel: size, sharpness, structure.
 struct Wheel {
     std::string marking;

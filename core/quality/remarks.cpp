@@ -80,6 +80,13 @@ void addDwells(const Project& project, Issues& found) {
 void addRoughness(const Project& project, Issues& found) {
     const double given = project.wheel->roughness_factor;
     const std::optional<double> measured = factorOfMeasuredRa(project);
+    if (const std::optional<double> computed_mm = computedAsMeasured(project);
+        computed_mm && !measured) {
+        const double most_um = mostRoughnessFactor * *computed_mm * units::umPerMm;
+        found.push_back({IssueCode::unusualTogether, Severity::warning, "/wheel/measured_ra/ra_um",
+                         Amount{project.wheel->measured_ra->ra_um, "µm"},
+                         Bounds{.range = {0, most_um}, .field = "/wheel/roughness_factor"}});
+    }
     if (!measured || given == 1) {
         return;
     }

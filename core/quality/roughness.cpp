@@ -77,7 +77,7 @@ CycleEnd endOf(const Project& project) {
 
 } // namespace
 
-std::optional<double> factorOfMeasuredRa(const Project& project) {
+std::optional<double> computedAsMeasured(const Project& project) {
     const std::optional<MeasuredRa>& measured = project.wheel->measured_ra;
     if (!measured || hasErrors(validate(project))) {
         return std::nullopt;
@@ -102,7 +102,17 @@ std::optional<double> factorOfMeasuredRa(const Project& project) {
                       .step_s = 1, // both times in steps
                       .sparkOut_s = measured->spark_out_steps.value_or(end.sparkOut),
                       .at = place};
-    return measured->ra_um / units::umPerMm / RoughnessModel(project, 1).roughness(cut);
+    const double computed_mm = RoughnessModel(project, 1).roughness(cut);
+    return computed_mm > 0 ? std::optional(computed_mm) : std::nullopt;
+}
+
+std::optional<double> factorOfMeasuredRa(const Project& project) {
+    const std::optional<double> computed_mm = computedAsMeasured(project);
+    if (!computed_mm) {
+        return std::nullopt;
+    }
+    const double factor = project.wheel->measured_ra->ra_um / units::umPerMm / *computed_mm;
+    return factor <= mostRoughnessFactor ? std::optional(factor) : std::nullopt;
 }
 
 Project withMeasuredRa(Project project) {

@@ -25,9 +25,12 @@ struct RoughnessFactor {
 /// and the depth of cut that a limit of Ra allows is no number to go by.
 [[nodiscard]] bool isRoughnessCalibrated(const Project& project);
 
-/// The factor by which the measured Ra of the wheel follows from the infeed and the spark-out that
-/// it was measured at, else those of the cycle, for an infeed that has become steady at the gauge.
-/// Nothing where none is given, or the project has errors or no infeed.
+/// Returns Ra [mm], computed with a factor of 1, at the infeed and the spark-out of the measured Ra
+/// of the wheel, or else of the cycle, for an infeed that has become steady at the gauge. Empty
+/// where none is measured, or the project has errors or no infeed.
+[[nodiscard]] std::optional<double> computedAsMeasured(const Project& project);
+/// Returns the factor by which the measured Ra follows from the computed one. Empty also beyond
+/// mostRoughnessFactor.
 [[nodiscard]] std::optional<double> factorOfMeasuredRa(const Project& project);
 /// The project with that factor as its own, where it has none: from here on speeds, diameters and
 /// dullness may change, and what was measured stays.

@@ -67,6 +67,8 @@ GivenCycle givenCycle(const Project& project, const std::stop_token& stop) {
     if (result.status == RunStatus::completed) {
         given.time_s = result.time_s;
         for (const ConstraintResult& each : worstByKind(evaluateConstraints(result))) {
+            given.margin =
+                std::min(given.margin.value_or(each.relativeMargin), each.relativeMargin);
             if (!each.holds) {
                 given.fails.push_back(each.kind);
             }

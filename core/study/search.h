@@ -87,6 +87,7 @@ struct SearchedNumber {
 struct GivenCycle {
     bool isStopped = false;       ///< its run was stopped, and its result is unknown
     std::optional<double> time_s; ///< time, if it ends by itself
+    std::optional<double> margin; ///< then the least relative margin of its requirements
     std::vector<ConstraintKind> fails;
 };
 

@@ -74,7 +74,7 @@ constexpr Output<Found> searchRows[] = {
                                              : std::nullopt;
      }},
     {{.key = "gap",
-      .label = SPARKOUT_NOOP("Output", "Excess over the limit"),
+      .label = SPARKOUT_NOOP("Output", "Gap to the stepless limit"),
       .shownUnit = "%",
       .shownFactor = 100},
      [](const Found& f) {

@@ -103,17 +103,22 @@ void ComparePlot::setSecond(std::size_t row, Quantity quantity) {
     emit contentChanged();
 }
 
-void ComparePlot::setRuns(std::vector<ComparedFeeds> runs) {
+bool ComparePlot::setRuns(std::vector<ComparedFeeds> runs) {
     const bool all = m_fitted.empty() || visibleRange() == m_fitted;
     const QString axis = m_chart.timeLabel();
     m_chart.setRuns(std::move(runs));
     fill();
-    if (all || m_chart.timeLabel() != axis) { // what was in sight is in another unit
+    const bool isOtherUnit = m_chart.timeLabel() != axis; // of what was in sight
+    if (isOtherUnit) {
+        m_hairLine->setAt({});
+    }
+    if (all || isOtherUnit) {
         fit();
     }
     setTexts();
     setMoment(m_moment_s);
     emit contentChanged();
+    return isOtherUnit;
 }
 
 void ComparePlot::setAxis(CycleAxis axis) {

@@ -23,7 +23,8 @@ public:
     explicit ComparePlot(QWidget* parent = nullptr);
 
     /// The present run first; what is visible stays unless all was. No replot.
-    void setRuns(std::vector<ComparedFeeds> runs);
+    /// Returns whether the horizontal axis is in another unit than before.
+    bool setRuns(std::vector<ComparedFeeds> runs);
     void setAxis(CycleAxis axis); ///< shows all
     /// On the right-hand axis of a row, in its place; shows all of its values.
     void setSecond(std::size_t row, Quantity quantity);

@@ -294,7 +294,8 @@ std::vector<NamedSheet> searchSheets(const Study& study) {
     const SearchOutcome& outcome = *study.search;
     std::vector<NamedSheet> sheets{{StudyBook::tr("Search"), searchFacts(outcome, study.before_s)}};
     if (outcome.best()) {
-        sheets.push_back({StudyBook::tr("Answer"), answerTable(outcome, study.before_s).asTable()});
+        sheets.push_back({StudyBook::tr("Answer"),
+                          answerTable(outcome, study.before_s, outcome.given.margin).asTable()});
     }
     sheets.push_back({StudyBook::tr("Settings"),
                       inputsOf(outcome.searched, {QStringLiteral("/optimisation/")})});

@@ -73,6 +73,22 @@ private slots:
         QCOMPARE(allowed.field, std::string_view("/wheel/measured_ra/ra_um"));
     }
 
+    // No factor within its range gives that Ra: it is not used, the project stays one that can be
+    // saved, and the remark states the greatest Ra that could be.
+    void measuredRaBeyondEveryFactorIsNamed() {
+        Project project = example("wheel-sharp.sparkout");
+        project.wheel->measured_ra = MeasuredRa{50, 1e-3, {}};
+        QVERIFY(!factorOfMeasuredRa(project));
+        QCOMPARE(withMeasuredRa(project).wheel->roughness_factor, 1.0);
+        const Issues remarks = remarksOn(simulateUnchecked(project));
+        QCOMPARE(remarks.size(), 1u);
+        QCOMPARE(remarks[0].path, std::string("/wheel/measured_ra/ra_um"));
+        const auto& allowed = std::get<Bounds>(remarks[0].limit);
+        QVERIFY(!allowed.range.contains(50));
+        project.wheel->measured_ra->ra_um = 0.999 * allowed.range.high;
+        QVERIFY(factorOfMeasuredRa(project).value() > 0.99 * mostRoughnessFactor);
+    }
+
     void withoutStockNothingIsLeft() {
         Project project = example("wheel-sharp.sparkout");
         auto& stages = project.cycle->stages;

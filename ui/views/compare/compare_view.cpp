@@ -239,7 +239,9 @@ void CompareView::showCurves() {
             }
         }
     }
-    m_plot->setRuns(std::move(runs));
+    if (m_plot->setRuns(std::move(runs))) {
+        tools()->navigation().forgetViews(); // ranges of another unit
+    }
 }
 
 /// A run that comes out differently now stands there as it was kept and as it is computed.
