@@ -2,12 +2,14 @@
 #include "ui/identification/wheel_page.h"
 
 #include "core/project/part.h"
+#include "core/project/validate.h"
 #include "core/project/wheel.h"
 #include "core/units.h"
 #include "ui/fields/number_field.h"
 #include "ui/identification/fit_words.h"
 #include "ui/kit/copyable_label.h"
 #include "ui/kit/metrics.h"
+#include "ui/text/names.h"
 #include "ui/text/texts.h"
 
 #include <QComboBox>
@@ -27,6 +29,13 @@ namespace {
 
 std::string dateOfToday() {
     return QDate::currentDate().toString(Qt::ISODate).toStdString();
+}
+
+/// Why the inputs cannot take over these values; empty: they can.
+QString refusalOf(const Project& made) {
+    Issues errors = validate(made);
+    std::erase_if(errors, [](const Issue& issue) { return issue.severity != Severity::error; });
+    return errors.empty() ? QString() : Names::refusal(errors, 1);
 }
 
 NumberField* positiveField(const char* unit, const char* name, QWidget* parent) {
@@ -86,6 +95,11 @@ QWidget* WheelPage::buildRoughness() {
                          .arg(QStringList{wheel, dressing}.join(QStringLiteral("; ")));
         } else {
             lines << tr("It holds for this wheel and its dressing.");
+        }
+        if (const QString refusal = refusalOf(withRoughness(m_project, *m_roughness, {}, {}));
+            !refusal.isEmpty()) {
+            lines << refusal;
+            take->setEnabled(false);
         }
         words->setText(lines.join(u'\n'));
     }
@@ -158,11 +172,14 @@ void WheelPage::showStrengths() {
     m_strengths = isTyped
                       ? strengthsFromLimit(m_project, reading, *m_value->value(), *m_width->value())
                       : std::nullopt;
-    m_take->setEnabled(m_strengths.has_value());
+    const QString refusal =
+        m_strengths ? refusalOf(withStrengths(m_project, *m_strengths, {}, {})) : QString();
+    m_take->setEnabled(m_strengths && refusal.isEmpty());
     if (m_strengths) {
-        m_found->setText(tr("Factor of the strengths: %1; depth of that cut: %2 µm.")
-                             .arg(FitWords::number(m_strengths->factor),
-                                  FitWords::number(m_strengths->depth_mm * units::umPerMm)));
+        const QString found = tr("Factor of the strengths: %1; depth of that cut: %2 µm.")
+                                  .arg(FitWords::number(m_strengths->factor),
+                                       FitWords::number(m_strengths->depth_mm * units::umPerMm));
+        m_found->setText(refusal.isEmpty() ? found : found + u'\n' + refusal);
     } else {
         m_found->setText(isTyped ? tr("The strengths of grain and bond are not given: the page "
                                       "Wheel of the inputs has them.")

@@ -14,6 +14,7 @@
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/documents/outcome_remarks.h"
 #include "ui/report/documents/passport.h"
+#include "ui/text/texts.h"
 
 #include <QCheckBox>
 #include <QLabel>
@@ -354,6 +355,27 @@ private slots:
         });
         QVERIFY(recordOf(bench, "/wheel/bond_modulus_gpa"));
         QVERIFY(*document.project().wheel->bond_modulus_gpa != 60);
+
+        // Values that the inputs would refuse are not taken over, and the field is named.
+        Project far = project;
+        for (MeasuredPart& one : far.measured->parts) {
+            one.roughness_ra_um = 99;
+        }
+        document.startUntitled(far);
+        QTRY_VERIFY(!bench.window->runs().running());
+        inDialog(bench, [&](QDialog& dialog) {
+            toWheel(dialog);
+            QVERIFY(!part<QPushButton>(dialog, "roughnessTake")->isEnabled());
+            QVERIFY(part<QLabel>(dialog, "roughnessFound")
+                        ->text()
+                        .contains(inputLocation("/wheel/roughness_factor")));
+            auto* value = part<NumberField>(dialog, "limitValue");
+            value->setFocus();
+            QTest::keyClicks(value, QStringLiteral("1e9"));
+            QTest::keyClick(value, Qt::Key_Tab);
+            QTRY_VERIFY(!part<QLabel>(dialog, "strengthsFound")->text().isEmpty());
+            QVERIFY(!part<QPushButton>(dialog, "strengthsTake")->isEnabled());
+        });
     }
 
     void allTextsHaveRoomAndAreTranslated_data() { addLanguagesAndSizes(); }
