@@ -12,7 +12,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::string_view stages("/cycle/stages/");
+constexpr std::string_view stagesPath("/cycle/stages/");
 constexpr double onStep = 1e-6; ///< of a step: a value that misses one by no more is on it
 
 double withoutLastBits(double value) {
@@ -32,7 +32,7 @@ std::optional<std::vector<double>> MachineLimits::*statedFor(const Project& proj
     if (path == "/machine/plunge_feed_mm_min") {
         return &MachineLimits::plunge_feed_mm_min;
     }
-    if (!path.starts_with(stages)) {
+    if (!path.starts_with(stagesPath)) {
         return nullptr;
     }
     for (const StageFeed& feed : project.operation->feeds) {
@@ -68,7 +68,7 @@ const std::vector<double>* machineRange(const Project& project, std::string_view
 }
 
 std::optional<MachineSteps> machineSteps(const Project& project, std::string_view path) {
-    if (path.starts_with(stages) && keyOf(path) == "stock_mm") {
+    if (path.starts_with(stagesPath) && keyOf(path) == "stock_mm") {
         const auto& infeed = project.machine->limits.radial_feed_mm;
         return infeed && infeed->size() == 3 && infeed->back() > 0
                    ? std::optional(MachineSteps{.step = infeed->back()})
