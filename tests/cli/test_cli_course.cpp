@@ -107,7 +107,7 @@ private slots:
     }
 
     void whatIsWrongWithABookIsSaid() {
-        const auto said = [this](const QStringList& more) {
+        const auto said = [](const QStringList& more) {
             return QString::fromStdString(run(QStringList{"course", "grade", "a", "b"} + more).err);
         };
         QVERIFY(said({"--xlsx"}).contains("--xlsx needs -o OUT.xlsx"));
