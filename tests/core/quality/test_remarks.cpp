@@ -79,7 +79,8 @@ private slots:
         Project project = example("wheel-sharp.sparkout");
         project.wheel->measured_ra = MeasuredRa{50, 1e-3, {}};
         QVERIFY(!factorOfMeasuredRa(project));
-        QCOMPARE(withMeasuredRa(project).wheel->roughness_factor, 1.0);
+        const Project with = withMeasuredRa(project);
+        QCOMPARE(with.wheel->roughness_factor, 1.0);
         const Issues remarks = remarksOn(simulateUnchecked(project));
         QCOMPARE(remarks.size(), 1u);
         QCOMPARE(remarks[0].path, std::string("/wheel/measured_ra/ra_um"));
