@@ -254,7 +254,7 @@ private slots:
         desk.bench.settle();
         MarginFrontPlot& plot = *desk.view->margins();
         QVERIFY(plot.isVisible() && plot.hasFront() && engine.cycles.size() > 1);
-        QCOMPARE(desk.view->search()->isFrontWhole, engine.isWhole);
+        QCOMPARE(desk.view->search()->isFrontWhole, engine.isComplete);
         QCOMPARE(plot.curve()->dataCount(), static_cast<int>(engine.cycles.size()));
         const CsvTable table = plot.table();
         QCOMPARE(table.rows.size(), engine.cycles.size());
