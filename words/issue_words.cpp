@@ -188,10 +188,10 @@ IssueWords wordsOf(IssueCode code) {
             "target_outside_field",
             SPARKOUT_NOOP("Issue", "the target {value} lies outside the tolerance band {limit}")};
     case IssueCode::sparkOutLeaves:
-        return {
-            "spark_out_leaves",
-            SPARKOUT_NOOP("Issue", "the part stays {value} above size: a spark-out feeds nothing, "
-                                   "and the deflection did not remove its stock of {limit}")};
+        return {"spark_out_leaves",
+                SPARKOUT_NOOP("Issue",
+                              "the part stays {value} above size: a spark-out feeds nothing, "
+                              "and the deflection did not remove its stock of {limit}")};
     case IssueCode::stageIdle:
         return {"stage_idle",
                 SPARKOUT_NOOP("Issue",

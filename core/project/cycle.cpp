@@ -86,17 +86,17 @@ const StructInfo& tableOf<Stage>() {
                                     "Beyond the sources: a stage between others may retract "
                                     "(negative feed) until its stock is off or nothing is cut."),
                        .formula = "t_П ← t_П + S_p/n", .source = "MODEL-6"),
-        SPARKOUT_FIELD(
-            Stage, continuous_feed_mm_min,
-            .label = SPARKOUT_NOOP("Input", "Continuous radial infeed"), .symbol = "S_c",
-            .unit = "mm/min", .hard = {0, 10}, .soft = {0, 1},
-            .nullMeaning = SPARKOUT_NOOP("Input", "none"), .relevant = feedsWhileTravelling,
-            .page = Page::cycle,
-            .hint = SPARKOUT_NOOP(
-                "Input", "Radial infeed that continues while the table travels and dwells, in "
-                         "addition to the radial feed at the reversals, which may then be 0."),
-            .formula = "t_П ← t_П + S_c·Δt", .column = SPARKOUT_NOOP("Input", "Cont. infeed"),
-            .source = "MODEL-5"),
+        SPARKOUT_FIELD(Stage, continuous_feed_mm_min,
+                       .label = SPARKOUT_NOOP("Input", "Continuous radial infeed"), .symbol = "S_c",
+                       .unit = "mm/min", .hard = {0, 10}, .soft = {0, 1},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "none"),
+                       .relevant = feedsWhileTravelling, .page = Page::cycle,
+                       .hint = SPARKOUT_NOOP(
+                           "Input",
+                           "Radial infeed that continues while the table travels and dwells, in "
+                           "addition to the radial feed at the reversals, which may then be 0."),
+                       .formula = "t_П ← t_П + S_c·Δt",
+                       .column = SPARKOUT_NOOP("Input", "Cont. infeed"), .source = "MODEL-5"),
         SPARKOUT_FIELD(Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stage stock per side"),
                        .symbol = "Π_z", .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6},
                        .required = feeds, .slider = true, .page = Page::cycle, .usual = true,

@@ -10,9 +10,9 @@ namespace sparkout {
 
 enum class CycleAxis { time, strokes, revolutions };
 
-/// Conversion of time to the chosen axis and back; both grow strictly. Time is in seconds or minutes,
-/// by the longest that is shown, otherwise the whole cycle. Strokes are counted when done: the first
-/// one runs from 0 to 1.
+/// Conversion of time to the chosen axis and back; both grow strictly. Time is in seconds or
+/// minutes, by the longest that is shown, otherwise the whole cycle. Strokes are counted when done:
+/// the first one runs from 0 to 1.
 class CycleScale {
 public:
     CycleScale() = default;

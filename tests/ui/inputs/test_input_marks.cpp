@@ -341,7 +341,7 @@ private slots:
         QCOMPARE(panel->refusals().size(), 2u);
         auto* undo = actionByKeys(window, QKeySequence::Undo);
         QVERIFY(undo);
-        QTRY_VERIFY(undo->text().contains(QStringLiteral("refused")));
+        QTRY_VERIFY(undo->text().contains(QStringLiteral("invalid")));
         undo->trigger();
         QCOMPARE(stress->text(), QStringLiteral("2000"));
         QCOMPARE(friction->text(), QStringLiteral("slippery"));

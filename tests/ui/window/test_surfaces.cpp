@@ -261,13 +261,15 @@ private slots:
         QCOMPARE(desk.names(), QStringList({names[1], names[0], names[2]}));
         QCOMPARE(desk.document().surface(), std::size_t{1});
         QCOMPARE(desk.tabs().currentIndex(), 1);
-        DialogAnswers rename({QStringLiteral("Enter")});
-        rename.seen = [](QDialog& dialog) {
-            dialog.findChild<QLineEdit*>(QStringLiteral("surfaceName"))
-                ->setText(QStringLiteral("  Cone <b>  "));
-        };
-        desk.press("renameSurface");
-        QVERIFY2(rename.fault().isEmpty(), qPrintable(rename.fault()));
+        {
+            DialogAnswers rename({QStringLiteral("Enter")});
+            rename.seen = [](QDialog& dialog) {
+                dialog.findChild<QLineEdit*>(QStringLiteral("surfaceName"))
+                    ->setText(QStringLiteral("  Cone <b>  "));
+            };
+            desk.press("renameSurface");
+            QVERIFY2(rename.fault().isEmpty(), qPrintable(rename.fault()));
+        }
         QCOMPARE(desk.names().at(1), QStringLiteral("Cone <b>"));
         desk.duplicate();
         QCOMPARE(desk.tabs().count(), 4);
