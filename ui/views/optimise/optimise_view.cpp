@@ -114,8 +114,7 @@ CopyTable* OptimiseView::buildAnswer() {
     m_answerTable->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);
     m_answerTable->verticalHeader()->hide();
     QHeaderView* const header = m_answerTable->horizontalHeader();
-    header->setSectionResizeMode(QHeaderView::ResizeToContents);
-    header->setStretchLastSection(true);
+    header->setStretchLastSection(false); // it does not make the last section narrower
     // Asked for when all columns have their widths.
     connect(
         header, &QHeaderView::sectionResized, m_answerTable,
@@ -180,6 +179,12 @@ void OptimiseView::listFound() {
 
 void OptimiseView::listAnswer() {
     m_answer->update(m_listed ? answerTable(*m_listed, before_s(), beforeMargin()) : ValueTable());
+    QHeaderView* const header = m_answerTable->horizontalHeader();
+    for (int column = 0; column < header->count(); ++column) {
+        const bool isLast = column + 1 == header->count();
+        header->setSectionResizeMode(column,
+                                     isLast ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
+    }
 }
 
 std::optional<double> OptimiseView::before_s() const {
