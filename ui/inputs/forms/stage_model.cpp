@@ -211,6 +211,9 @@ QStringList StageModel::formsOf(const QModelIndex& index) const {
         || remark(index).mark != Mark::none) {
         return {};
     }
+    if (const Kind kind = field(index).kind; kind != Kind::number && kind != Kind::optionalNumber) {
+        return {}; // the spark-out
+    }
     const auto value = number(index);
     const auto forms = value ? feedForms(document().project(), field(index), *value) : std::nullopt;
     if (!forms) {
