@@ -114,6 +114,7 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
     if (changed.wheel->measured_ra != m_project.wheel->measured_ra) {
         changed.wheel->roughness_factor = factorOfMeasuredRa(changed).value_or(1);
     }
+    changed = withMeasuredRa(std::move(changed)); // as when it is opened
     std::vector<std::string> open = openIn(changed);
     if (isStarting(changed, open)) {
         if (hasPlainShaft(changed) && surfaceCount() == 1) {
