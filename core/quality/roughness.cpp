@@ -112,7 +112,7 @@ std::optional<double> factorOfMeasuredRa(const Project& project) {
         return std::nullopt;
     }
     const double factor = project.wheel->measured_ra->ra_um / units::umPerMm / *computed_mm;
-    return factor <= mostRoughnessFactor ? std::optional(factor) : std::nullopt;
+    return factor > 0 && factor <= mostRoughnessFactor ? std::optional(factor) : std::nullopt;
 }
 
 Project withMeasuredRa(Project project) {

@@ -29,8 +29,8 @@ struct RoughnessFactor {
 /// of the wheel, or else of the cycle, for an infeed that has become steady at the gauge. Empty
 /// where none is measured, or the project has errors or no infeed.
 [[nodiscard]] std::optional<double> computedAsMeasured(const Project& project);
-/// Returns the factor by which the measured Ra follows from the computed one. Empty also beyond
-/// mostRoughnessFactor.
+/// Returns the factor by which the measured Ra follows from the computed one. Empty also
+/// where it is 0 to rounding, or beyond mostRoughnessFactor.
 [[nodiscard]] std::optional<double> factorOfMeasuredRa(const Project& project);
 /// The project with that factor as its own, where it has none: from here on speeds, diameters and
 /// dullness may change, and what was measured stays.
