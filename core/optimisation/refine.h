@@ -43,7 +43,7 @@ struct RefineSummary {
     long long runs = 0;     ///< cycles that were run
     bool isQuicker = false; ///< quicker than the given cycle
     int candidate = 0; ///< number of the answer among the cycles tried on fresh phases, those of
-                       ///< the search included; 0: it is the given cycle, or there is no source
+                       ///< the search included; 0: it is the given cycle, or no source was given
 };
 
 /// Refines a cycle that holds, of a project with a grid. The machine settings stay those of the

@@ -17,7 +17,7 @@ struct TradeOff {
 /// Computes the trade-off: after the quickest cycle, each next one is the quickest with a greater
 /// margin than the last. A cycle X that holds is missing only if one of these is as good in both:
 /// let F be the first of them whose margin is not below that of X. X has a greater margin than the
-/// one before F, so X was a candidate of the search that found F, and F is no slower.
+/// one before F, so X was a candidate of the search that found F, and F takes at most as long.
 ///
 /// @param quickest proved, for the same project and options
 /// @param options with a proving method; a stop keeps the cycles found so far

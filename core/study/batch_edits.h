@@ -27,8 +27,8 @@ enum class FactorForm { constant, uniform, normal, triangular, measured, grows }
 /// the other factors stay.
 [[nodiscard]] Project withFactor(Project project, FactorKind kind, std::optional<Factor> law);
 
-/// Returns the project with another correlation of two of its given factors; with no correlation
-/// other than 0 there is no matrix.
+/// Returns the project with another correlation of two of its given factors; the matrix is
+/// removed when every correlation is 0.
 [[nodiscard]] Project withCorrelation(Project project, std::size_t first, std::size_t second,
                                       double value);
 

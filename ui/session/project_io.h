@@ -33,7 +33,7 @@ struct LoadedProject {
     QByteArray hash; ///< hash of the bytes read
 };
 
-/// Reads a project text; after a stop there is no set-up, issue or error.
+/// Reads a project text; after a stop the result is empty.
 [[nodiscard]] LoadedProject parseProject(std::string_view text, const std::stop_token& stop = {});
 [[nodiscard]] LoadedProject loadProject(const QString& path, const std::stop_token& stop = {});
 
