@@ -263,10 +263,43 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
             summary.freshPhases = freshPhaseCount;
         }
     };
+    const auto optimised = [&](const SearchOptions& how) {
+        SearchSummary found = optimise(project, how);
+        summary.evaluations += found.evaluations;
+        summary.visits += found.visits;
+        return found;
+    };
+    const auto addPart = [&](FailingPart failing) {
+        search.scenarios.push_back(failing.part);
+        summary.added.push_back(std::move(failing.part));
+        if (failing.of) {
+            search.cases.push_back(std::move(*failing.of));
+        }
+    };
+    // The search goes from the quickest cycle upwards and has no answer before its end. One with a
+    // margin on the parts known so far mostly holds on all others: it is to be beaten, and the
+    // answer if the search is stopped.
+    const auto cycleWithMargin = [&]() -> std::optional<FeasibleCycle> {
+        for (const double margin : {0.25, 0.5}) {
+            SearchOptions wide = search;
+            wide.beyondMargin = margin;
+            const SearchSummary found = optimised(wide);
+            if (!found.best || found.status != SearchStatus::proved) {
+                return std::nullopt;
+            }
+            auto failing = challenge(*found.best);
+            if (options.search.stop.stop_requested()) {
+                return std::nullopt;
+            }
+            if (!failing) {
+                return found.best;
+            }
+            addPart(std::move(*failing));
+        }
+        return std::nullopt;
+    };
     while (summary.rounds < options.mostRounds) {
-        summary.search = optimise(project, search);
-        summary.evaluations += summary.search.evaluations;
-        summary.visits += summary.search.visits;
+        summary.search = optimised(search);
         if (summary.rounds++ == 0 && summary.search.best) {
             summary.nominalTime_s = summary.search.best->time_s;
         }
@@ -276,7 +309,8 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         }
         std::ranges::move(summary.search.addedCases, std::back_inserter(search.cases));
         if (summary.search.isStale && !options.search.stop.stop_requested()) {
-            continue; // with its best in none of them
+            search.incumbent.reset(); // it may be the one that fails in a part added later
+            continue;                 // with its best in none of them
         }
         if (!summary.search.best || summary.search.status == SearchStatus::stopped) {
             if (summary.search.isStale) {
@@ -299,13 +333,10 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
             takeBest();
             return summary;
         }
-        search.scenarios.push_back(failing->part);
-        summary.added.push_back(std::move(failing->part));
-        if (failing->of) {
-            search.cases.push_back(std::move(*failing->of));
-        }
+        addPart(std::move(*failing));
         search.quickest_us = summary.search.best->time_us; // further scenarios speed nothing up
         if (search.method == SearchMethod::pruned) {
+            search.incumbent = cycleWithMargin();
             search.challenge = challenge;
         }
     }

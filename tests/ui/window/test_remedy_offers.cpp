@@ -17,7 +17,6 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
-#include <QSignalSpy>
 
 #include <algorithm>
 
@@ -174,8 +173,16 @@ private slots:
         OpenBench bench(QStringLiteral("en"), examplePath("wheel-dull"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
-        QSignalSpy found(&offers.finder, &RemedyFinder::found);
         Project project = bench.window->document().project();
+        int found = 0, late = 0;
+        connect(&offers.finder, &RemedyFinder::found, bench.window.get(),
+                [&](const OutcomePtr& outcome) {
+                    ++found;
+                    late += outcome->result.project.machine->wheel_speed_m_s
+                                    == project.machine->wheel_speed_m_s
+                                ? 0
+                                : 1;
+                });
         for (int i = 0; i < 20; ++i) {
             project.machine->wheel_speed_m_s = 30.05 + 0.1 * i;
             bench.window->document().edit(project, {"Edit", "x"});
@@ -183,11 +190,8 @@ private slots:
             QTest::qWait(10);
         }
         QVERIFY(offers.wait());
-        for (const QList<QVariant>& each : found) {
-            QCOMPARE(each.at(0).value<OutcomePtr>()->result.project.machine->wheel_speed_m_s,
-                     project.machine->wheel_speed_m_s);
-        }
-        QVERIFY(!found.isEmpty());
+        QVERIFY(found > 0);
+        QCOMPARE(late, 0);
     }
 
     // Of slow cycles what is found stands there while the rest is looked for, with a button to
