@@ -160,19 +160,6 @@ private slots:
         QCOMPARE(bytesOf(desk.path), before);
     }
 
-    /// On a small laptop, with both panels beside the views.
-    void theStripLeavesTheViewsTheirRoom() {
-        Desk desk;
-        const QSize views = desk.bench.window->viewTabs().size();
-        const QSize window = desk.bench.window->size();
-        QCOMPARE(window, QSize(1366, 768));
-        const double share =
-            double(views.width()) * views.height() / (double(window.width()) * window.height());
-        qInfo("ROOM strip %d, views %.3f", desk.strip().height(), share);
-        QVERIFY(desk.strip().height() <= 52);
-        QVERIFY(share >= 0.42);
-    }
-
     /// Names where they have room, else numbers; the drawing is as high as the strip.
     void twentySurfacesFitIntoTheStrip() {
         Setup setup = steppedShaft();
