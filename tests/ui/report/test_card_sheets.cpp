@@ -196,27 +196,6 @@ QString firstSymbol(const FormSheet& sheet) {
     return symbol == sheet.texts.end() ? QString() : symbol->text;
 }
 
-/// A file of an archive, as another program reads it; empty when it is none.
-QByteArray unzipped(const QByteArray& archive, const char* name) {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("card.odt"));
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(archive) != archive.size()) {
-        return {};
-    }
-    file.close();
-    QProcess process;
-    process.start(QStringLiteral("/usr/bin/python3"),
-                  {QStringLiteral("-c"),
-                   QStringLiteral("import sys, zipfile\n"
-                                  "z = zipfile.ZipFile(sys.argv[1])\n"
-                                  "assert z.testzip() is None\n"
-                                  "sys.stdout.buffer.write(z.read(sys.argv[2]))"),
-                   path, QString::fromLatin1(name)});
-    process.waitForFinished(60'000);
-    return process.readAllStandardOutput();
-}
-
 /// The rows of the tables of an OpenDocument text, cell by cell, and the texts between them.
 struct OdtText {
     explicit OdtText(const QByteArray& content) {
@@ -455,7 +434,7 @@ private slots:
             const Setup setup = setupOf("spindle");
             const QByteArray odt = bytesOf(cardOf(setup), Format::odt);
             QVERIFY(odt.mid(30).startsWith("mimetypeapplication/vnd.oasis.opendocument.text"));
-            const OdtText text(unzipped(odt, "content.xml"));
+            const OdtText text(reading::unzipped(odt, "content.xml"));
             QVERIFY2(text.fault.isEmpty() && !text.tables.empty(), qPrintable(text.fault));
             const SetupRun run = runSetup(setup);
             const auto rows = CardRows::of(operationCard(setup, run), setup, run);
@@ -474,14 +453,14 @@ private slots:
                     QCOMPARE(table[i + 1].at(c + 2), rows[i].cells.at(c));
                 }
             }
-            const QByteArray styles = unzipped(odt, "styles.xml");
+            const QByteArray styles = reading::unzipped(odt, "styles.xml");
             QVERIFY(styles.contains("fo:page-width=\"297mm\""));
             QVERIFY(styles.contains("fo:language=\"" + QByteArray(language) + '"'));
             for (const char* part : {"styles.xml", "meta.xml", "META-INF/manifest.xml"}) {
-                const OdtText other(unzipped(odt, part));
+                const OdtText other(reading::unzipped(odt, part));
                 QVERIFY2(other.fault.isEmpty(), part);
             }
-            QVERIFY(unzipped(odt, "Pictures/figure1.png").startsWith("\x89PNG"));
+            QVERIFY(reading::unzipped(odt, "Pictures/figure1.png").startsWith("\x89PNG"));
             QVERIFY(text.rest.contains(report::SketchSheet::description(setup)));
         }
     }
@@ -491,7 +470,7 @@ private slots:
         for (const char* language : {"en", "ru"}) {
             m_language.apply(QString::fromLatin1(language));
             const QByteArray odt = bytesOf(cardOf(filledSetup(), filledCompany()), Format::odt);
-            const OdtText text(unzipped(odt, "content.xml"));
+            const OdtText text(reading::unzipped(odt, "content.xml"));
             QVERIFY2(text.fault.isEmpty(), qPrintable(text.fault));
             QCOMPARE(text.tables.size(), 7U); // four of the head, the rows, two of the sketch's
             const auto& inventory = text.tables.at(0);
@@ -521,11 +500,11 @@ private slots:
                      qsizetype(report::form::operationRow.size()));
             QCOMPARE(text.tables.at(3).front().size(),
                      qsizetype(report::form::equipmentRow.size()));
-            const QByteArray content = unzipped(odt, "content.xml");
+            const QByteArray content = reading::unzipped(odt, "content.xml");
             QCOMPARE(content.count("<text:page-count"), 2);
             QVERIFY(content.contains("table:number-rows-spanned=\"3\""));
-            QVERIFY(unzipped(odt, "Pictures/logo1.png").startsWith("\x89PNG"));
-            const QByteArray styles = unzipped(odt, "styles.xml");
+            QVERIFY(reading::unzipped(odt, "Pictures/logo1.png").startsWith("\x89PNG"));
+            const QByteArray styles = reading::unzipped(odt, "styles.xml");
             for (const char* page : {"Form1", "Form1_Next", "Form2", "Form2_Next"}) {
                 QVERIFY2(
                     styles.contains(QByteArray("<style:master-page style:name=\"") + page + '"'),
@@ -575,7 +554,8 @@ private slots:
             report::Subject subject;
             subject.outcome = outcome;
             subject.date = today;
-            const OdtText text(unzipped(bytesOf(kind.make(subject), Format::odt), "content.xml"));
+            const OdtText text(
+                reading::unzipped(bytesOf(kind.make(subject), Format::odt), "content.xml"));
             QVERIFY2(text.fault.isEmpty() && !text.tables.empty(), kind.key);
         }
     }

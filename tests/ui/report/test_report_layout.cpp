@@ -3,13 +3,13 @@
 // the room that it needs. The texts of the figures, too.
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
+#include "tests/ui/support/ink.h"
 #include "tests/ui/support/passport_bench.h"
 #include "ui/report/documents/report_kinds.h"
 #include "ui/report/format/pages.h"
 #include "ui/report/parts/input_fact.h"
 #include "ui/text/number_text.h"
 
-#include <QPaintEngine>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -24,53 +24,6 @@ using Box = Pages::Box;
 
 constexpr QSizeF area(5100, 7740); ///< A4 within the margins [tenths of a point]
 constexpr double step = 120;       ///< about as fine as widths are shared out
-
-/// Writes down where texts are painted.
-class TextEngine : public QPaintEngine {
-public:
-    struct Text {
-        QString text;
-        QRectF box;
-    };
-    TextEngine() : QPaintEngine(AllFeatures) {}
-    bool begin(QPaintDevice*) override { return true; }
-    bool end() override { return true; }
-    void updateState(const QPaintEngineState&) override {}
-    void drawPixmap(const QRectF&, const QPixmap&, const QRectF&) override {}
-    void drawPolygon(const QPointF*, int, PolygonDrawMode) override {}
-    void drawPath(const QPainterPath&) override {}
-    void drawTextItem(const QPointF& at, const QTextItem& item) override {
-        const QRectF box(at.x(), at.y() - item.ascent() * 0.7, item.width(), item.ascent() * 0.7);
-        texts.push_back({item.text(), painter()->combinedTransform().mapRect(box)});
-    }
-    [[nodiscard]] Type type() const override { return User; }
-    std::vector<Text> texts;
-};
-
-class TextDevice : public QPaintDevice {
-public:
-    explicit TextDevice(QSize size) : m_size(size) {}
-    [[nodiscard]] QPaintEngine* paintEngine() const override { return &m_engine; }
-    [[nodiscard]] const std::vector<TextEngine::Text>& texts() const { return m_engine.texts; }
-
-protected:
-    [[nodiscard]] int metric(PaintDeviceMetric metric) const override {
-        switch (metric) {
-        case PdmWidth: return m_size.width();
-        case PdmHeight: return m_size.height();
-        case PdmDpiX:
-        case PdmDpiY:
-        case PdmPhysicalDpiX:
-        case PdmPhysicalDpiY: return 96;
-        case PdmDevicePixelRatioScaled: return static_cast<int>(devicePixelRatioFScale());
-        default: return 1;
-        }
-    }
-
-private:
-    QSize m_size;
-    mutable TextEngine m_engine;
-};
 
 double longestLine(const TextBox& box) {
     const QFontMetricsF metrics(box.font());
@@ -163,20 +116,21 @@ void checkCells(const Table& table, const std::map<int, std::vector<const Box*>>
 }
 
 void checkFigure(const report::Figure& figure, const QString& what) {
-    TextDevice device(figure.size.toSize());
+    inks::Ink ink;
+    inks::InkDevice device(ink, figure.size.toSize());
     QPainter painter(&device);
     figure.paint(painter);
     painter.end();
     static const QRegularExpression number(QStringLiteral("^[−+-]?[0-9]+([.,][0-9]+)?$"));
     const QRectF whole = QRectF(QPointF(), figure.size).adjusted(-1, -1, 1, 1);
-    const auto& texts = device.texts();
+    const auto& texts = ink.texts;
     QVERIFY(!texts.empty());
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const QString where = what + QStringLiteral(": ") + texts[i].text;
-        QVERIFY2(whole.contains(texts[i].box), qPrintable(where));
+        QVERIFY2(whole.contains(texts[i].caps), qPrintable(where));
         for (std::size_t k = i + 1; k < texts.size(); ++k) {
             const bool ticks = texts[i].text.contains(number) && texts[k].text.contains(number);
-            QVERIFY2(!ticks || !texts[i].box.adjusted(-2, 0, 2, 0).intersects(texts[k].box),
+            QVERIFY2(!ticks || !texts[i].caps.adjusted(-2, 0, 2, 0).intersects(texts[k].caps),
                      qPrintable(where + QStringLiteral(" meets ") + texts[k].text));
         }
     }
