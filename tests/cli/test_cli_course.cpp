@@ -88,7 +88,7 @@ private slots:
         QVERIFY(!before.empty());
         const Outcome outcome = run(variantsInto(m_class));
         QCOMPARE(outcome.status, 1);
-        QVERIFY(outcome.err.find("--force") != std::string::npos);
+        QVERIFY(has(outcome.err, "--force"));
         QCOMPARE(run(variantsInto(m_class) << "--force").status, 0);
         QCOMPARE(contentOf(file), before);
     }
@@ -97,7 +97,7 @@ private slots:
         for (const QString& name : QDir(m_class).entryList({"*.sparkout-work"})) {
             const std::string text = contentOf(m_class + '/' + name);
             for (const char* word : {"\"right\"", "seed", "731902", "\"variants\""}) {
-                QVERIFY2(text.find(word) == std::string::npos, word);
+                QVERIFY2(!has(text, word), word);
             }
             QCOMPARE(run({"course", "check", m_class + '/' + name}).status, 0);
         }
@@ -133,12 +133,11 @@ private slots:
         QVERIFY(works[2].at("steps")[0].at("finding") == json("passed"));
         QVERIFY(works[3].at("name") == json("Иванов И."));
         QVERIFY(works[3].at("flags") == json({"missing"}));
-        QVERIFY(outcome.err.find("broken.sparkout-work") != std::string::npos);
+        QVERIFY(has(outcome.err, "broken.sparkout-work"));
         const Outcome csv = run(grade + QStringList{"--csv"});
         QCOMPARE(lines(csv.out), std::size_t{6});
         const Outcome text = run(grade);
-        QVERIFY2(text.out.find("edited outside the program") != std::string::npos,
-                 text.out.c_str());
+        QVERIFY2(has(text.out, "edited outside the program"), text.out.c_str());
         QCOMPARE(run({"course", "check", marked + "/edited.sparkout-work"}).status, 4);
     }
 
@@ -163,8 +162,7 @@ private slots:
         const std::string before = contentOf(path);
         const Outcome again = run(book);
         QCOMPARE(again.status, 1);
-        QVERIFY2(again.err.find("there already; --force replaces it") != std::string::npos,
-                 again.err.c_str());
+        QVERIFY2(has(again.err, "there already; --force replaces it"), again.err.c_str());
         QCOMPARE(contentOf(path), before);
         save("Журнал.xlsx", "old");
         QCOMPARE(run(book + QStringList{"--force"}).status, 0);
@@ -191,12 +189,11 @@ private slots:
         const Outcome outcome = run({"course", "variants", lessonPath(), "--group", group, "--seed",
                                      "1", "-d", folder, "--force"});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
-        QVERIFY(contentOf(folder + "/assignments.csv").find("\n1,Иван,А-1,") != std::string::npos);
+        QVERIFY(has(contentOf(folder + "/assignments.csv"), "\n1,Иван,А-1,"));
         const Outcome graded = run({"course", "grade", lessonPath(), folder, "--group", group,
                                     "--answers", folder + "/teacher-best-answers.csv", "--csv"});
         QVERIFY2(graded.status == 0, graded.text().c_str());
-        QVERIFY2(graded.out.find("sparkout-work,Иван,А-1,1,,,") != std::string::npos,
-                 graded.out.c_str());
+        QVERIFY2(has(graded.out, "sparkout-work,Иван,А-1,1,,,"), graded.out.c_str());
     }
 
     /// The long run has as many as the largest class may hand in, each as large as is read.
@@ -243,8 +240,7 @@ private slots:
         QVERIFY2(outcome.out.starts_with("file,name,group,"), outcome.text().c_str());
         const std::size_t marked = lines(outcome.out) - 1;
         QVERIFY(marked < works);
-        QVERIFY2(outcome.err.find("ended after " + std::to_string(marked) + " of 3000 works")
-                     != std::string::npos,
+        QVERIFY2(has(outcome.err, "ended after " + std::to_string(marked) + " of 3000 works"),
                  outcome.err.c_str());
     }
 
@@ -270,8 +266,7 @@ private slots:
         const Outcome outcome =
             run({"course", "variants", lesson, "--group", m_group, "--seed", "1", "-d", folder});
         QCOMPARE(outcome.status, 5);
-        QVERIFY2(outcome.err.find("refused: another variant has the same inputs")
-                     != std::string::npos,
+        QVERIFY2(has(outcome.err, "refused: another variant has the same inputs"),
                  outcome.err.c_str());
         QVERIFY(!QDir(folder).exists());
     }
@@ -283,12 +278,12 @@ private slots:
         const QString lesson = save("faults.sparkout-lesson", file.dump());
         const Outcome outcome = run({"course", "check", lesson});
         QCOMPARE(outcome.status, 1);
-        QVERIFY(outcome.err.find(": /steps/0/points: -1 is out of range") != std::string::npos);
+        QVERIFY(has(outcome.err, ": /steps/0/points: -1 is out of range"));
         const QString twice = save("twice.csv", "A\nB\nA\n");
         const Outcome list = run({"course", "variants", lessonPath(), "--group", twice, "--seed",
                                   "1", "-d", m_folder.filePath("none")});
         QCOMPARE(list.status, 1);
-        QVERIFY2(list.err.find("twice.csv:3: A: ") != std::string::npos, list.err.c_str());
+        QVERIFY2(has(list.err, "twice.csv:3: A: "), list.err.c_str());
         QCOMPARE(run({"course", "grade", lessonPath(), m_folder.filePath("no folder")}).status, 1);
         QCOMPARE(run({"course", "grade", lessonPath(), m_class, "--answers", twice}).status, 1);
     }
@@ -307,15 +302,14 @@ private slots:
         const QString example =
             QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-38-74h6.sparkout");
         QCOMPARE(run({"course", "check", example}).status, 0);
-        QVERIFY(run({"simulate", example}).err.find("kept run") == std::string::npos);
+        QVERIFY(!has(run({"simulate", example}).err, "kept run"));
         json file = json::parse(contentOf(example));
         file["runs"][0]["summary"]["cycle_time_min"] = 1.5;
         const QString edited = save("edited.sparkout", file.dump());
         const Outcome outcome = run({"course", "check", edited});
         QCOMPARE(outcome.status, 4);
-        QVERIFY2(outcome.err.find("kept run \"Factory\": 1 number is not the engine's: "
-                                  "/cycle_time_min 1.5, by the engine 4.5")
-                     != std::string::npos,
+        QVERIFY2(has(outcome.err, "kept run \"Factory\": 1 number is not the engine's: "
+                                  "/cycle_time_min 1.5, by the engine 4.5"),
                  outcome.err.c_str());
         const json answer = json::parse(run({"course", "check", edited, "--json"}).out);
         const json& surface = answer.at("surfaces").at(0);
@@ -325,7 +319,7 @@ private slots:
         QVERIFY(whole.at("surfaces").at(0).at("untrue_runs").empty());
         const Outcome simulated = run({"simulate", edited});
         QCOMPARE(simulated.status, 0);
-        QVERIFY(simulated.err.find("kept run \"Factory\"") != std::string::npos);
+        QVERIFY(has(simulated.err, "kept run \"Factory\""));
     }
 
 private:

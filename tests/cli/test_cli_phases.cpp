@@ -32,9 +32,7 @@ private slots:
     void jsonStatesWhatTheEngineDecides() {
         const Project project = projectOf(examplePath());
         const PhaseDecision decision = decidePhases(project, usualPhases(project));
-        const Outcome outcome = run({"phases", examplePath(), "--json"});
-        QCOMPARE(outcome.status, 0);
-        const json answer = json::parse(outcome.out);
+        const json answer = answerTo({"phases", examplePath(), "--json"});
         QVERIFY(answer.at("decided").get<bool>());
         QCOMPARE(answer.at("holds").get<bool>(), decision.holds());
         QCOMPARE(answer.at("pieces").size(), decision.pieces.size());

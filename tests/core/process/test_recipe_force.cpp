@@ -181,17 +181,6 @@ private slots:
         }));
     }
 
-    void aFileKeepsIt() {
-        QVERIFY(rc::check("file", [] {
-            const Project p = anyProject();
-            const ReadResult read = readProject(writeProject(p));
-            RC_ASSERT(read.project.has_value());
-            RC_ASSERT(read.project->wheel->force_recipe.has_value());
-            RC_ASSERT(same(forceLaw(*read.project), forceLaw(p)));
-        }));
-        QVERIFY(writeProject(fixtures::plunge()).find("force_recipe") == std::string::npos);
-    }
-
     /// Grain and bond leave pores; without a recipe nothing rests on them here.
     void aSolidWheelIsRefused() {
         Project p = fixtures::plunge();
