@@ -339,7 +339,6 @@ private slots:
         QVERIFY(answer.at("cycle").is_null() && answer.at("gap").is_null());
     }
 
-    /// At the edge of its grid an answer says so; levels that follow it leave the edge.
     void theEdgeOfTheGridIsNamed() {
         json file = shaft();
         file["optimisation"]["radial_feed_mm"] = {0.001, 0.002};
@@ -386,7 +385,6 @@ private slots:
         }
     }
 
-    /// The largest margin within a time: no smaller than that of the quickest, and proved.
     void theLargestMarginWithinATimeIsAskedForByTheFile() {
         json file = shaft();
         file["optimisation"]["radial_feed_mm"] = {0.001, 0.002, 0.004};

@@ -88,7 +88,6 @@ private slots:
         QCOMPARE(batch.at("interval_95").size(), std::size_t{2});
     }
 
-    /// The check is of the part that was run, whatever becomes of other stocks.
     void checkJudgesThePartThatWasRun() {
         const QString file = QStringLiteral(SPARKOUT_SOURCE_DIR
                                             "/resources/examples/plunge-shaft-two-stage.sparkout");

@@ -99,7 +99,6 @@ private slots:
         QCOMPARE(best.setup->times.handling_s, 30.0);
     }
 
-    /// What is found is written, and the surface that has no answer is named.
     void aSurfaceWithoutAnAnswerKeepsItsCycle() {
         json strict = m_one;
         strict["part"]["tolerance"]["radial_runout_um"] = 1e-6;
@@ -113,7 +112,6 @@ private slots:
         QVERIFY(saved.at(1).at("cycle") == strict.at("cycle"));
     }
 
-    /// What was found of the surface that it interrupts is written, the next one is not begun.
     void ctrlCEndsWithTheSurfaceThatItInterrupts() {
         const json first = endless();
         json second = first;

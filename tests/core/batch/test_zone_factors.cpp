@@ -221,7 +221,6 @@ private slots:
         QVERIFY(writeBatchState(joined.result) == writeBatchState(whole));
     }
 
-    // What is found holds in every corner, those of the zones among them.
     void aRobustCycleHoldsInAllCorners() {
         Project project = shaft();
         project.batch->factors = {};

@@ -588,7 +588,6 @@ private slots:
         QVERIFY(helped > count / 6);
     }
 
-    // A cycle that holds as stated is mended for its batch.
     void aCycleThatFailsForItsBatchAloneIsMended() {
         int stocks = 0, batch = 0, mended = 0;
         for (std::uint64_t seed = 1; seed < 120; ++seed) {
@@ -615,7 +614,6 @@ private slots:
         QVERIFY(stocks + batch > 0 && mended > 0);
     }
 
-    // A part of the batch that fails keeps a change from being offered that holds for all stocks.
     void aChangeThatLosesPartsOfTheBatchIsNotOffered() {
         int dropped = 0;
         for (std::uint64_t seed = 1; dropped < 2 && seed < 200; ++seed) {
@@ -679,7 +677,6 @@ private slots:
         std::printf("REMEDIES %s\n", text(project, found).c_str());
     }
 
-    // Under position control the stocks are sampled, and the confidence is stated.
     void underPositionControlStocksAreSampled() {
         int offered = 0, stocks = 0;
         for (std::uint64_t seed = 1; offered < 4 && seed < 400; ++seed) {
@@ -734,7 +731,6 @@ private slots:
         QCOMPARE(remediesOf(project).goal, RemedyGoal::none);
     }
 
-    // A cycle that holds, but nearer to a limit than a tenth of the field: it is given room.
     void aCloseCycleIsGivenRoom() {
         int close = 0;
         for (const double margin : {0.02, 0.05, 0.09}) {

@@ -4,10 +4,8 @@
 #include "core/process/system_compliance.h"
 #include "core/project/validate.h"
 
-#include "tests/check_line.h"
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/project_fixtures.h"
-#include "tests/processor_time.h"
 #include "tests/ready_made.h"
 #include "tests/registry.h"
 

@@ -234,7 +234,6 @@ class TestCardSheets : public QObject {
 private slots:
     void init() { m_language.apply(QStringLiteral("ru")); }
 
-    /// No text leaves its cell or lies on another one, on any sheet.
     void everyTextHasItsRoom_data() { addSetups(); }
     void everyTextHasItsRoom() {
         QFETCH(QString, name);
@@ -258,7 +257,6 @@ private slots:
         }
     }
 
-    /// Every row of the card is on the sheets whole and in order, a number each line.
     void everyRowIsOnTheSheets_data() { addSetups(); }
     void everyRowIsOnTheSheets() {
         QFETCH(QString, name);
@@ -317,7 +315,6 @@ private slots:
         }
     }
 
-    /// The sheets of the document are counted through, the sketch with them.
     void sheetsAreCountedThrough() {
         m_language.apply(QStringLiteral("en"));
         for (const std::size_t surfaces : {1U, 6U}) {
@@ -375,7 +372,6 @@ private slots:
         QCOMPARE(toolingWith(""), QStringLiteral("Круг 500×40"));
     }
 
-    /// What is printed is what the set-up was set to and what came out of its run.
     void numbersAreThoseOfTheRun() {
         for (const char* name : {"spindle", "sleeve"}) {
             const Setup setup = setupOf(name);
@@ -427,7 +423,6 @@ private slots:
         QVERIFY(!english.contains(cyrillic));
     }
 
-    /// The text for shops that edit: real tables, the same rows, A4 landscape, the language.
     void theOdtHasTheRowsInTables() {
         for (const char* language : {"en", "ru"}) {
             m_language.apply(QString::fromLatin1(language));
@@ -465,7 +460,6 @@ private slots:
         }
     }
 
-    /// Its head is that of the sheets: who signs with dates, designations, operation, sheets.
     void theHeadOfTheOdtIsThatOfTheSheets() {
         for (const char* language : {"en", "ru"}) {
             m_language.apply(QString::fromLatin1(language));
@@ -513,7 +507,6 @@ private slots:
         }
     }
 
-    /// Every cell of the head that an input fills is filled, in print and in the other formats.
     void everyCellOfTheHeadHasItsInput() {
         m_language.apply(QStringLiteral("ru"));
         const report::Report card = cardOf(filledSetup(), filledCompany());
@@ -533,7 +526,6 @@ private slots:
         QCOMPARE(head.letter, QStringLiteral("А"));
     }
 
-    /// The web page has the rows and the sketch, well-formed.
     void theWebPageHasTheRows() {
         const Setup setup = setupOf("sleeve");
         const SetupRun run = runSetup(setup);
@@ -547,7 +539,6 @@ private slots:
         QVERIFY(!html.contains("<td></td>") && !html.contains("<dd></dd>"));
     }
 
-    /// Every other report is a text to be edited, too.
     void everyReportIsWrittenAsOdt() {
         const OutcomePtr outcome = exampleOutcome(ExamplesDialog::paths().front());
         for (const report::KindRow& kind : report::kinds()) {
@@ -560,7 +551,6 @@ private slots:
         }
     }
 
-    /// What the settings say of the company is on every document; a logo that is none is left out.
     void theHeadsHaveTheCompany() {
         Company company;
         company.name = QStringLiteral("АО «Станкомаш»");

@@ -166,7 +166,6 @@ private slots:
         }));
     }
 
-    // A prediction that is still open must not be read off a report.
     void noResultStandsBesideAnOpenPrediction_data() { addLessons(); }
     void noResultStandsBesideAnOpenPrediction() {
         QFETCH(QString, path);
@@ -368,7 +367,6 @@ private slots:
         }
     }
 
-    // The contents name the pages on which their headings stand.
     void theContentsNameTheirPages() {
         m_language.apply(QStringLiteral("ru"));
         const Report made = report::labReport(finished(lessonIn(lessonFiles().front())), wish());

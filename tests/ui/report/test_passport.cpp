@@ -167,8 +167,6 @@ private slots:
         QVERIFY(fitness(project) == (good ? Fitness::conditional : Fitness::unfit));
     }
 
-    /// Every part holds, but the bound of the capability is below what is asked: the passport says
-    /// so, and by which figure.
     void aLowBoundOfPpkMakesItConditional_data() { addLanguages(); }
     void aLowBoundOfPpkMakesItConditional() {
         QFETCH(QString, language);
@@ -233,7 +231,6 @@ private slots:
         QVERIFY(plain(textOfHtml(bytesOf(card, Format::html))).contains(headline));
     }
 
-    /// The worst part is made of the factors that stand beside it, and no other part is.
     void theWorstPartIsTheOneOfItsFactors_data() {
         QTest::addColumn<int>("parts");
         QTest::newRow("many") << 24;

@@ -231,7 +231,6 @@ private slots:
         QVERIFY(sparkOuts > 1);
     }
 
-    /// Where strips stay uncut the card has no size and no roughness.
     void theCardStatesNoSizeWhereStripsStayUncut() {
         Project project = fixtures::traverseProject();
         project.part->tolerance.roughness_ra_um = 1.6;
@@ -251,7 +250,6 @@ private slots:
         QVERIFY2(text.contains(QStringLiteral("strips stay uncut")), qPrintable(text));
     }
 
-    /// Roundness and runout that lack the machine's own say so, and no longer once it is given.
     void theCardSaysWhereTheMachineIsNotKnown() {
         Project project = fixtures::traverseProject();
         project.machine->geometric_runout_um = 0;

@@ -106,7 +106,6 @@ private slots:
         }
     }
 
-    /// The card, the table of the zones and the words at the pointer say the same of each zone.
     void zonesOfSeveralSectionsStateTheirForm() {
         Project project = fixtures::traverseProject();
         QVERIFY(CycleCard::zoneForms(*fixtures::run(project)).rows.empty());
@@ -202,7 +201,6 @@ private slots:
         }
     }
 
-    /// A deviation has a sign, what is never negative has none.
     void onlyDeviationsAmongTheRequirementsHaveASign() {
         Outcome outcome = unlikeZones();
         outcome.constraints = {requirement(ConstraintKind::diameterMin, 0, 1.25),

@@ -70,7 +70,6 @@ private slots:
                  stages.front().radial_feed_mm_min);
     }
 
-    /// It asks as a copy does that is added, but stays where the other is.
     void aDuplicateStaysInItsPlace() {
         Setup setup = plainSetup(newProject(Operation::plunge));
         Part& part = *setup.surfaces.front().project.part;

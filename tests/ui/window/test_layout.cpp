@@ -398,7 +398,6 @@ private slots:
         QCOMPARE(verdict.width(), wanted);
     }
 
-    // A wide window gives its room to the views and the verdict; the inputs have what they need.
     void aWideWindowHasRoomForTheNamesOfTheVerdict_data() { addLongerLanguages(); }
     void aWideWindowHasRoomForTheNamesOfTheVerdict() {
         QFETCH(QString, language);

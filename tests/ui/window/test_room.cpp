@@ -182,7 +182,6 @@ private slots:
         QCOMPARE(areas, 1);
     }
 
-    /// A text that is longer than the legend is wide is wrapped.
     void noLegendIsElided_data() { addLongerLanguages(); }
     void noLegendIsElided() {
         QFETCH(QString, language);
@@ -464,7 +463,6 @@ private slots:
         }
     }
 
-    /// Also the titles of boxes that say what all surfaces of a part share.
     void theInputsOfSeveralSurfacesHaveRoom_data() { addLongerLanguages(); }
     void theInputsOfSeveralSurfacesHaveRoom() {
         QFETCH(QString, language);

@@ -324,7 +324,6 @@ private slots:
         QVERIFY(!desk.strip().isVisible());
     }
 
-    /// A step that is picked gives place, length and diameter.
     void aSurfaceIsAddedOnAStepOfTheShaft() {
         Setup setup = steppedShaft();
         setup.surfaces.erase(setup.surfaces.begin() + 1);
@@ -404,7 +403,6 @@ private slots:
         QCOMPARE(saved.surfaces[2].project.runs.size(), std::size_t{1});
     }
 
-    /// They can be laid over the present run and compared with it, and belong to their surface.
     void keptRunsOfOtherSurfacesAreCompared() {
         Desk desk;
         desk.press("keepRun");
@@ -474,7 +472,6 @@ private slots:
         QVERIFY(!width->refused());
     }
 
-    /// With the wheel that wears, what is refused before stops those behind it, and is named.
     void faultsOfASurfaceBeforeAreNamedWithIt() {
         Desk desk;
         Project project = desk.document().project();
@@ -543,7 +540,6 @@ private slots:
         QCOMPARE(desk.document().state().times.handling_s, 0.0);
     }
 
-    /// A bar of time and one of the least margin for each surface; a click leads to the surface.
     void theSurfacesAreComparedAsBars() {
         Desk desk;
         desk.press("wholePart");
