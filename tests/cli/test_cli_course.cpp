@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // `course` as a teacher meets it: variants for a list, works marked, faults named.
-#include "core/course/best_table.h"
 #include "core/course/work_file.h"
 #include "core/course/work_seal.h"
 #include "tests/cli/cli_bench.h"
@@ -71,17 +70,6 @@ private slots:
         QVERIFY2(isUsageError(outcome), outcome.text().c_str());
     }
 
-    void theSameSeedWritesTheSameFiles() {
-        const QString again = m_folder.filePath("again");
-        QCOMPARE(run(variantsInto(again)).status, 0);
-        const QStringList files = QDir(m_class).entryList(QDir::Files);
-        QCOMPARE(files.size(), 5);
-        QCOMPARE(QDir(again).entryList(QDir::Files), files);
-        for (const QString& file : files) {
-            QCOMPARE(contentOf(again + '/' + file), contentOf(m_class + '/' + file));
-        }
-    }
-
     void worksAreNotWrittenOver() {
         const QString file = m_class + "/001-Иванов_И_.sparkout-work";
         const std::string before = contentOf(file);
@@ -91,19 +79,6 @@ private slots:
         QVERIFY(has(outcome.err, "--force"));
         QCOMPARE(run(variantsInto(m_class) << "--force").status, 0);
         QCOMPARE(contentOf(file), before);
-    }
-
-    void theStudentsFilesHoldNoAnswersAndNoSeed() {
-        for (const QString& name : QDir(m_class).entryList({"*.sparkout-work"})) {
-            const std::string text = contentOf(m_class + '/' + name);
-            for (const char* word : {"\"right\"", "seed", "731902", "\"variants\""}) {
-                QVERIFY2(!has(text, word), word);
-            }
-            QCOMPARE(run({"course", "check", m_class + '/' + name}).status, 0);
-        }
-        const std::string best = contentOf(m_class + "/teacher-best-answers.csv");
-        QVERIFY(best.starts_with("\"For the teacher only") || best.starts_with("For the teacher"));
-        QCOMPARE(readBestTable(best).rows.size(), std::size_t{3});
     }
 
     void whatIsWrongWithABookIsSaid() {
@@ -170,32 +145,6 @@ private slots:
         QCOMPARE(run(grade + QStringList{"--xlsx", "-o", m_folder.filePath("none/c.xlsx")}).status,
                  1);
     }
-
-    /// Lists as Russian Excel writes them; UTF-16 by its mark, Windows-1251 by its letters.
-    void listsInAnyEncodingAreTaken_data() {
-        QTest::addColumn<QByteArray>("list");
-        addRow("Windows-1251",
-               QByteArray("\xD4\xC8\xCE;\xC3\xF0\xF3\xEF\xEF\xE0\r\n\xC8\xE2\xE0\xED;\xC0-1\r\n"));
-        addRow("UTF-16", QByteArray("\xFF\xFE\x24\x04\x18\x04\x1E\x04;\0\x13\x04\x40\x04"
-                                    "\x43\x04\x3F\x04\x3F\x04\x30\x04\n\0\x18\x04\x32\x04"
-                                    "\x30\x04\x3D\x04;\0\x10\x04-\0001\0\n\0",
-                                    42));
-        addRow("quotation marks", QByteArray("name;group\n\"Иван\";\"А-1\"\n"));
-    }
-    void listsInAnyEncodingAreTaken() {
-        QFETCH(QByteArray, list);
-        const QString group = save("encoded.csv", list.toStdString());
-        const QString folder = m_folder.filePath("encoded");
-        const Outcome outcome = run({"course", "variants", lessonPath(), "--group", group, "--seed",
-                                     "1", "-d", folder, "--force"});
-        QVERIFY2(outcome.status == 0, outcome.text().c_str());
-        QVERIFY(has(contentOf(folder + "/assignments.csv"), "\n1,Иван,А-1,"));
-        const Outcome graded = run({"course", "grade", lessonPath(), folder, "--group", group,
-                                    "--answers", folder + "/teacher-best-answers.csv", "--csv"});
-        QVERIFY2(graded.status == 0, graded.text().c_str());
-        QVERIFY2(has(graded.out, "sparkout-work,Иван,А-1,1,,,"), graded.out.c_str());
-    }
-
     /// The long run has as many as the largest class may hand in, each as large as is read.
     void worksAreHeldInMemoryOneAtATime() {
         const bool isLong = qEnvironmentVariableIsSet("SPARKOUT_LONG");

@@ -118,26 +118,6 @@ private slots:
         QVERIFY(!has(help, "pull against each other")); // true of one kind
     }
 
-    // Until its limit runs a cycle that waits for a size it never reaches: no time to add to.
-    void aCycleThatDoesNotEndIsNoMeasureOfTime() {
-        json waits =
-            json::parse(samples::readText(examplePath("plunge-shaft-two-stage").toStdString()));
-        waits["cycle"]["stages"][1]["radial_feed_mm_min"] = 0;
-        waits["cycle"]["stages"][1]["spark_out"] = "until_size";
-        waits.erase("batch");
-        const QString file = save("waits.sparkout", waits.dump());
-        const Outcome outcome = run({"remedies", file});
-        QVERIFY2(outcome.out.starts_with("the cycle does not end by itself\n  "),
-                 outcome.out.c_str());
-        QVERIFY2(has(outcome.out, ": the cycle takes "), outcome.out.c_str());
-        QVERIFY2(!has(outcome.out, "−"), outcome.out.c_str());
-        const json answer = json::parse(run({"remedies", file, "--json"}).out);
-        QVERIFY(!answer.at("remedies").empty());
-        for (const json& each : answer.at("remedies")) {
-            QVERIFY(each.at("time_change_min").is_null() && each.at("time_min") < 10);
-        }
-    }
-
     void aSearchThatIsEndedSaysSo() {
         Project slow = withSections(projectOf(examplePath("plunge-shaft-two-stage")), 50);
         slow.part->radii_per_section = 360;

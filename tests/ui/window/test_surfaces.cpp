@@ -214,32 +214,6 @@ private slots:
         QCOMPARE(desk.runs().time()->piece_min, run.time.piece_min);
     }
 
-    void editsAreOfTheirSurfaceAndUndoneThere() {
-        Desk desk;
-        desk.clickSurface(1);
-        desk.type("/machine/work_speed_rpm", QStringLiteral("150"));
-        desk.clickSurface(0);
-        desk.type("/wheel/width_mm", QStringLiteral("41"));
-        for (const GroundSurface& surface : desk.document().setup().surfaces) {
-            QCOMPARE(surface.project.wheel->width_mm, 41.0);
-        }
-        QVERIFY(desk.document().setup().surfaces[0].project.machine->work_speed_rpm != 150);
-        desk.clickSurface(2);
-        desk.press("undo");
-        QCOMPARE(desk.document().surface(), std::size_t{0});
-        desk.press("undo");
-        QCOMPARE(desk.document().surface(), std::size_t{1});
-        QVERIFY(!desk.document().modified());
-        desk.press("redo");
-        desk.press("redo");
-        QVERIFY(desk.bench.window->files().save());
-        const Setup saved = *readSetup(bytesOf(desk.path).toStdString()).setup;
-        QCOMPARE(saved.surfaces[1].project.machine->work_speed_rpm, 150.0);
-        QCOMPARE(saved.surfaces[2].project.wheel->width_mm, 41.0);
-        QVERIFY(desk.bench.open(desk.path));
-        QVERIFY(sameSetup(desk.document().setup(), saved));
-    }
-
     void surfacesAreMovedRenamedDuplicatedAndRemoved() {
         Desk desk;
         const QStringList names = desk.names();
