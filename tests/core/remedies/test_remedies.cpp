@@ -22,6 +22,7 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"
+#include "tests/processor_time.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 
@@ -30,7 +31,6 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <regex>
 #include <stop_token>
 #include <thread>
@@ -39,13 +39,6 @@
 namespace sparkout::test_remedies {
 
 using namespace std::chrono_literals;
-
-/// Of this thread: what others do beside it does not count.
-double processorTime_ms() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
 
 RemedyResult remediesOf(const Project& project, const RemedyOptions& options = {}) {
     const OutcomePtr outcome = evaluate(project);
@@ -505,9 +498,9 @@ private slots:
         const std::vector<Project> projects = samples::failingProjects(count);
         for (std::size_t i = 0; i < projects.size(); ++i) {
             const OutcomePtr outcome = evaluate(projects[i]);
-            const double begin_ms = processorTime_ms();
+            const double begin_ms = threadTime_ms();
             const RemedyResult found = findRemedies(outcome->result, outcome->constraints);
-            times_ms.push_back(processorTime_ms() - begin_ms);
+            times_ms.push_back(threadTime_ms() - begin_ms);
             worst = times_ms.back() > times_ms[static_cast<std::size_t>(worst)]
                         ? static_cast<int>(i)
                         : worst;

@@ -2,6 +2,7 @@
 // The pages of the accuracy passport in its three formats: whole, in one language, whatever the
 // batch and the texts.
 #include "tests/check_line.h"
+#include "tests/processor_time.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/passport_bench.h"
@@ -9,18 +10,9 @@
 
 #include <QRegularExpression>
 
-#include <ctime>
-
 namespace sparkout::test_passport_pages {
 
 using namespace passport_bench;
-
-/// What this thread has computed so far, however busy the machine is.
-double ownTime_ms() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
-}
 
 class TestPassportPages : public QObject {
     Q_OBJECT
@@ -132,9 +124,9 @@ private slots:
         (void)report::passport(subject); // fonts are loaded once
         int breaths = 0;
         const double worst_ms = leastOfTries_ms(200, [&] {
-            double began_ms = ownTime_ms(), longest_ms = 0;
+            double began_ms = threadTime_ms(), longest_ms = 0;
             subject.breathe = [&] {
-                const double now_ms = ownTime_ms();
+                const double now_ms = threadTime_ms();
                 longest_ms = std::max(longest_ms, now_ms - began_ms);
                 began_ms = now_ms;
                 ++breaths;
