@@ -93,6 +93,11 @@ inline QString samplePath(const std::string& name) {
         sparkout::samples::sourcePath("tests/data/projects/" + name + ".sparkout"));
 }
 
+inline QString examplePath(const char* name) {
+    return QString::fromStdString(
+        sparkout::samples::sourcePath(std::string("resources/examples/") + name + ".sparkout"));
+}
+
 inline std::size_t lines(const std::string& text) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }

@@ -248,8 +248,7 @@ private slots:
     }
 
     void keptRunsThatAreNotTheEnginesAreNamed() {
-        const QString example =
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-38-74h6.sparkout");
+        const QString example = examplePath("shaft-38-74h6");
         QCOMPARE(run({"course", "check", example}).status, 0);
         QVERIFY(!has(run({"simulate", example}).err, "kept run"));
         json file = json::parse(contentOf(example));

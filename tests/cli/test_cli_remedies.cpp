@@ -19,11 +19,6 @@ using namespace cli;
 
 namespace {
 
-QString examplePath(const char* name) {
-    return QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-        .arg(QString::fromUtf8(name));
-}
-
 bool holds(const SimulationResult& result, const std::vector<ConstraintResult>& constraints) {
     return result.status == RunStatus::completed
            && std::ranges::all_of(constraints, &ConstraintResult::holds);

@@ -73,8 +73,7 @@ private slots:
     }
 
     void batchIsJudgedWhereItIsAskedFor() {
-        const QString file =
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout");
+        const QString file = examplePath("shaft-30h6-factory");
         const Project project = projectOf(file);
         const BatchStatistics statistics = runBatch(project).statistics;
         const json alone = json::parse(run({"simulate", file, "--json"}).out).at("judged");
@@ -89,8 +88,7 @@ private slots:
     }
 
     void checkJudgesThePartThatWasRun() {
-        const QString file = QStringLiteral(SPARKOUT_SOURCE_DIR
-                                            "/resources/examples/plunge-shaft-two-stage.sparkout");
+        const QString file = examplePath("plunge-shaft-two-stage");
         const Project project = projectOf(file);
         json narrow = json::parse(samples::readText(file.toStdString()));
         narrow.erase("runs");

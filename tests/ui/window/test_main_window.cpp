@@ -3,7 +3,6 @@
 #include "tests/ui/support/examples.h"
 #include "tests/ui/support/typing.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/forms/stage_table.h"
@@ -23,7 +22,6 @@
 #include "core/format/project_file.h"
 #include "core/study/stock_edits.h"
 
-#include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
 #include <QFile>
@@ -217,15 +215,6 @@ private slots:
         }
         QVERIFY(bench.open(examplePath("shaft-30h6-factory"))); // with given values
         QVERIFY(!label->isVisibleTo(label->parentWidget()));
-    }
-
-    void faultsAreListedAsPathAndSentence() {
-        const ReadResult read = readProject(R"({"format":"sparkout-project","version":1,"x":1})");
-        const QStringList lines = FaultsDialog::lines(read.issues);
-        QCOMPARE(lines.size(), static_cast<int>(read.issues.size()));
-        QVERIFY(lines.join(u'\n').contains(QStringLiteral("/x: ")));
-        FaultsDialog dialog(QStringLiteral("a.sparkout"), read.issues);
-        QVERIFY(dialog.findChildren<QAbstractButton*>().size() >= 2);
     }
 
     void theGalleryOpensEveryExampleAsAnUntitledCopy() {
