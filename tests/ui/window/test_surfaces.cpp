@@ -67,10 +67,13 @@ struct Desk {
         press("duplicateSurface");
         QVERIFY2(answers.fault().isEmpty(), qPrintable(answers.fault()));
     }
+    [[nodiscard]] PartWindow* openWholePart() {
+        press("wholePart");
+        return bench.window->findChild<PartWindow*>();
+    }
     /// Searches all surfaces and takes what was found.
     void optimiseAll() {
-        press("wholePart");
-        auto* whole = bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = openWholePart();
         QSignalSpy ended(&whole->study(), &PartStudy::finished);
         for (const char* button : {"searchAll", "takeFound"}) {
             QTest::mouseClick(whole->findChild<QPushButton*>(QString::fromUtf8(button)),
@@ -490,8 +493,7 @@ private slots:
 
     void theWholePartIsListedWithItsTimes() {
         Desk desk;
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = desk.openWholePart();
         QVERIFY(whole->isVisible());
         const auto* table = whole->findChild<QTableView*>(QStringLiteral("partTable"));
         QCOMPARE(table->model()->rowCount(), 3);
@@ -516,8 +518,7 @@ private slots:
 
     void theSurfacesAreComparedAsBars() {
         Desk desk;
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = desk.openWholePart();
         auto& bars = *whole->findChild<BarPlot*>(QStringLiteral("surfaceBars"));
         const std::vector<SurfaceStatus>& statuses = desk.runs().statuses();
         QCOMPARE(bars.chart().categories.size(), qsizetype(statuses.size()));
@@ -540,8 +541,7 @@ private slots:
     void allAreOptimisedAndTheCyclesFoundAreOneStep() {
         Setup setup = searchedSetup();
         Desk desk(setup);
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = desk.openWholePart();
         QSignalSpy ended(&whole->study(), &PartStudy::finished);
         const QSignalSpy told(&whole->study(), &PartStudy::progressed);
         QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("searchAll")),
@@ -619,8 +619,7 @@ private slots:
         }
         setup.surfaces[1].project.batch.reset();
         Desk desk(setup);
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = desk.openWholePart();
         QSignalSpy ended(&whole->study(), &PartStudy::finished);
         auto* batch = whole->findChild<QPushButton*>(QStringLiteral("batchAll"));
         QTest::mouseClick(batch, Qt::LeftButton);
@@ -648,8 +647,7 @@ private slots:
     /// A surface that is gone, or another file, while all of it runs.
     void whatRunsIsDroppedWithItsSurface() {
         Desk desk(searchedSetup());
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = desk.openWholePart();
         for (const char* action : {"removeSurface", "undo", "removeSurface"}) {
             QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("searchAll")),
                               Qt::LeftButton);
@@ -663,8 +661,7 @@ private slots:
 
     void russianWordsStandThroughout() {
         Desk desk(steppedShaft(), QStringLiteral("ru"));
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = desk.openWholePart();
         for (const QWidget* part :
              {static_cast<QWidget*>(whole), static_cast<QWidget*>(&desk.strip())}) {
             for (const auto* label : part->findChildren<QLabel*>()) {
