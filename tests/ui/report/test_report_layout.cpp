@@ -192,21 +192,6 @@ private slots:
             }
         }
     }
-
-    void theCapabilityOfFourSectionsTakesALineEach_data() { addLanguages(); }
-    void theCapabilityOfFourSectionsTakesALineEach() {
-        QFETCH(QString, language);
-        m_language.apply(language);
-        QVERIFY(rowsOfALineEach("plunge-shaft-two-stage", QStringLiteral("Ppk")) > 4 * 6);
-    }
-
-    void theRequirementsTakeALineEach() {
-        m_language.apply(QStringLiteral("ru"));
-        // Roundness says in a second line that the machine is not known.
-        QVERIFY(rowsOfALineEach("slender-shaft", QStringLiteral("Место в цикле")) >= 3 * 4 + 2);
-        QVERIFY(rowsOfALineEach("slender-shaft", QStringLiteral("Ступень или цикл")) >= 8);
-    }
-
     void aSizeIsWrittenAsOnADrawing_data() {
         addColumns<QString, double, double, QString>("name", "upper", "lower", "russian");
         QTest::newRow("its own field") << "Вал 30h6" << 0.0 << -16.0 << "⌀30h6(−0,016)";
@@ -327,28 +312,6 @@ private slots:
     }
 
 private:
-    /// Rows in a passport of an example, of tables with the head given: each cell is one line.
-    static int rowsOfALineEach(const char* example, const QString& head) {
-        const report::Report made =
-            report::passport(passport_bench::subjectOf(passport_bench::example(example)));
-        const Pages pages(made, area);
-        int rows = 0;
-        for (const Box& box : pages.boxes()) {
-            const auto* table =
-                box.kind == Box::Kind::row ? std::get_if<Table>(&made.blocks[box.block]) : nullptr;
-            if (table && table->head.contains(head)) {
-                ++rows;
-                for (const TextBox& cell : box.cells) {
-                    if (cell.lines() != 1) {
-                        qWarning("%s", qPrintable(cell.texts().join(u'|')));
-                        return 0;
-                    }
-                }
-            }
-        }
-        return rows;
-    }
-
     report::Subject subjectOf(const QString& path) {
         Document document;
         (void)document.openCopy(ExamplesDialog::textOf(path));

@@ -13,7 +13,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QDataStream>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
@@ -101,31 +100,6 @@ class TestLayout : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Wide again as soon as they have room.
-    void tabsAreInNarrowTypeOnlyWhereTheyWouldNotAllBeInSight() {
-        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
-        const auto narrow = [&bench] {
-            bench.settle();
-            return bench.window->viewTabs().tabBar()->font().stretch() == 90;
-        };
-        const QTabBar& bar = *bench.window->viewTabs().tabBar();
-        for (int i = 0; i < 2; ++i) {
-            bench.window->resize(1366, 768);
-            QVERIFY(narrow());
-            QVERIFY(bar.tabRect(bar.count() - 1).right() < bar.width());
-            bench.window->resize(1920, 1080);
-            QVERIFY(!narrow());
-            QVERIFY(bar.tabRect(bar.count() - 1).right() < bar.width());
-        }
-        bench.window->resize(1366, 768);
-        bench.action("fontSize-130")->trigger();
-        QVERIFY(narrow());
-        bench.action("fontSize-100")->trigger();
-        QVERIFY(narrow());
-        bench.action("english")->trigger(); // shorter words
-        QVERIFY(!narrow());
-    }
-
     void aDoubleClickOnATabTearsItOffAndClosingBringsItBack() {
         Tabs t;
         const QRect tab = t.tabs->tabBar()->tabRect(1);
@@ -452,29 +426,6 @@ private slots:
         again.resize(1920, 1080);
         again.show();
         QTRY_COMPARE(again.findChild<InputsPanel*>()->width(), dragged);
-    }
-
-    // Two columns of inputs, which no hand has dragged, were wanted in a wide window once.
-    void aWidthThatTheProgramChoseBeforeGivesWay() {
-        OpenBench bench(QStringLiteral("en"), examplePaths().front());
-        const int narrow = bench.window->findChild<InputsPanel*>()->width();
-        bench.window->resize(1920, 1080);
-        QTest::qWait(100);
-        const int verdict =
-            bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"))->width();
-        QVERIFY(bench.window->close());
-        auto parts = unsealed(bench.settings.windowState(), 3);
-        QVERIFY(parts);
-        parts->back().clear();
-        QDataStream stream(&parts->back(), QIODevice::WriteOnly);
-        stream.setVersion(QDataStream::Qt_6_0);
-        stream << qint32(0) << qint32(694) << qint32(310) << qint32(350);
-        bench.settings.setWindow(bench.settings.windowGeometry(), sealed(*parts));
-        MainWindow again(bench.settings, bench.language);
-        again.resize(1920, 1080);
-        again.show();
-        QTRY_COMPARE(again.findChild<InputsPanel*>()->width(), narrow);
-        QTRY_COMPARE(again.findChild<QDockWidget*>(QStringLiteral("verdict"))->width(), verdict);
     }
 
     // Large type widens the panels, and the views keep what they have in a small window.

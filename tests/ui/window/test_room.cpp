@@ -34,11 +34,6 @@
 
 namespace sparkout::test_room {
 
-double shareOfViews(const Bench& bench) {
-    const QSize views = bench.window->viewTabs().size(), window = bench.window->size();
-    return double(views.width()) * views.height() / (double(window.width()) * window.height());
-}
-
 /// The areas of its curves, within the plot.
 std::vector<QRect> plotsOf(const FeedsView& view) {
     std::vector<QRect> plots;
@@ -62,24 +57,6 @@ class TestRoom : public QObject {
     Q_OBJECT
 
 private slots:
-    void theViewsHaveTheirShareOfTheWindow_data() { addLongerLanguages(); }
-    void theViewsHaveTheirShareOfTheWindow() {
-        QFETCH(QString, language);
-        OpenBench bench(language, examplePath("shaft-30h6-factory"));
-        bench.rest();
-        QCOMPARE(bench.window->size(), QSize(1366, 768));
-        QVERIFY(bench.dock("inputs").isVisible() && bench.dock("verdict").isVisible());
-        qInfo("ROOM both panels %.3f", shareOfViews(bench));
-        QVERIFY(shareOfViews(bench) >= 0.45);
-        for (const char* closed : {"verdict", "inputs"}) {
-            bench.dock(closed).close();
-            bench.rest();
-            qInfo("ROOM without %s %.3f", closed, shareOfViews(bench));
-            QVERIFY(shareOfViews(bench) >= 0.6);
-            bench.dock(closed).show();
-            bench.rest();
-        }
-    }
     /// Where the window is too small for nine of them, they are scrolled.
     void thePlotsOfFeedsAreLegibleInLargeType_data() { addLongerLanguages(); }
     void thePlotsOfFeedsAreLegibleInLargeType() {
