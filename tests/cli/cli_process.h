@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <csignal>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,19 @@ inline Outcome run(const QStringList& arguments, const QStringList& environment 
     return outcomeOf(process);
 }
 
+inline bool has(const std::string& text, const std::string& word) {
+    return text.find(word) != std::string::npos;
+}
+
+/// What a run that ends with this status states as JSON.
+inline nlohmann::json answerTo(const QStringList& arguments, int status = 0) {
+    const Outcome outcome = run(arguments);
+    if (outcome.status != status) {
+        throw std::runtime_error(outcome.text());
+    }
+    return nlohmann::json::parse(outcome.out);
+}
+
 /// Ctrl+C once a cycle is found, however slow the machine is.
 inline Outcome interruptedWithAnAnswer(QStringList arguments) {
     arguments.prepend("optimize");
@@ -77,6 +91,11 @@ inline Outcome interruptedWithAnAnswer(QStringList arguments) {
 inline QString samplePath(const std::string& name) {
     return QString::fromStdString(
         sparkout::samples::sourcePath("tests/data/projects/" + name + ".sparkout"));
+}
+
+inline QString examplePath(const char* name) {
+    return QString::fromStdString(
+        sparkout::samples::sourcePath(std::string("resources/examples/") + name + ".sparkout"));
 }
 
 inline std::size_t lines(const std::string& text) {

@@ -4,15 +4,12 @@
 // prints.
 #include "core/batch/batch_summary.h"
 #include "core/batch/sensitivity.h"
-#include "tests/cli/cli_process.h"
+#include "tests/cli/cli_bench.h"
 #include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <QDir>
 #include <QFile>
-#include <QTemporaryDir>
-
-#include <clocale>
 
 namespace test_cli_batch {
 
@@ -50,13 +47,12 @@ private:
     std::string m_progress;
 };
 
-class TestCliBatch : public QObject {
+class TestCliBatch : public FolderTest {
     Q_OBJECT
 
 private slots:
     void initTestCase() {
-        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
-        QVERIFY(m_folder.isValid());
+        begin();
         m_file = samplePath("complete");
         QVERIFY(projectOf(m_file).batch.has_value());
     }
@@ -105,12 +101,12 @@ private slots:
         for (const char* word : {"batch-merge", "--parts", "--seed", "--scenarios", "--measured",
                                  "--until-width", "--sensitivity", "--threads", "--rows", "--shard",
                                  "--csv", "--progress", "Ctrl+C", "130"}) {
-            QVERIFY2(help.find(word) != std::string::npos, word);
+            QVERIFY2(has(help, word), word);
         }
         const std::string script =
             samples::readText(samples::sourcePath("resources/help/batch.sbatch"));
-        QVERIFY(script.find("--shard") != std::string::npos);
-        QVERIFY(script.find("batch-merge") != std::string::npos);
+        QVERIFY(has(script, "--shard"));
+        QVERIFY(has(script, "batch-merge"));
     }
 
     void jsonSaysWhatTheEngineComputes() {
@@ -196,8 +192,7 @@ private slots:
         const Outcome outcome = run({"batch", m_file, "--rows", file});
         QCOMPARE(outcome.status, 1);
         QVERIFY(outcome.out.empty());
-        QVERIFY2(outcome.err.find("kept.csv: there already; --force replaces it\n")
-                     != std::string::npos,
+        QVERIFY2(has(outcome.err, "kept.csv: there already; --force replaces it\n"),
                  outcome.err.c_str());
         QCOMPARE(samples::readText(file.toStdString()), std::string("mine"));
         QCOMPARE(run({"batch", m_file, "--rows", file, "--force"}).status, 0);
@@ -231,14 +226,8 @@ private slots:
              {"50 of 50 parts, completed", "verdict ", "not good", "worst part", "stock_mm",
               "rz1 diameter, µm", "Ppk", "normality (Shapiro-Wilk) p", "rank regression",
               "Sobol indices, first and total"}) {
-            QVERIFY2(outcome.out.find(word) != std::string::npos, word);
+            QVERIFY2(has(outcome.out, word), word);
         }
-    }
-
-    void anyNumberOfThreadsPrintsTheSame() {
-        const std::string one = run({"batch", m_file, "--json", "--threads", "1"}).out;
-        QCOMPARE(run({"batch", m_file, "--json", "--threads", "2"}).out, one);
-        QCOMPARE(run({"batch", m_file, "--json", "--threads", "7"}).out, one);
     }
 
     void mergedShardsPrintWhatOneRunPrints() {
@@ -254,8 +243,7 @@ private slots:
         const QString first = shard(1, 2), second = shard(2, 2);
         const auto refuses = [](const QStringList& files, const char* why) {
             const Outcome outcome = run(QStringList{"batch-merge"} + files);
-            return outcome.status == 1 && outcome.out.empty()
-                   && outcome.err.find(why) != std::string::npos;
+            return outcome.status == 1 && outcome.out.empty() && has(outcome.err, why);
         };
         const QString copy = save("copy.json", samples::readText(first.toStdString()));
         QVERIFY(refuses({first}, "parts 25…49 of 50 are in no shard"));
@@ -273,18 +261,6 @@ private slots:
         QVERIFY(refuses({first, other}, "other.json: of another batch (project "));
         QVERIFY(refuses({other, first, second}, "other.json: of another batch (project "));
         QCOMPARE(run({"batch-merge", second, first}).status, 0);
-    }
-
-    void aShardOf200000LevelsIsRefusedInWords() {
-        const std::string levels(200'000, '[');
-        const QString deep =
-            save("deep.json", R"({"format":"sparkout-batch","version":3,"checksum":"0","project":)"
-                                  + levels + std::string(levels.size(), ']') + "}");
-        const Outcome outcome = run({"batch-merge", deep});
-        QCOMPARE(outcome.status, 1);
-        QVERIFY(outcome.out.empty());
-        QCOMPARE(outcome.err,
-                 deep.toStdString() + ": not a shard of a batch: nested deeper than 64 levels\n");
     }
 
     /// The script of a cluster, run as Slurm runs it: a shard a job of the array, then the merge.
@@ -316,8 +292,7 @@ private slots:
         }
         const Outcome failed = job({"MERGE=1"});
         QCOMPARE(failed.status, 1);
-        QVERIFY2(failed.err.find("parts 6…12 of 20 are in no shard") != std::string::npos,
-                 failed.err.c_str());
+        QVERIFY2(has(failed.err, "parts 6…12 of 20 are in no shard"), failed.err.c_str());
         QCOMPARE(written(), (QStringList{"shard-1-of-3.json", "shard-3-of-3.json"}));
         QCOMPARE(job(array(2, 2, 2) + QStringList{"SHARDS=3"}).status, 0); // the one that failed
         QCOMPARE(job({"MERGE=1"}).status, 0);
@@ -362,7 +337,7 @@ private slots:
         const QString correlated = save("correlated.sparkout", file.dump());
         const Outcome outcome = run({"batch", correlated, "--sensitivity", "16"});
         QCOMPARE(outcome.status, 1);
-        QVERIFY(outcome.err.find("not correlated") != std::string::npos);
+        QVERIFY(has(outcome.err, "not correlated"));
         QCOMPARE(run({"batch", correlated}).status, 0);
     }
 
@@ -370,7 +345,7 @@ private slots:
         const QString table = save("blanks.csv", "no;stock_mm\n1;0,141\n2;0,147\n");
         const Outcome outcome = run({"batch", m_file, "--json", "--measured", table});
         QCOMPARE(outcome.status, 0);
-        QVERIFY(outcome.err.find("2 values of stock_mm") != std::string::npos);
+        QVERIFY(has(outcome.err, "2 values of stock_mm"));
         const json worst = json::parse(outcome.out).at("worst");
         const double stock = worst.at("factors").at("stock_mm");
         QVERIFY(stock == 0.141 || stock == 0.147);
@@ -378,8 +353,7 @@ private slots:
         const Outcome refused = run({"batch", m_file, "--measured", words});
         QCOMPARE(refused.status, 1);
         QVERIFY(refused.out.empty());
-        QVERIFY2(refused.err.find("line 3: not understood: \"wide\\u001b[2J\"")
-                     != std::string::npos,
+        QVERIFY2(has(refused.err, "line 3: not understood: \"wide\\u001b[2J\""),
                  refused.err.c_str());
         QCOMPARE(run({"batch", m_file, "--measured", m_folder.filePath("none")}).status, 1);
     }
@@ -402,14 +376,13 @@ private slots:
         const Outcome outcome = run({"batch", path});
         QCOMPARE(outcome.status, 1);
         QVERIFY(outcome.out.empty());
-        QVERIFY(
-            outcome.err.find("/batch/factors/stock_mm/uniform/1: 0.13 is out of range; allowed: "
-                             "≥ 0.15\n")
-            != std::string::npos);
+        QVERIFY(has(outcome.err,
+                    "/batch/factors/stock_mm/uniform/1: 0.13 is out of range; allowed: "
+                    "≥ 0.15\n"));
         QCOMPARE(run({"simulate", path}).status, 0);
         const Outcome none = run({"batch", samplePath("smallest-plunge")});
         QCOMPARE(none.status, 1);
-        QVERIFY(none.err.find(": /batch: ") != std::string::npos);
+        QVERIFY(has(none.err, ": /batch: "));
     }
 
     void aSignalEndsItAndKeepsWhatWasDone_data() {
@@ -433,16 +406,6 @@ private slots:
     }
 
 private:
-    static Project projectOf(const QString& file) {
-        return readProject(samples::readText(file.toStdString())).project.value();
-    }
-
-    QString save(const QString& name, const std::string& content) const {
-        const QString path = m_folder.filePath(name);
-        std::ofstream(path.toStdString(), std::ios::binary) << content;
-        return path;
-    }
-
     [[nodiscard]] QString shard(int index, int shards) const {
         const QString which = QString::number(index) + "/" + QString::number(shards);
         return save(QString::number(index) + "of" + QString::number(shards) + ".json",
@@ -486,7 +449,6 @@ private:
         QCOMPARE(answer.at("histogram").size(), expected.histogram.size());
     }
 
-    QTemporaryDir m_folder;
     QString m_file;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // `course` as a teacher meets it: variants for a list, works marked, faults named.
-#include "core/course/best_table.h"
 #include "core/course/work_file.h"
 #include "core/course/work_seal.h"
 #include "tests/cli/cli_bench.h"
@@ -71,39 +70,15 @@ private slots:
         QVERIFY2(isUsageError(outcome), outcome.text().c_str());
     }
 
-    void theSameSeedWritesTheSameFiles() {
-        const QString again = m_folder.filePath("again");
-        QCOMPARE(run(variantsInto(again)).status, 0);
-        const QStringList files = QDir(m_class).entryList(QDir::Files);
-        QCOMPARE(files.size(), 5);
-        QCOMPARE(QDir(again).entryList(QDir::Files), files);
-        for (const QString& file : files) {
-            QCOMPARE(contentOf(again + '/' + file), contentOf(m_class + '/' + file));
-        }
-    }
-
     void worksAreNotWrittenOver() {
         const QString file = m_class + "/001-Иванов_И_.sparkout-work";
         const std::string before = contentOf(file);
         QVERIFY(!before.empty());
         const Outcome outcome = run(variantsInto(m_class));
         QCOMPARE(outcome.status, 1);
-        QVERIFY(outcome.err.find("--force") != std::string::npos);
+        QVERIFY(has(outcome.err, "--force"));
         QCOMPARE(run(variantsInto(m_class) << "--force").status, 0);
         QCOMPARE(contentOf(file), before);
-    }
-
-    void theStudentsFilesHoldNoAnswersAndNoSeed() {
-        for (const QString& name : QDir(m_class).entryList({"*.sparkout-work"})) {
-            const std::string text = contentOf(m_class + '/' + name);
-            for (const char* word : {"\"right\"", "seed", "731902", "\"variants\""}) {
-                QVERIFY2(text.find(word) == std::string::npos, word);
-            }
-            QCOMPARE(run({"course", "check", m_class + '/' + name}).status, 0);
-        }
-        const std::string best = contentOf(m_class + "/teacher-best-answers.csv");
-        QVERIFY(best.starts_with("\"For the teacher only") || best.starts_with("For the teacher"));
-        QCOMPARE(readBestTable(best).rows.size(), std::size_t{3});
     }
 
     void whatIsWrongWithABookIsSaid() {
@@ -133,12 +108,11 @@ private slots:
         QVERIFY(works[2].at("steps")[0].at("finding") == json("passed"));
         QVERIFY(works[3].at("name") == json("Иванов И."));
         QVERIFY(works[3].at("flags") == json({"missing"}));
-        QVERIFY(outcome.err.find("broken.sparkout-work") != std::string::npos);
+        QVERIFY(has(outcome.err, "broken.sparkout-work"));
         const Outcome csv = run(grade + QStringList{"--csv"});
         QCOMPARE(lines(csv.out), std::size_t{6});
         const Outcome text = run(grade);
-        QVERIFY2(text.out.find("edited outside the program") != std::string::npos,
-                 text.out.c_str());
+        QVERIFY2(has(text.out, "edited outside the program"), text.out.c_str());
         QCOMPARE(run({"course", "check", marked + "/edited.sparkout-work"}).status, 4);
     }
 
@@ -163,8 +137,7 @@ private slots:
         const std::string before = contentOf(path);
         const Outcome again = run(book);
         QCOMPARE(again.status, 1);
-        QVERIFY2(again.err.find("there already; --force replaces it") != std::string::npos,
-                 again.err.c_str());
+        QVERIFY2(has(again.err, "there already; --force replaces it"), again.err.c_str());
         QCOMPARE(contentOf(path), before);
         save("Журнал.xlsx", "old");
         QCOMPARE(run(book + QStringList{"--force"}).status, 0);
@@ -172,33 +145,6 @@ private slots:
         QCOMPARE(run(grade + QStringList{"--xlsx", "-o", m_folder.filePath("none/c.xlsx")}).status,
                  1);
     }
-
-    /// Lists as Russian Excel writes them; UTF-16 by its mark, Windows-1251 by its letters.
-    void listsInAnyEncodingAreTaken_data() {
-        QTest::addColumn<QByteArray>("list");
-        addRow("Windows-1251",
-               QByteArray("\xD4\xC8\xCE;\xC3\xF0\xF3\xEF\xEF\xE0\r\n\xC8\xE2\xE0\xED;\xC0-1\r\n"));
-        addRow("UTF-16", QByteArray("\xFF\xFE\x24\x04\x18\x04\x1E\x04;\0\x13\x04\x40\x04"
-                                    "\x43\x04\x3F\x04\x3F\x04\x30\x04\n\0\x18\x04\x32\x04"
-                                    "\x30\x04\x3D\x04;\0\x10\x04-\0001\0\n\0",
-                                    42));
-        addRow("quotation marks", QByteArray("name;group\n\"Иван\";\"А-1\"\n"));
-    }
-    void listsInAnyEncodingAreTaken() {
-        QFETCH(QByteArray, list);
-        const QString group = save("encoded.csv", list.toStdString());
-        const QString folder = m_folder.filePath("encoded");
-        const Outcome outcome = run({"course", "variants", lessonPath(), "--group", group, "--seed",
-                                     "1", "-d", folder, "--force"});
-        QVERIFY2(outcome.status == 0, outcome.text().c_str());
-        QVERIFY(contentOf(folder + "/assignments.csv").find("\n1,Иван,А-1,") != std::string::npos);
-        const Outcome graded = run({"course", "grade", lessonPath(), folder, "--group", group,
-                                    "--answers", folder + "/teacher-best-answers.csv", "--csv"});
-        QVERIFY2(graded.status == 0, graded.text().c_str());
-        QVERIFY2(graded.out.find("sparkout-work,Иван,А-1,1,,,") != std::string::npos,
-                 graded.out.c_str());
-    }
-
     /// The long run has as many as the largest class may hand in, each as large as is read.
     void worksAreHeldInMemoryOneAtATime() {
         const bool isLong = qEnvironmentVariableIsSet("SPARKOUT_LONG");
@@ -243,8 +189,7 @@ private slots:
         QVERIFY2(outcome.out.starts_with("file,name,group,"), outcome.text().c_str());
         const std::size_t marked = lines(outcome.out) - 1;
         QVERIFY(marked < works);
-        QVERIFY2(outcome.err.find("ended after " + std::to_string(marked) + " of 3000 works")
-                     != std::string::npos,
+        QVERIFY2(has(outcome.err, "ended after " + std::to_string(marked) + " of 3000 works"),
                  outcome.err.c_str());
     }
 
@@ -270,8 +215,7 @@ private slots:
         const Outcome outcome =
             run({"course", "variants", lesson, "--group", m_group, "--seed", "1", "-d", folder});
         QCOMPARE(outcome.status, 5);
-        QVERIFY2(outcome.err.find("refused: another variant has the same inputs")
-                     != std::string::npos,
+        QVERIFY2(has(outcome.err, "refused: another variant has the same inputs"),
                  outcome.err.c_str());
         QVERIFY(!QDir(folder).exists());
     }
@@ -283,12 +227,12 @@ private slots:
         const QString lesson = save("faults.sparkout-lesson", file.dump());
         const Outcome outcome = run({"course", "check", lesson});
         QCOMPARE(outcome.status, 1);
-        QVERIFY(outcome.err.find(": /steps/0/points: -1 is out of range") != std::string::npos);
+        QVERIFY(has(outcome.err, ": /steps/0/points: -1 is out of range"));
         const QString twice = save("twice.csv", "A\nB\nA\n");
         const Outcome list = run({"course", "variants", lessonPath(), "--group", twice, "--seed",
                                   "1", "-d", m_folder.filePath("none")});
         QCOMPARE(list.status, 1);
-        QVERIFY2(list.err.find("twice.csv:3: A: ") != std::string::npos, list.err.c_str());
+        QVERIFY2(has(list.err, "twice.csv:3: A: "), list.err.c_str());
         QCOMPARE(run({"course", "grade", lessonPath(), m_folder.filePath("no folder")}).status, 1);
         QCOMPARE(run({"course", "grade", lessonPath(), m_class, "--answers", twice}).status, 1);
     }
@@ -304,18 +248,16 @@ private slots:
     }
 
     void keptRunsThatAreNotTheEnginesAreNamed() {
-        const QString example =
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-38-74h6.sparkout");
+        const QString example = examplePath("shaft-38-74h6");
         QCOMPARE(run({"course", "check", example}).status, 0);
-        QVERIFY(run({"simulate", example}).err.find("kept run") == std::string::npos);
+        QVERIFY(!has(run({"simulate", example}).err, "kept run"));
         json file = json::parse(contentOf(example));
         file["runs"][0]["summary"]["cycle_time_min"] = 1.5;
         const QString edited = save("edited.sparkout", file.dump());
         const Outcome outcome = run({"course", "check", edited});
         QCOMPARE(outcome.status, 4);
-        QVERIFY2(outcome.err.find("kept run \"Factory\": 1 number is not the engine's: "
-                                  "/cycle_time_min 1.5, by the engine 4.5")
-                     != std::string::npos,
+        QVERIFY2(has(outcome.err, "kept run \"Factory\": 1 number is not the engine's: "
+                                  "/cycle_time_min 1.5, by the engine 4.5"),
                  outcome.err.c_str());
         const json answer = json::parse(run({"course", "check", edited, "--json"}).out);
         const json& surface = answer.at("surfaces").at(0);
@@ -325,7 +267,7 @@ private slots:
         QVERIFY(whole.at("surfaces").at(0).at("untrue_runs").empty());
         const Outcome simulated = run({"simulate", edited});
         QCOMPARE(simulated.status, 0);
-        QVERIFY(simulated.err.find("kept run \"Factory\"") != std::string::npos);
+        QVERIFY(has(simulated.err, "kept run \"Factory\""));
     }
 
 private:

@@ -41,10 +41,8 @@ private slots:
         QVERIFY(setup.has_value());
         const DressingInterval interval = dressingInterval(*setup);
         QVERIFY(interval.parts > 1 && interval.end && interval.end->worst);
-        const Outcome outcome =
-            run({"dressing", save(QStringLiteral("dull.sparkout"), text), "--json"});
-        QCOMPARE(outcome.status, 0);
-        const json answer = json::parse(outcome.out);
+        const json answer =
+            answerTo({"dressing", save(QStringLiteral("dull.sparkout"), text), "--json"});
         QCOMPARE(answer.at("parts").get<std::int64_t>(), interval.parts);
         QCOMPARE(answer.at("endless").get<bool>(), false);
         QCOMPARE(answer.at("at_least").get<bool>(), false);

@@ -93,7 +93,7 @@ private slots:
         QVERIFY(row.at("inside").at("count") > 9);
         const Outcome differs = run({"measured", file, "--data", shifted, "--check"});
         QVERIFY2(differs.status == 4, differs.text().c_str());
-        QVERIFY(differs.out.find("the mean differs from the predicted one") != std::string::npos);
+        QVERIFY(has(differs.out, "the mean differs from the predicted one"));
         QCOMPARE(run({"measured", file, "--data", shifted}).status, 0);
     }
 
@@ -110,7 +110,7 @@ private slots:
         QVERIFY(std::abs(fit.at("values")[3].at("value").get<double>() - 0.5) < 0.05);
         QCOMPARE(fit.at("residuals").size(), std::size_t{2});
         const Outcome text = run({"measured", file, "--data", data, "--fit", "alpha,beta"});
-        QVERIFY2(text.out.find("alpha: ") != std::string::npos, text.text().c_str());
+        QVERIFY2(has(text.out, "alpha: "), text.text().c_str());
     }
 
     /// What is known before holds a value where it is sure, outliers hardly count by a robust loss,
@@ -159,7 +159,7 @@ private slots:
         const QString none = m_folder.filePath(QStringLiteral("none.sparkout"));
         const Outcome untold = run(fit + QStringList{"alpha,beta,compliance", "-o", none});
         QVERIFY(!QFile::exists(none));
-        QVERIFY2(untold.err.find("not saved") != std::string::npos, untold.text().c_str());
+        QVERIFY2(has(untold.err, "not saved"), untold.text().c_str());
     }
 
     void whatTheDataCannotTellIsNamed() {
@@ -176,11 +176,10 @@ private slots:
                                   "--fit",    "compliance,flow_stress,size_offset"};
         const Outcome outcome = run(command);
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
-        QVERIFY2(
-            outcome.out.find("told only as a product: compliance, flow_stress; record the wheel's "
-                             "power")
-                != std::string::npos,
-            outcome.out.c_str());
+        QVERIFY2(has(outcome.out,
+                     "told only as a product: compliance, flow_stress; record the wheel's "
+                     "power"),
+                 outcome.out.c_str());
         QCOMPARE(run(command + QStringList{"--check"}).status, 4);
         const json fit = json::parse(run(command + QStringList{"--json"}).out).at("identification");
         QVERIFY(fit.at("cannot_tell")[0].at("parameters") == json({"compliance", "flow_stress"}));
@@ -205,11 +204,11 @@ private slots:
         const QString file = save("plunge.sparkout", yielding().dump());
         const Outcome nothing = run({"measured", file});
         QCOMPARE(nothing.status, 1);
-        QVERIFY(nothing.err.find("nothing is measured") != std::string::npos);
+        QVERIFY(has(nothing.err, "nothing is measured"));
         const QString wrong = save("wrong.csv", "Part;Diameter [mm]\n1;29,9\n2;abc\n");
         const Outcome fault = run({"measured", file, "--data", wrong});
         QCOMPARE(fault.status, 1);
-        QVERIFY2(fault.err.find("wrong.csv:3:2: ") != std::string::npos, fault.err.c_str());
+        QVERIFY2(has(fault.err, "wrong.csv:3:2: "), fault.err.c_str());
         QCOMPARE(run({"measured", file, "--data", "/no/such/file.csv"}).status, 1);
         QVERIFY(isUsageError(run({"measured", file, "--fit", "alpha,gamma"})));
         QVERIFY(isUsageError(run({"measured", file, "--fit", "compliance:x"})));

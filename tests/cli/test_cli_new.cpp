@@ -30,8 +30,8 @@ private slots:
         const Outcome outcome = run({"new", "35k6", "--length", "28", "--stock", "0.15", "--ra",
                                      "0.8", "--machine", "3М153", "-o", file});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
-        QVERIFY(outcome.out.find("rough depth bound by") != std::string::npos);
-        QVERIFY(outcome.out.find("every stock of ") != std::string::npos);
+        QVERIFY(has(outcome.out, "rough depth bound by"));
+        QVERIFY(has(outcome.out, "every stock of "));
 
         auto drawing = *drawingOf(*parseSizeDesignation("35k6"));
         drawing.name = "35k6 × 28";
@@ -75,7 +75,7 @@ private slots:
         QStringList arguments{"new", "35k6", "--length", "28", "--stock", "0.15", "-o", file};
         const Outcome outcome = run(arguments);
         QCOMPARE(outcome.status, 1);
-        QVERIFY(outcome.err.find("--force") != std::string::npos);
+        QVERIFY(has(outcome.err, "--force"));
         QCOMPARE(samples::readText(file.toStdString()), std::string("mine"));
         QCOMPARE(run(arguments << "--force").status, 0);
         const Project made = projectOf(file);

@@ -14,14 +14,7 @@ namespace test_cli_phases {
 using namespace sparkout;
 using namespace cli;
 
-namespace {
-
-QString examplePath() {
-    return QStringLiteral(SPARKOUT_SOURCE_DIR
-                          "/resources/examples/plunge-shaft-two-stage.sparkout");
-}
-
-} // namespace
+const QString example = examplePath("plunge-shaft-two-stage");
 
 class TestCliPhases : public FolderTest {
     Q_OBJECT
@@ -30,11 +23,9 @@ private slots:
     void initTestCase() { begin(); }
 
     void jsonStatesWhatTheEngineDecides() {
-        const Project project = projectOf(examplePath());
+        const Project project = projectOf(example);
         const PhaseDecision decision = decidePhases(project, usualPhases(project));
-        const Outcome outcome = run({"phases", examplePath(), "--json"});
-        QCOMPARE(outcome.status, 0);
-        const json answer = json::parse(outcome.out);
+        const json answer = answerTo({"phases", example, "--json"});
         QVERIFY(answer.at("decided").get<bool>());
         QCOMPARE(answer.at("holds").get<bool>(), decision.holds());
         QCOMPARE(answer.at("pieces").size(), decision.pieces.size());
@@ -49,7 +40,7 @@ private slots:
     }
 
     void aNarrowFieldFailsForSomeStocks() {
-        json file = json::parse(samples::readText(examplePath().toStdString()));
+        json file = json::parse(samples::readText(example.toStdString()));
         file.erase("runs");
         file["part"]["lower_deviation_um"] = file["part"]["upper_deviation_um"].get<double>() - 0.3;
         const QString narrow = save(QStringLiteral("narrow.sparkout"), file.dump());
@@ -61,24 +52,23 @@ private slots:
     }
 
     void oneStockIsARangeToo() {
-        const Project project = projectOf(examplePath());
+        const Project project = projectOf(example);
         const QString stock = QString::number(project.part->stock_mm, 'g', 17);
-        const Outcome outcome =
-            run({"phases", examplePath(), "--from", stock, "--to", stock, "--json"});
+        const Outcome outcome = run({"phases", example, "--from", stock, "--to", stock, "--json"});
         QCOMPARE(outcome.status, 0);
         QCOMPARE(json::parse(outcome.out).at("pieces").size(), std::size_t{1});
     }
 
     void whatCannotBeDecidedIsRefused() {
-        json file = json::parse(samples::readText(examplePath().toStdString()));
+        json file = json::parse(samples::readText(example.toStdString()));
         file.erase("runs");
         file["gauge"]["control"] = "position";
         const QString position = save(QStringLiteral("position.sparkout"), file.dump());
         const Outcome outcome = run({"phases", position});
         QCOMPARE(outcome.status, 1);
         QVERIFY(QByteArray::fromStdString(outcome.err).contains("/gauge/control"));
-        QCOMPARE(run({"phases", examplePath(), "--from", "2", "--to", "1"}).status, 2);
-        QCOMPARE(run({"phases", examplePath(), "--from", "0"}).status, 2);
+        QCOMPARE(run({"phases", example, "--from", "2", "--to", "1"}).status, 2);
+        QCOMPARE(run({"phases", example, "--from", "0"}).status, 2);
         QCOMPARE(run({"phases"}).status, 2);
     }
 };

@@ -46,7 +46,7 @@ private slots:
         const Outcome help = run({"--help"});
         QCOMPARE(help.status, 0);
         for (const char* word : {"simulate", "validate", "examples", "--trace", "Exit status"}) {
-            QVERIFY2(help.out.find(word) != std::string::npos, word);
+            QVERIFY2(has(help.out, word), word);
         }
         QCOMPARE(run({"--version"}).out, "sparkout-cli " + std::string(version) + "\n");
     }
@@ -84,8 +84,7 @@ private slots:
                   "\"eccentric\", \"lobes\", \"measured\"\n",
                   ": /machine/work_speed_rpm: value missing; allowed: 0.1…10000 "
                   "rev/min\n"}) {
-                QVERIFY2(outcome.err.find(path.toStdString() + expected) != std::string::npos,
-                         outcome.err.c_str());
+                QVERIFY2(has(outcome.err, path.toStdString() + expected), outcome.err.c_str());
             }
         }
     }
@@ -142,7 +141,7 @@ private slots:
             QVERIFY2(std::none_of(line.begin(), line.end(),
                                   [](char c) { return static_cast<unsigned char>(c) < 0x20; }),
                      line.c_str());
-            QVERIFY2(line.find("\u202e") == std::string::npos, line.c_str());
+            QVERIFY2(!has(line, "\u202e"), line.c_str());
         }
     }
 

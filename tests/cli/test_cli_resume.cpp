@@ -138,7 +138,7 @@ private slots:
         const Outcome refused =
             run(QStringList{"optimize", small, "--method", "full", "--resume", file} + options);
         QCOMPARE(refused.status, 1);
-        QVERIFY2(refused.err.find(said.toStdString()) != std::string::npos, refused.err.c_str());
+        QVERIFY2(has(refused.err, said.toStdString()), refused.err.c_str());
         QCOMPARE(bytesIn(file), kept);
     }
 
@@ -159,15 +159,15 @@ private slots:
         };
         for (const QByteArray& damaged : {changed, good.left(good.size() / 2)}) {
             const std::string said = answer(damaged);
-            QVERIFY2(said.find("damaged") != std::string::npos, said.c_str());
+            QVERIFY2(has(said, "damaged"), said.c_str());
         }
         const std::string foreign = answer("my notes\n");
-        QVERIFY2(foreign.find("is no progress of a search") != std::string::npos, foreign.c_str());
+        QVERIFY2(has(foreign, "is no progress of a search"), foreign.c_str());
         QByteArray build = good;
         const auto at = build.indexOf("\"engine\":\"") + 10;
         build.replace(at, 4, "0000"); // with a checksum that does not fit any more
         const std::string said = answer(build);
-        QVERIFY2(said.find("damaged") != std::string::npos, said.c_str());
+        QVERIFY2(has(said, "damaged"), said.c_str());
         write(file, good);
         QCOMPARE(run(asked).status, 0);
     }

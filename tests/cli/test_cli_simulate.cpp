@@ -34,9 +34,7 @@ private slots:
     void jsonSaysWhatSimulateComputes_data() { runnableRows(); }
     void jsonSaysWhatSimulateComputes() {
         QFETCH(QString, file);
-        const Outcome outcome = run({"simulate", file, "--json"});
-        QCOMPARE(outcome.status, 0);
-        const json answer = json::parse(outcome.out);
+        const json answer = answerTo({"simulate", file, "--json"});
         const SimulationResult result = simulate(projectOf(file));
         const bool traverse = result.project.operation == Operation::traverse;
         QVERIFY(answer.at("status") == "completed");
@@ -71,13 +69,11 @@ private slots:
         const json stated = json::parse(judgedResultJson(result, constraints, judgement));
         QVERIFY(json::parse(outcome.out).at("judged") == stated.at("judged"));
         const std::string headline = JudgementWording().headline(judgement);
-        QVERIFY(run({"simulate", file}).out.find("\njudged               " + headline + '\n')
-                != std::string::npos);
+        QVERIFY(has(run({"simulate", file}).out, "\njudged               " + headline + '\n'));
     }
 
     void batchIsJudgedWhereItIsAskedFor() {
-        const QString file =
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout");
+        const QString file = examplePath("shaft-30h6-factory");
         const Project project = projectOf(file);
         const BatchStatistics statistics = runBatch(project).statistics;
         const json alone = json::parse(run({"simulate", file, "--json"}).out).at("judged");
@@ -91,10 +87,8 @@ private slots:
         QCOMPARE(batch.at("interval_95").size(), std::size_t{2});
     }
 
-    /// The check is of the part that was run, whatever becomes of other stocks.
     void checkJudgesThePartThatWasRun() {
-        const QString file = QStringLiteral(SPARKOUT_SOURCE_DIR
-                                            "/resources/examples/plunge-shaft-two-stage.sparkout");
+        const QString file = examplePath("plunge-shaft-two-stage");
         const Project project = projectOf(file);
         json narrow = json::parse(samples::readText(file.toStdString()));
         narrow.erase("runs");
@@ -133,15 +127,15 @@ private slots:
                  "status|machining time|double strokes|diameter_min|diameter_max|radial_runout|"
                  "rz1|nz|rz2|cylindricity, µm|total runout, µm|taper|roundness|roughness|burn|"
                  "nearest to burning|wheel_power|kW  holds|gauge_commands|overlap")) {
-            QVERIFY2(outcome.out.find(word) != std::string::npos, word.c_str());
+            QVERIFY2(has(outcome.out, word), word.c_str());
         }
     }
 
     void sectionsAreCountedAsInTheFileAndTheTextSaysSo() {
         const std::string out = run({"simulate", samplePath("smallest-plunge")}).out;
-        QVERIFY(out.find("; sections from 0\n  section 0 ") != std::string::npos);
-        QVERIFY(run({"simulate", samplePath("complete")}).out.find("from 0") == std::string::npos);
-        QVERIFY(run({"--help"}).out.find("counted from 0") != std::string::npos);
+        QVERIFY(has(out, "; sections from 0\n  section 0 "));
+        QVERIFY(!has(run({"simulate", samplePath("complete")}).out, "from 0"));
+        QVERIFY(has(run({"--help"}).out, "counted from 0"));
     }
 
     void textListsTheShopsNumbersStageByStage() {
@@ -168,9 +162,9 @@ private slots:
         file["machine"]["work_speed_rpm"] = 150;
         file["machine"]["wheel_speed_m_s"] = 31.416; // 1200 rev/min, 8 : 1
         const std::string out = run({"simulate", save("sharp.sparkout", file.dump())}).out;
-        QVERIFY(out.find("(<)5.600") != std::string::npos);
-        QVERIFY(out.find("20…120 J/mm³") != std::string::npos);
-        QVERIFY(out.find("8.000, near a whole number: WAVINESS") != std::string::npos);
+        QVERIFY(has(out, "(<)5.600"));
+        QVERIFY(has(out, "20…120 J/mm³"));
+        QVERIFY(has(out, "8.000, near a whole number: WAVINESS"));
     }
 
 private:

@@ -56,9 +56,7 @@ private slots:
     }
 
     void allSurfacesInOneAnswer() {
-        const Outcome all = run({"simulate", m_file, "--json"});
-        QCOMPARE(all.status, 0);
-        const json answer = json::parse(all.out);
+        const json answer = answerTo({"simulate", m_file, "--json"});
         QCOMPARE(answer.at("surfaces").size(), 2u);
         double sum_min = 0;
         for (std::size_t i = 0; i < 2; ++i) {
@@ -81,7 +79,7 @@ private slots:
                    second = all.out.find("surface 2  surface B");
         QVERIFY(first != std::string::npos && second != std::string::npos && first < second);
         QVERIFY(all.out.find("auxiliary time Ta") > second);
-        QVERIFY(all.out.find(run({"simulate", m_first}).out) != std::string::npos);
+        QVERIFY(has(all.out, run({"simulate", m_first}).out));
     }
 
     void everySurfaceIsOptimisedIntoOneFile() {
@@ -101,7 +99,6 @@ private slots:
         QCOMPARE(best.setup->times.handling_s, 30.0);
     }
 
-    /// What is found is written, and the surface that has no answer is named.
     void aSurfaceWithoutAnAnswerKeepsItsCycle() {
         json strict = m_one;
         strict["part"]["tolerance"]["radial_runout_um"] = 1e-6;
@@ -109,13 +106,12 @@ private slots:
         const QString out = m_folder.filePath("half.sparkout");
         const Outcome half = run({"optimize", file, "-o", out});
         QCOMPARE(half.status, 5);
-        QVERIFY2(half.err.find("surface 2 surface B") != std::string::npos, half.err.c_str());
+        QVERIFY2(has(half.err, "surface 2 surface B"), half.err.c_str());
         const json saved = json::parse(samples::readText(out.toStdString())).at("surfaces");
         QVERIFY(saved.at(0).at("cycle") != m_one.at("cycle"));
         QVERIFY(saved.at(1).at("cycle") == strict.at("cycle"));
     }
 
-    /// What was found of the surface that it interrupts is written, the next one is not begun.
     void ctrlCEndsWithTheSurfaceThatItInterrupts() {
         const json first = endless();
         json second = first;
@@ -125,8 +121,8 @@ private slots:
         const QString out = m_folder.filePath("found.sparkout");
         const Outcome stopped = interruptedWithAnAnswer({file, "-o", out});
         QCOMPARE(stopped.status, 0);
-        QVERIFY(stopped.out.find("surface 1  surface A") != std::string::npos);
-        QVERIFY(stopped.out.find("surface 2  surface B") == std::string::npos);
+        QVERIFY(has(stopped.out, "surface 1  surface A"));
+        QVERIFY(!has(stopped.out, "surface 2  surface B"));
         const json saved = json::parse(samples::readText(out.toStdString())).at("surfaces");
         QVERIFY(saved.at(0).at("cycle") != first.at("cycle"));
         QVERIFY(saved.at(1).at("cycle") == second.at("cycle"));
@@ -163,13 +159,12 @@ private slots:
               QStringList{"sweep", m_file, "--csv"}}) {
             const Outcome outcome = run(arguments);
             QCOMPARE(outcome.status, 2);
-            QVERIFY2(outcome.err.find("--surface") != std::string::npos, outcome.err.c_str());
+            QVERIFY2(has(outcome.err, "--surface"), outcome.err.c_str());
         }
         QVERIFY(!QFile::exists(csv));
         const Outcome strange = run({"simulate", m_file, "--surface", "seat"});
         QCOMPARE(strange.status, 2);
-        QVERIFY2(strange.err.find("1 surface A, 2 surface B") != std::string::npos,
-                 strange.err.c_str());
+        QVERIFY2(has(strange.err, "1 surface A, 2 surface B"), strange.err.c_str());
         QCOMPARE(run({"simulate", m_first, "--surface", "1"}).status, 0);
         QCOMPARE(run({"simulate", m_first, "--surface", "2"}).status, 2);
         QCOMPARE(run({"validate", m_file}).status, 0);

@@ -30,7 +30,7 @@ private slots:
         full.start(SPARKOUT_CLI, {"simulate", samplePath("complete"), "--json"});
         const Outcome outcome = outcomeOf(full);
         QCOMPARE(outcome.status, 1);
-        QVERIFY(outcome.err.find("standard output cannot be written") != std::string::npos);
+        QVERIFY(has(outcome.err, "standard output cannot be written"));
         // A closed pipe: the reader is gone before the program starts.
         const QString status = m_folder.filePath("status");
         QProcess shell;
@@ -105,8 +105,8 @@ private slots:
         QVERIFY(QFile::remove(folder + '/' + names.front()));
         const Outcome kept = run({"examples", folder});
         QCOMPARE(kept.status, 1);
-        QVERIFY2(kept.err.find(edited.toStdString()) != std::string::npos
-                     && kept.err.find("--force") != std::string::npos && lines(kept.err) == 2,
+        QVERIFY2(has(kept.err, edited.toStdString()) && has(kept.err, "--force")
+                     && lines(kept.err) == 2,
                  kept.err.c_str());
         QCOMPARE(samples::readText(edited.toStdString()), std::string("mine"));
         QVERIFY(!QFile::exists(folder + '/' + names.front()));
@@ -154,10 +154,9 @@ private slots:
                                          .arg(SPARKOUT_CLI, command, file)});
                 const Outcome outcome = outcomeOf(process);
                 QVERIFY2(outcome.status == 1, outcome.text().c_str());
-                QVERIFY2(outcome.err.find("\\u001B[31m\\u000Ab\\u009B\\xE0x\\u001B\\u202E")
-                             != std::string::npos,
+                QVERIFY2(has(outcome.err, "\\u001B[31m\\u000Ab\\u009B\\xE0x\\u001B\\u202E"),
                          outcome.err.c_str());
-                QVERIFY(outcome.err.find('\x1b') == std::string::npos);
+                QVERIFY(!has(outcome.err, '\x1b'));
                 std::filesystem::remove_all(file.toStdString()); // Qt cannot remove that name
             }
         }

@@ -2,15 +2,8 @@
 // Labels: numbers
 // `sweep` as a user meets it: the real program, its exit status, what it prints.
 #include "core/sweep/sweep_run.h"
-#include "tests/cli/cli_process.h"
+#include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
-
-#include <QTemporaryDir>
-#include <QTest>
-
-#include <clocale>
-#include <cmath>
-#include <fstream>
 
 namespace test_cli_sweep {
 
@@ -18,30 +11,26 @@ using namespace sparkout;
 using namespace cli;
 using nlohmann::json;
 
-class TestCliSweep : public QObject {
+class TestCliSweep : public FolderTest {
     Q_OBJECT
 
 private slots:
     void initTestCase() {
-        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
-        QVERIFY(m_folder.isValid());
+        begin();
         json project =
             json::parse(samples::readText(samplePath("smallest-traverse").toStdString()));
         project["sweep"] = {
             {"inputs",
              {{{"input", "/machine/overrun_entry_mm"}, {"from", 5}, {"to", 60}, {"points", 6}},
               {{"input", "/wheel/dullness"}, {"from", 0.01}, {"to", 0.04}, {"points", 3}}}}};
-        m_file = write("swept", project);
+        m_file = save("swept.sparkout", project.dump());
         project["sweep"]["inputs"][1]["input"] = "/wheel/sharpness";
-        m_faulty = write("faulty", project);
+        m_faulty = save("faulty.sparkout", project.dump());
     }
 
     void jsonSaysWhatTheEngineComputes() {
-        const Outcome outcome = run({"sweep", m_file, "--json"});
-        QCOMPARE(outcome.status, 0);
-        const json answer = json::parse(outcome.out);
-        const SweepResult sweep =
-            runSweep(*readProject(samples::readText(m_file.toStdString())).project);
+        const json answer = answerTo({"sweep", m_file, "--json"});
+        const SweepResult sweep = runSweep(projectOf(m_file));
         QVERIFY(answer.at("status") == "completed");
         QVERIFY(answer.at("inputs")[1].at("input") == "/wheel/dullness");
         QCOMPARE(answer.at("points").size(), sweep.points.size());
@@ -78,8 +67,7 @@ private slots:
         const Outcome outcome = run({"sweep", m_faulty});
         QCOMPARE(outcome.status, 1);
         QVERIFY(outcome.out.empty());
-        QVERIFY(outcome.err.find("/sweep/inputs/1/input: \"/wheel/sharpness\"")
-                != std::string::npos);
+        QVERIFY(has(outcome.err, "/sweep/inputs/1/input: \"/wheel/sharpness\""));
         // A single cycle does not read it.
         QCOMPARE(run({"simulate", m_faulty}).status, 0);
         QCOMPARE(run({"sweep", samplePath("smallest-traverse")}).status, 1);
@@ -93,17 +81,10 @@ private slots:
             const Outcome outcome = run(arguments);
             QVERIFY2(isUsageError(outcome), outcome.text().c_str());
         }
-        QVERIFY(run({"--help"}).out.find("sparkout-cli sweep FILE") != std::string::npos);
+        QVERIFY(has(run({"--help"}).out, "sparkout-cli sweep FILE"));
     }
 
 private:
-    QString write(const char* name, const json& project) {
-        const QString path = m_folder.filePath(QString::fromLatin1(name) + ".sparkout");
-        std::ofstream(path.toStdString()) << project.dump();
-        return path;
-    }
-
-    QTemporaryDir m_folder;
     QString m_file, m_faulty;
 };
 

@@ -83,8 +83,7 @@ private slots:
         const QString path = save("kept.sparkout", file.dump());
         const Outcome outcome = run({"simulate", path});
         QCOMPARE(outcome.status, 0);
-        QVERIFY2(outcome.err.find("\\u001B]0;title\\u0007") != std::string::npos,
-                 outcome.err.c_str());
+        QVERIFY2(has(outcome.err, "\\u001B]0;title\\u0007"), outcome.err.c_str());
         QCOMPARE(lines(outcome.err), 1U); // one kept run, one line
         checkPrinted(outcome, {"simulate"});
     }

@@ -83,8 +83,7 @@ private slots:
         const Outcome outcome =
             run({"simulate", save("huge.sparkout", file.dump()), "--trace", trace});
         QCOMPARE(outcome.status, 1);
-        QVERIFY2(outcome.err.find("rows; allowed: at most") != std::string::npos,
-                 outcome.err.c_str());
+        QVERIFY2(has(outcome.err, "rows; allowed: at most"), outcome.err.c_str());
         QVERIFY(!std::filesystem::exists(trace.toStdString()));
     }
 
@@ -100,8 +99,7 @@ private slots:
                  {samplePath("complete"), m_folder.filePath("new.sparkout")}}) {
             const Outcome outcome = run({"simulate", file, "--trace", trace});
             QCOMPARE(outcome.status, 2);
-            QVERIFY2(outcome.err.find(trace.toStdString()) != std::string::npos,
-                     outcome.err.c_str());
+            QVERIFY2(has(outcome.err, trace.toStdString()), outcome.err.c_str());
         }
         QCOMPARE(samples::readText(project.toStdString()), text);
         QCOMPARE(samples::readText(plain.toStdString()), text);

@@ -67,8 +67,7 @@ private slots:
         const double mzc = recorded.at("readings")[1].at("mzc_um").get<double>();
         QVERIFY(std::abs(mzc - 10 * std::pow(2, -1.0 / 25)) < 0.01);
         const Outcome text = run({"measured", file, "--roundness"});
-        QVERIFY2(text.out.find("Gaussian filter 50 UPR: MZC ") != std::string::npos,
-                 text.text().c_str());
+        QVERIFY2(has(text.out, "Gaussian filter 50 UPR: MZC "), text.text().c_str());
     }
 
     void theBestTrialComesFirst() {
@@ -82,8 +81,7 @@ private slots:
         QCOMPARE(trials[0].at("expected").size(), std::size_t{2});
         QVERIFY(trials[0].at("radial_feed_mm_min").get<double>() > 0);
         const Outcome text = run({"measured", file, "--trial", "chip_power"});
-        QVERIFY2(text.out.find("chip_power: cannot be told") != std::string::npos,
-                 text.text().c_str());
+        QVERIFY2(has(text.out, "chip_power: cannot be told"), text.text().c_str());
         QVERIFY(isUsageError(run({"measured", file, "--trial", "gamma"})));
         QCOMPARE(run({"measured", file, "--trial", "alpha,alpha"}).status, 1);
     }
@@ -106,9 +104,9 @@ private slots:
         QCOMPARE(found.at("compliance").size(), std::size_t{3});
         const Outcome system =
             run({"measured", path, "--stiffness", table, "--indicator", "system"});
-        QVERIFY(system.status == 0 || system.err.find("stiffer than rigid") != std::string::npos);
+        QVERIFY(system.status == 0 || has(system.err, "stiffer than rigid"));
         const Outcome sheet = run({"measured", path, "--stiffness-sheet"});
-        QVERIFY2(sheet.out.find("Set an indicator") != std::string::npos, sheet.text().c_str());
+        QVERIFY2(has(sheet.out, "Set an indicator"), sheet.text().c_str());
     }
 
     void refusals() {
@@ -116,7 +114,7 @@ private slots:
         const QString bad = save("bad.csv", "0;15\n90;abc\n");
         const Outcome profile = run({"measured", file, "--profile", bad});
         QCOMPARE(profile.status, 1);
-        QVERIFY2(profile.err.find("bad.csv:2:2: ") != std::string::npos, profile.err.c_str());
+        QVERIFY2(has(profile.err, "bad.csv:2:2: "), profile.err.c_str());
         const Outcome stiffness = run({"measured", file, "--stiffness", bad});
         QCOMPARE(stiffness.status, 1);
         QVERIFY(isUsageError(run({"measured", file, "--roundness", "--trial", "alpha"})));

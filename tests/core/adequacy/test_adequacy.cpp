@@ -272,7 +272,6 @@ private slots:
         QVERIFY(!judgeAdequacy(normalValues(1, 20, 0, 1), still, limits).scatter);
     }
 
-    /// What a table prints of the parts gives the same verdict as the parts.
     void aSummaryIsJudgedAsItsParts() {
         for (const double mean : {0.0, 4.0}) {
             const AdequacyRow parts = judgeAdequacy(normalValues(3, 30, mean, 1), standard, limits);

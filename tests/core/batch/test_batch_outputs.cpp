@@ -12,7 +12,6 @@ class TestBatchOutputs : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Names that scripts read columns by.
     void theColumnsKeepTheirNames() {
         std::istringstream csv(batchCsv(runBatch(fixtures::shaftBatch(20))));
         std::string heads;
@@ -28,7 +27,6 @@ private slots:
         }
     }
 
-    /// Where nothing limits a characteristic, no share of it was found to be out.
     void nothingIsOutOfNoTolerance() {
         const auto json = nlohmann::json::parse(batchJson(runBatch(fixtures::shaftBatch(20))));
         int limited = 0, free = 0;

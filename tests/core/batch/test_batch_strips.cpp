@@ -114,7 +114,6 @@ private slots:
         QCOMPARE(verdict.value, 1.0);
     }
 
-    /// Of both kinds the figures are those of the whole parts, and no capability is told.
     void partsWithStripsAreLeftOutOfTheFigures() {
         const BatchSummary all = summarise(mixed()), good = summarise(runBatch(whole()));
         QCOMPARE(all.parts, 2 * parts);

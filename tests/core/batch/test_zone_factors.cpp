@@ -138,20 +138,6 @@ private slots:
         QVERIFY(seen == corners);
     }
 
-    void aProjectWithoutThemIsTheSameInItsFile() {
-        Project plain = shaft();
-        plain.batch.reset();
-        plain.runs.clear();
-        const std::string text = writeProject(plain);
-        QVERIFY(text.find("zone_stock_mm") == std::string::npos);
-        QVERIFY(text.find("zone_compliance") == std::string::npos);
-        const Project project = byZones(shaft());
-        const ReadResult read = readProject(writeProject(project));
-        QVERIFY(read.project && read.project->batch->zone_stock_mm == project.batch->zone_stock_mm
-                && read.project->batch->zone_runout_mm == project.batch->zone_runout_mm
-                && read.project->batch->zone_compliance == project.batch->zone_compliance);
-    }
-
     void whatCannotBeIsRefused() {
         Project project = shaft();
         project.batch->zone_stock_mm = {{{0, 0.01}, {0, 0.01}}};
@@ -235,7 +221,6 @@ private slots:
         QVERIFY(writeBatchState(joined.result) == writeBatchState(whole));
     }
 
-    // What is found holds in every corner, those of the zones among them.
     void aRobustCycleHoldsInAllCorners() {
         Project project = shaft();
         project.batch->factors = {};

@@ -132,7 +132,6 @@ private slots:
         QVERIFY(sameProject(project, before));
     }
 
-    /// What an entry says is not known the project has no longer; it does not keep that of another.
     void whatIsNotKnownIsTakenOut() {
         Project project = fixtures::plunge();
         project.material->burn_rise_k = 700;

@@ -92,8 +92,6 @@ private slots:
         }
     }
 
-    // No value without a source that SOURCES.md explains, or the words of an estimate and its
-    // range.
     void everyShippedValueSaysWhereItComesFrom() {
         const std::set<std::string> known = sourceKeys();
         QVERIFY(known.count("ALORO40X") && !known.count("NOBODY"));
@@ -184,7 +182,6 @@ private slots:
         }
     }
 
-    // A wheel's entry says what its marking says.
     void wheelsAreWhatTheirMarkingsSay() {
         for (const WheelEntry& entry : shipped<WheelEntry>()) {
             const auto marking = readWheelMarking(entry.value.marking);

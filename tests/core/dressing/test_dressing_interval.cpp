@@ -96,7 +96,6 @@ class TestDressingInterval : public QObject {
     Q_OBJECT
 
 private slots:
-    /// What the file states of wear is of the wheel as it is; the dressing compensates it.
     void theDressingCompensatesTheStatedWear() {
         Setup setup = stiffPlunge();
         setup.wear = {};

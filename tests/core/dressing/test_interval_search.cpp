@@ -387,7 +387,6 @@ private slots:
         QVERIFY(std::ranges::all_of(lives, [alone](std::int64_t n) { return n < alone / 2; }));
     }
 
-    /// In a set-up that is not finished, a surface without a cycle counts by its drawing.
     void aSurfaceWithoutACycleCountsByItsDrawing() {
         Setup setup = plainSetup(stiffDriven());
         setup.surfaces.resize(3, setup.surfaces.front());
@@ -431,8 +430,6 @@ private slots:
         QVERIFY(refusalOf({}).find("/optimisation/margin_within_min") == 0);
     }
 
-    /// The answer is that of the interval search, and the best of each number of stages that of its
-    /// own one.
     void theBestOfEachNumberOfStagesIsThatOfItsOwnSearch() {
         int found = 0;
         for (unsigned seed = 0; seed < searches(16); ++seed) {

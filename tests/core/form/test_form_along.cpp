@@ -43,7 +43,6 @@ private slots:
         }));
     }
 
-    // A section of a run: the engine's runout is this one.
     void runoutOfARunIsTheEngines() {
         Project p = fixtures::traverse();
         p.machine->geometric_runout_um = 1.5;

@@ -187,7 +187,6 @@ private slots:
         }
     }
 
-    // The fit of a recorded cycle says what its spark-out supports.
     void aFitSaysWhatItsSparkOutSupports() {
         Project project = sparkingOut(ForceLawKind::threshold, 24);
         const measured_cycles::Record cycle = record(project);

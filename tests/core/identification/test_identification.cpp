@@ -104,7 +104,6 @@ private slots:
         }
     }
 
-    /// Beyond what is searched a value is shown and not used.
     void aFactorBeyondTheSearchIsNotUsed() {
         Project project = yieldingPlunge();
         Project truth = project;

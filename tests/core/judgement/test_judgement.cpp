@@ -83,7 +83,6 @@ class TestJudgement : public QObject {
     Q_OBJECT
 
 private slots:
-    /// From the last state to the first: each beats those before it.
     void eachStateBeatsThoseBehindIt() {
         Known known;
         known.stocks.reset();

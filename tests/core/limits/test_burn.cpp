@@ -268,7 +268,6 @@ private slots:
         QVERIFY(close(model.limitDepth(700, 1e-12), model.burnFreeDepth(700), 1e-9));
     }
 
-    // The check by depths is the check by the damaged layer.
     void depthsCompareAsTheDamagedLayersDo() {
         QVERIFY(holds("same verdict", [] {
             const BurnModel model(anyCutting());

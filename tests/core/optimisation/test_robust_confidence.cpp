@@ -100,8 +100,6 @@ private slots:
         QVERIFY(!failing);
     }
 
-    /// A search that is stopped anywhere keeps the best so far that came through all of its tests,
-    /// and nothing that did not.
     void aStopKeepsTheBestThatCameThroughItsTests() {
         const Project p = samples::projectIn("resources/examples/plunge-shaft-two-stage.sparkout");
         int calls = 0, kept = 0, stopped = 0;

@@ -139,7 +139,6 @@ private slots:
         QVERIFY(cut > 1);
     }
 
-    /// What was finished is not searched a second time.
     void whatIsFinishedIsKnown() {
         Project p = smallCase(3);
         SearchJournal first;
@@ -152,7 +151,6 @@ private slots:
         QCOMPARE(steps, 0);
     }
 
-    /// A record that fits no cycle of the grid does no harm: it is searched anew.
     void whatIsOfNoCycleIsSearchedAnew() {
         const Project p = smallCase(3);
         SearchJournal none;

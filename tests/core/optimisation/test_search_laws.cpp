@@ -147,8 +147,6 @@ private slots:
         QVERIFY2(found > least && quicker > 0, QByteArray::number(found)); // at 1 none stays
     }
 
-    // A gauge that reads too large or too small ends the stages elsewhere; bounds and what is cut
-    // off count on it.
     void searchesAreExactWithAGaugeThatReadsWrong() {
         int found = 0;
         for (unsigned seed = 0; seed < searches(60); ++seed) {

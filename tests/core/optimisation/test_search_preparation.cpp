@@ -133,27 +133,6 @@ private slots:
         p.optimisation->work_speed_rpm = std::vector<double>{400};
         QVERIFY(stopped_s >= 0 && stopped_s <= steplessLimit_s(p) * (1 + 1e-9));
     }
-
-    void aRefinementIsStopped() {
-        Project p = fixtures::traverse();
-        p.part->radii_per_section = 360;
-        Optimisation grid;
-        grid.stages = {2};
-        grid.radial_feed_mm = std::vector<double>{0.002, 0.004};
-        grid.axial_feed_mm_min = std::vector<double>{300, 1800};
-        p.optimisation = grid;
-        RefineOptions options;
-        options.mostRuns = 1'000'000;
-        options.source = freshStockPhases;
-        RefineSummary refined;
-        const qint64 took_ms = stoppedAfter(200ms, [&](const std::stop_token& stop) {
-            options.stop = stop;
-            refined = refine(p, *p.cycle, options);
-        });
-        qInfo("%lld ms", took_ms);
-        QVERIFY2(took_ms < busy * most_ms, QByteArray::number(took_ms));
-        QVERIFY(refined.time_us > 0);
-    }
 };
 
 } // namespace sparkout::test_search_preparation

@@ -233,8 +233,6 @@ private slots:
         QCOMPARE(stopped.iterations, 0);
     }
 
-    // Stopped anywhere, also within a portion, a full search goes on to the same answer, and
-    // decides on every cycle once.
     void aFullSearchGoesOnFromWithinAPortion() {
         int within = 0;
         for (unsigned seed = 0; seed < 4; ++seed) {

@@ -149,7 +149,6 @@ private slots:
         }
     }
 
-    /// They cover the interval and overlap by next to nothing.
     void piecesCoverTheInterval() {
         for (const char* name : {"smallest-plunge", "complete", "stiffness-traverse"}) {
             Project project = samples::project(name);

@@ -408,7 +408,6 @@ private slots:
         }
     }
 
-    // A system that no elastic body is: there is no solution, and none is claimed.
     void whatHasNoSolutionIsReported() {
         const Solution pushed = solve({{-1}, {40}, usual}, {0.01});
         QVERIFY(!pushed.outcome.converged);

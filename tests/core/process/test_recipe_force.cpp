@@ -147,7 +147,6 @@ private slots:
         }));
     }
 
-    /// A cycle of the engine by the recipe is that of the wheel with what it comes to.
     void aCycleRunsByTheRecipe() {
         Project p = fixtures::plunge();
         p.wheel->force_recipe.emplace().wear_flat_mm = 0.05;
@@ -160,7 +159,6 @@ private slots:
         QCOMPARE(byRecipe.time_s, byLaw.time_s);
     }
 
-    /// Every equation of the sheets, read back and worked out from its own numbers.
     void itsFormulasHold() {
         QVERIFY(rc::check("sheets", [] {
             Project p = anyProject();
@@ -179,17 +177,6 @@ private slots:
                 }
             }
         }));
-    }
-
-    void aFileKeepsIt() {
-        QVERIFY(rc::check("file", [] {
-            const Project p = anyProject();
-            const ReadResult read = readProject(writeProject(p));
-            RC_ASSERT(read.project.has_value());
-            RC_ASSERT(read.project->wheel->force_recipe.has_value());
-            RC_ASSERT(same(forceLaw(*read.project), forceLaw(p)));
-        }));
-        QVERIFY(writeProject(fixtures::plunge()).find("force_recipe") == std::string::npos);
     }
 
     /// Grain and bond leave pores; without a recipe nothing rests on them here.

@@ -36,7 +36,6 @@ private slots:
         QVERIFY(json::parse(writeProject(*read.project))["card"] == file["card"]);
     }
 
-    /// Files without them are written as before.
     void whatIsNotGivenIsNotWritten() {
         json file = samples::sample("complete");
         file.erase("card");

@@ -81,16 +81,6 @@ private slots:
         QCOMPARE(firstDifference(a, b), std::string("/measured"));
     }
 
-    void aProjectWithoutItKeepsItsBytes() {
-        const Project plain = samples::project("complete");
-        QVERIFY(!plain.measured);
-        QVERIFY(writeProject(plain).find("measured") == std::string::npos);
-        Project was = plain;
-        was.measured.emplace().parts.emplace_back();
-        was.measured.reset();
-        QCOMPARE(writeProject(was), writeProject(plain));
-    }
-
     void aFullTraceIsRead() {
         Project project = samples::project("smallest-plunge");
         project.measured.emplace().traces.assign(limits::traces, longTrace());

@@ -43,7 +43,6 @@ class TestConstraintSheet : public QObject {
     Q_OBJECT
 
 private slots:
-    // The last line of a sheet is the number of the verdict.
     void sheetEndsWithTheNumberOfTheVerdict_data() { bothOperations(); }
     void sheetEndsWithTheNumberOfTheVerdict() {
         QFETCH(Project, project);

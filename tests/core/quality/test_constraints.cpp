@@ -88,7 +88,6 @@ private slots:
         }
     }
 
-    // A margin is the way to the limit, positive inside, in µm.
     void marginIsTheDistanceToTheLimitFromInside_data() {
         addColumns<ConstraintKind, int, double, double, double, double>(
             "kind", "section", "limit", "value", "margin", "relative");
@@ -150,7 +149,6 @@ private slots:
         QCOMPARE(find(all, ConstraintKind::radialRunout, 1).holds, holds);
     }
 
-    // A tolerance that is not given is not required, so it is not listed.
     void toleranceThatIsNotGivenIsNotListed() {
         SimulationResult r = result();
         r.project.part->tolerance.radial_runout_um.reset();
@@ -316,7 +314,6 @@ private slots:
         }
     }
 
-    // One whole way from the cycle: the machine's own runout counts against the tolerance.
     void machinesRunoutCountsAgainstTheTolerance() {
         Project p = fixtures::plunge();
         p.part->tolerance.radial_runout_um = 3;

@@ -65,7 +65,6 @@ private slots:
         }
     }
 
-    // Of the radii of a pass no other comes nearer to its limit.
     void aPassIsItsWorstRadius() {
         const Project project = limited(plungeOfThree());
         const Drawn drawn(project);
@@ -169,7 +168,6 @@ private slots:
         }
     }
 
-    // At each stock the curve that is named has the least depth of all, and no other is named.
     void theEnvelopeNamesTheLeastCurveAtEachStock() {
         std::mt19937_64 random(11);
         std::uniform_real_distribution<double> share(0, 1);

@@ -78,14 +78,6 @@ private slots:
         }
     }
 
-    void aProjectFileGivesItBackToTheByte() {
-        Project project = samples::project("smallest-traverse");
-        project.runs = {Ran(project).kept(), Ran(samples::project("smallest-plunge")).kept()};
-        const ReadResult read = readProject(writeProject(project));
-        QVERIFY2(read.project, samples::listed(read.issues).c_str());
-        QVERIFY(read.project->runs == project.runs);
-    }
-
     /// A thousandth more in any number, or one more in a count, is named by its path and nothing
     /// else is; a millionth of a micrometre is no difference.
     void everyValueThatChangesIsNamed() {

@@ -73,7 +73,6 @@ private slots:
         QVERIFY(cuts > 1000 && misses > 10);
     }
 
-    /// Every equation, read back and worked out from its own numbers, gives its result.
     void everyEquationHolds() {
         for (const Project& project : samples()) {
             Trajectory trajectory;

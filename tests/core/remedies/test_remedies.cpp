@@ -22,6 +22,7 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"
+#include "tests/processor_time.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 
@@ -30,7 +31,6 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <regex>
 #include <stop_token>
 #include <thread>
@@ -39,13 +39,6 @@
 namespace sparkout::test_remedies {
 
 using namespace std::chrono_literals;
-
-/// Of this thread: what others do beside it does not count.
-double processorTime_ms() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
 
 RemedyResult remediesOf(const Project& project, const RemedyOptions& options = {}) {
     const OutcomePtr outcome = evaluate(project);
@@ -505,9 +498,9 @@ private slots:
         const std::vector<Project> projects = samples::failingProjects(count);
         for (std::size_t i = 0; i < projects.size(); ++i) {
             const OutcomePtr outcome = evaluate(projects[i]);
-            const double begin_ms = processorTime_ms();
+            const double begin_ms = threadTime_ms();
             const RemedyResult found = findRemedies(outcome->result, outcome->constraints);
-            times_ms.push_back(processorTime_ms() - begin_ms);
+            times_ms.push_back(threadTime_ms() - begin_ms);
             worst = times_ms.back() > times_ms[static_cast<std::size_t>(worst)]
                         ? static_cast<int>(i)
                         : worst;
@@ -588,7 +581,6 @@ private slots:
         QVERIFY(helped > count / 6);
     }
 
-    // A cycle that holds as stated is mended for its batch.
     void aCycleThatFailsForItsBatchAloneIsMended() {
         int stocks = 0, batch = 0, mended = 0;
         for (std::uint64_t seed = 1; seed < 120; ++seed) {
@@ -615,7 +607,6 @@ private slots:
         QVERIFY(stocks + batch > 0 && mended > 0);
     }
 
-    // A part of the batch that fails keeps a change from being offered that holds for all stocks.
     void aChangeThatLosesPartsOfTheBatchIsNotOffered() {
         int dropped = 0;
         for (std::uint64_t seed = 1; dropped < 2 && seed < 200; ++seed) {
@@ -679,7 +670,6 @@ private slots:
         std::printf("REMEDIES %s\n", text(project, found).c_str());
     }
 
-    // Under position control the stocks are sampled, and the confidence is stated.
     void underPositionControlStocksAreSampled() {
         int offered = 0, stocks = 0;
         for (std::uint64_t seed = 1; offered < 4 && seed < 400; ++seed) {
@@ -734,7 +724,6 @@ private slots:
         QCOMPARE(remediesOf(project).goal, RemedyGoal::none);
     }
 
-    // A cycle that holds, but nearer to a limit than a tenth of the field: it is given room.
     void aCloseCycleIsGivenRoom() {
         int close = 0;
         for (const double margin : {0.02, 0.05, 0.09}) {

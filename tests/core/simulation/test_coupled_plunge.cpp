@@ -4,10 +4,8 @@
 #include "core/process/system_compliance.h"
 #include "core/project/validate.h"
 
-#include "tests/check_line.h"
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/project_fixtures.h"
-#include "tests/processor_time.h"
 #include "tests/ready_made.h"
 #include "tests/registry.h"
 
@@ -398,32 +396,6 @@ private slots:
         Project traverse = fixtures::traverse();
         traverse.sections_coupled = true; // not read there
         QVERIFY(!hasErrors(validate(traverse)));
-    }
-
-    // 20 sections, 300 revolutions, 36 radii: 100 ms in a release build; a test fails at four
-    // times.
-    void twentySectionsAreFast() {
-        Project p = slender(20);
-        p.part->radii_per_section = 36;
-        p.gauge->control = Control::position;
-        p.part->stock_mm = 0.2;
-        p.cycle->stages = {plungeStage(0.18, 0.2), sparkStage(fixtures::count(80))};
-        double best = 1e9; // of the processor, ms: other programs run too
-        int revolutions = 0;
-        for (int i = 0; i < 5; ++i) {
-            const double start_ms = processorTime_ms();
-            const SimulationResult r = simulateUnchecked(p);
-            best = std::min(best, processorTime_ms() - start_ms);
-            revolutions = r.cycleCount;
-            QCOMPARE(r.status, RunStatus::completed);
-        }
-        QCOMPARE(revolutions, 300);
-        qInfo("SPEED coupled plunge of 20 sections × 36 radii, 300 revolutions: %.0f ms, target "
-              "100 ms: %s",
-              best, beside(best, 100));
-        if (!qEnvironmentVariableIsSet("SPARKOUT_QUICK")) { // the sanitizers' build is slow
-            QVERIFY(best < 400);
-        }
     }
 };
 

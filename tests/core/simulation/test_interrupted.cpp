@@ -316,22 +316,6 @@ private slots:
         QVERIFY(std::isfinite(shares.section_um) && std::isfinite(shares.form_um));
     }
 
-    void filesKeepTheGaps() {
-        Project p = fixtures::traverse();
-        const std::string plain = writeProject(p);
-        QVERIFY(plain.find("gaps") == std::string::npos);
-        p.part->gaps = {{10.5, 20}, {190.5, 20}};
-        p.gauge->spans_gaps = false;
-        p.gauge->rule = GaugeRule::max;
-        const ReadResult read = readProject(writeProject(p));
-        QVERIFY(read.project);
-        QCOMPARE(read.project->part->gaps.size(), std::size_t{2});
-        QCOMPARE(read.project->part->gaps[1].from_deg, 190.5);
-        QCOMPARE(read.project->part->gaps[1].width_deg, 20.0);
-        QVERIFY(!read.project->gauge->spans_gaps);
-        QCOMPARE(writeProject(*read.project), writeProject(p));
-    }
-
     void aGaugeThatDropsInReadsTheLargestOnly() {
         const auto drops = [](const Project& p) {
             return std::ranges::any_of(validate(p), [](const Issue& issue) {

@@ -251,13 +251,6 @@ private slots:
         QCOMPARE(allocationsOf(950, 50), used);
     }
 
-    void traceChangesNothing() {
-        Project p = fixtures::plunge();
-        setGammas(p, {2e-5, 3e-5, 4e-5});
-        p.gauge->position_mm = 11;
-        QVERIFY(fixtures::sameBits(simulateUnchecked(p), Traced(p).result));
-    }
-
     void sparkOutThatReachesSizeEndsWithTheReading() {
         Project p = revolutions(20);
         p.part->stock_mm = 0.1;

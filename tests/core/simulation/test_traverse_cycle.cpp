@@ -312,11 +312,6 @@ private slots:
         QCOMPARE(allocationsOf(1000), allocationsOf(100));
     }
 
-    void traceChangesNothing() {
-        const Project p = fixtures::traverse();
-        QVERIFY(fixtures::sameBits(simulateUnchecked(p), Traced(p).result));
-    }
-
     // Of use twice: what was in it before is gone.
     void trajectoryOfAnEarlierRunIsForgotten() {
         Trajectory trajectory;

@@ -163,23 +163,6 @@ private slots:
         QVERIFY(sameRun(Traced(p), Traced(set)));
     }
 
-    void aFileWithoutTheKeysIsSavedWithoutThem() {
-        Project p = fixtures::traverse();
-        const std::string plain = writeProject(p);
-        QVERIFY(plain.find("reversal_infeed") == std::string::npos);
-        QVERIFY(plain.find("continuous_feed_mm_min") == std::string::npos);
-        p.machine->reversal_infeed = ReversalInfeed::both;
-        p.cycle->stages[1].continuous_feed_mm_min = 0.02;
-        const ReadResult read = readProject(writeProject(p));
-        QVERIFY(read.project);
-        QCOMPARE(read.project->machine->reversal_infeed, ReversalInfeed::both);
-        QVERIFY(!read.project->cycle->stages[0].continuous_feed_mm_min);
-        QCOMPARE(read.project->cycle->stages[1].continuous_feed_mm_min, std::optional(0.02));
-        p.machine->reversal_infeed = ReversalInfeed::entry;
-        p.cycle->stages[1].continuous_feed_mm_min.reset();
-        QCOMPARE(writeProject(p), plain);
-    }
-
     // What is fed over time sums up to S_t + S_c·T a double stroke, under the gauge as well.
     void whatIsFedSumsUp_data() {
         QTest::addColumn<ReversalInfeed>("at");

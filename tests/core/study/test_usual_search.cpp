@@ -3,8 +3,11 @@
 // A usual search about a project's cycle, and what its answer is good for.
 #include "core/study/usual_search.h"
 
+#include "core/batch/batch_check.h"
 #include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
+#include "core/batch/usual_batch.h"
+#include "core/deadline_stop.h"
 #include "core/optimisation/levels.h"
 #include "core/phases/cycle_trial.h"
 #include "core/project/batch.h"
@@ -14,12 +17,17 @@
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/setup/setup_file.h"
+#include "core/setup/worn_project.h"
+#include "core/starting/starting_project.h"
 #include "core/study/search.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +55,13 @@ Project journal() {
 
 OptimisationScenarios scenariosOf(const Project& project) {
     return project.optimisation->scenarios;
+}
+
+/// Of the surfaces of a trial, each about its starting cycle.
+Project surfaceOfTrial(std::size_t surface) {
+    const auto file = samples::sourcePath("tests/data/trials/val.sparkout");
+    const Setup setup = readSetup(samples::readText(file)).setup.value();
+    return withStartingCycle(withUsualBatch(wornProject(setup, surface).project));
 }
 
 int badFresh(const Project& project, int draw) {
@@ -128,25 +143,56 @@ private slots:
         }
     }
 
-    // Between the corners a part may be bad: the answer is tried on parts drawn afresh.
-    void itsAnswerIsGoodForFreshParts() {
-        int answers = 0;
+    // Between the corners a part may be bad: the answer is tried on parts drawn afresh. The long
+    // run searches every example, and stops what takes too long.
+    void itsAnswerIsGoodForFreshParts_data() {
+        QTest::addColumn<QString>("name");
         for (const char* name : {"plunge-shaft-two-stage", "shaft-30h6-factory"}) {
-            const Project with = usualSearch(example(name));
-            const SearchOutcomePtr found = search(with, {});
-            QVERIFY(found->ran());
-            if (!found->best()) {
-                continue;
+            QTest::newRow(name) << QString::fromLatin1(name);
+        }
+        if (qEnvironmentVariableIsSet("SPARKOUT_LONG")) {
+            for (const auto& file :
+                 std::filesystem::directory_iterator(samples::sourcePath("resources/examples"))) {
+                const QString name = QString::fromStdString(file.path().stem().string());
+                if (file.path().extension() == ".sparkout") {
+                    QTest::addRow("long %s", qPrintable(name)) << name;
+                }
             }
-            ++answers;
+            for (int surface = 0; surface < 5; ++surface) {
+                QTest::addRow("long %d", surface) << QString::number(surface);
+            }
+        }
+    }
+    void itsAnswerIsGoodForFreshParts() {
+        QFETCH(QString, name);
+        constexpr int otherDraw = 1000; // than any that a search tries its answers on
+        constexpr double most_s = 20;   // of the long run
+        const bool isLong = QByteArray(QTest::currentDataTag()).startsWith("long ");
+        bool isOfTrial = false;
+        const auto surface = static_cast<std::size_t>(name.toUInt(&isOfTrial));
+        Project project = isOfTrial ? surfaceOfTrial(surface) : example(name.toStdString());
+        if (!project.batch || !checkBatch(project).empty()) {
+            project = withUsualBatch(project);
+        }
+        const Project with = usualSearch(project);
+        const DeadlineStop deadline({}, isLong ? std::optional(DeadlineStop::Duration(most_s))
+                                               : std::nullopt);
+        const SearchOutcomePtr found = search(with, {}, deadline.token());
+        QVERIFY(found->ran());
+        const bool isStopped = found->search.status == SearchStatus::stopped;
+        if (!found->best()) { // what is good itself has an answer
+            QVERIFY(isStopped || badFresh(project, otherDraw) > 0
+                    || !tried(project, {}).value().holds);
+            return;
+        }
+        const int candidate = std::max(found->answer()->candidate, 1);
+        const Project answer = withFound(with, *found->answer());
+        QVERIFY(badFresh(answer, otherDraw)
+                <= mostFailing(freshPartCount, candidate) * freshPartCount);
+        if (!isLong) {
             QCOMPARE(found->robust->freshParts, freshPartCount);
-            const Project answer = withFound(with, *found->answer());
-            const int bad = badFresh(answer, 1000);
-            QVERIFY2(bad <= mostFailing(freshPartCount, found->robust->candidate) * freshPartCount,
-                     name);
             QCOMPARE(badFresh(answer, found->robust->candidate), 0);
         }
-        qInfo("usual searches with an answer: %d of 2", answers);
     }
 
     // The same as the search of the nominal part with every stock wished.

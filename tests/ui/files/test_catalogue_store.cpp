@@ -56,24 +56,6 @@ private slots:
         }
     }
 
-    void everyNumberOfAShippedEntryTellsItsSource() {
-        for (const CatalogueKind kind : kinds) {
-            const auto store = CatalogueStore::make(kind, {});
-            for (const CatalogueItem& item : store->items()) {
-                for (const CatalogueChange& change :
-                     changesBy(item.entry, newProject(Operation::traverse))) {
-                    QVERIFY(!change.source
-                            || !sourceShown(*change.source, *change.field, false).isEmpty());
-                }
-                QVERIFY(!sourcesShown(item).isEmpty());
-                for (const ValueSource& source : sourcesOf(item.entry)) {
-                    QVERIFY2(isEstimate(source) || !sourceText(source.source).isEmpty(),
-                             source.source.c_str());
-                }
-            }
-        }
-    }
-
     void searchForgivesCaseOrderAlphabetAndYo() {
         const QString text = searchForm(QStringLiteral("500×50×203 25А F60 L 6 V Закалённые 40Х ")
                                         + inLatinLetters(QStringLiteral("ШХ15")));
@@ -168,30 +150,6 @@ private slots:
         QCOMPARE(other->save(project, QStringLiteral("B")), QString());
         one->refresh();
         QVERIFY(one->hasOwn(QStringLiteral("A")) && one->hasOwn(QStringLiteral("B")));
-    }
-
-    void mineIsShownInPlaceOfAShippedOneOfItsName() {
-        auto store = CatalogueStore::make(CatalogueKind::materials, {});
-        const std::size_t shipped = store->items().size();
-        Project project = newProject(Operation::traverse);
-        project.material->flow_stress_mpa = 777;
-        QCOMPARE(store->save(project, QStringLiteral("ШХ15")), QString());
-        QCOMPARE(store->items().size(), shipped);
-        QVERIFY(store->hasOwn(QStringLiteral("ШХ15")));
-        QCOMPARE(store->remove(QStringLiteral("ШХ15")), QString());
-        QCOMPARE(store->items().size(), shipped);
-        QVERIFY(!store->hasOwn(QStringLiteral("ШХ15")));
-    }
-
-    void valuesNobodyCouldReadAgainAreNotKept() {
-        auto store = CatalogueStore::make(CatalogueKind::wheels,
-                                          m_folder.filePath(QStringLiteral("refused")));
-        Project project = newProject(Operation::traverse);
-        project.wheel->width_mm = -3;
-        const QString fault = store->save(project, QStringLiteral("bad"));
-        QVERIFY2(fault.contains(QStringLiteral("Wheel width")), qPrintable(fault));
-        QVERIFY(!store->hasOwn(QStringLiteral("bad")));
-        QVERIFY(!QFile::exists(store->ownFile()));
     }
 
 private:

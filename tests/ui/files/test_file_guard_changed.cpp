@@ -17,8 +17,7 @@ class TestFileGuardChanged : public QObject {
 
 private slots:
     void whatAnotherProgramWroteIsSeenBeforeASave() {
-        Bench bench;
-        bench.open();
+        OpenBench bench;
         QVERIFY(!bench.guard.changedOutside(bench.path));
         trouble::write(bench.path, textWith(35));
         const auto changed = bench.guard.changedOutside(bench.path);
@@ -33,9 +32,7 @@ private slots:
 
     /// The user has seen one version; another one has come since.
     void onlyTheVersionThatWasLookedAtIsReplaced() {
-        Bench bench;
-        bench.open();
-        setDiameter(bench.document, 31);
+        EditedBench bench;
         (void)bench.guard.claim(bench.path);
         trouble::write(bench.path, textWith(35));
         auto error = bench.guard.save(bench.path); // nobody has looked
@@ -60,8 +57,7 @@ private slots:
     }
 
     void ourOwnSaveIsNoChangeFromOutside() {
-        Bench bench;
-        bench.open();
+        OpenBench bench;
         QSignalSpy changed(&bench.guard, &FileGuard::changedOnDisk);
         for (int i = 1; i <= 3; ++i) {
             setDiameter(bench.document, 30 + i);
@@ -79,9 +75,7 @@ private slots:
         if (!trouble::mayBecomeAnother()) {
             QSKIP("no right to become another user here");
         }
-        Bench bench;
-        bench.open();
-        setDiameter(bench.document, 31);
+        EditedBench bench;
         // Its group may write and read it; the file that replaces it becomes the user's own, whom
         // the same mode forbids both.
         trouble::setMode(bench.folder.path(), 0777);
@@ -111,8 +105,7 @@ private slots:
 
     void aFileThatIsRewrittenReplacedOrRemovedIsReported() {
         QFETCH(QString, how);
-        Bench bench;
-        bench.open();
+        OpenBench bench;
         QTest::qWait(400); // the first look
         QSignalSpy changed(&bench.guard, &FileGuard::changedOnDisk);
         QSignalSpy restored(&bench.guard, &FileGuard::restoredOnDisk);
@@ -156,9 +149,7 @@ private slots:
     }
 
     void whatWasReloadedCanBeUndone() {
-        Bench bench;
-        bench.open();
-        setDiameter(bench.document, 31);
+        EditedBench bench;
         trouble::write(bench.path, textWith(35));
         LoadedProject loaded = loadProject(bench.path);
         bench.document.reload(*loaded.setup, loaded.hash);

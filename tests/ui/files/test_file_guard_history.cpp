@@ -17,9 +17,7 @@ class TestFileGuardHistory : public QObject {
 
 private slots:
     void aSaveKeepsThePreviousVersionBesideTheFileAndInTheHistory() {
-        Bench bench;
-        bench.open();
-        setDiameter(bench.document, 31);
+        EditedBench bench;
         (void)bench.guard.claim(bench.path);
         QVERIFY(!bench.guard.save(bench.path));
         QVERIFY(!bench.document.modified());
@@ -39,8 +37,7 @@ private slots:
     /// Two saves within a minute: the version of somebody else is in the history, not only in
     /// NAME.bak, which the second save takes.
     void foreignVersionIsKeptHoweverSoonItComes() {
-        Bench bench;
-        bench.open();
+        OpenBench bench;
         const auto save = [&](double diameter_mm) {
             setDiameter(bench.document, diameter_mm);
             (void)bench.guard.claim(bench.path);

@@ -224,8 +224,7 @@ private slots:
     }
 
     void theLockFollowsTheDocument() {
-        Bench bench;
-        bench.open();
+        OpenBench bench;
         QVERIFY(QFileInfo::exists(bench.lock));
         const QString other = bench.folder.filePath(QStringLiteral("other.sparkout"));
         QCOMPARE(bench.guard.claim(other), Access::write);
@@ -238,9 +237,7 @@ private slots:
     }
 
     void aSaveThatFailsLeavesTheLockWhereItWas() {
-        Bench bench;
-        bench.open();
-        setDiameter(bench.document, 31);
+        EditedBench bench;
         const QString other = bench.folder.filePath(QStringLiteral("nowhere/other.sparkout"));
         (void)bench.guard.claim(other);
         QVERIFY(bench.guard.save(other).has_value());

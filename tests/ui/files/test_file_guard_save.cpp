@@ -54,9 +54,7 @@ class TestFileGuardSave : public QObject {
 
 private slots:
     void theRecoveryFileGoesWithTheSave() {
-        Bench bench;
-        bench.open();
-        setDiameter(bench.document, 31);
+        EditedBench bench;
         bench.guard.autosave()->flush();
         QVERIFY(!bench.guard.autosave()->file().isEmpty());
         (void)bench.guard.claim(bench.path);

@@ -35,6 +35,14 @@ struct Bench {
         QTest::keyClick(&table.view(), Qt::Key_F2);
         return table.view().findChild<NumberField*>();
     }
+    /// A text in place of that of the selected cell; the editor, still open.
+    NumberField* typeOver(const QString& text) {
+        NumberField* const editor = openEditor();
+        editor->selectAll();
+        QTest::keyClicks(editor, text);
+        return editor;
+    }
+    void enter(const QString& text) { QTest::keyClick(typeOver(text), Qt::Key_Return); }
     [[nodiscard]] double stockSum() const {
         double sum = 0;
         for (const Stage& stage : stages()) {

@@ -127,7 +127,6 @@ private slots:
         QVERIFY(sameProject(page.project(), project));
     }
 
-    /// Every form is reached by the keys, is a batch that can be run, and is read back by the file.
     void everyFormIsChosenAndCanBeRun() {
         Page page(fixtures::shaftBatch(50));
         for (const FactorForm form :
@@ -305,7 +304,6 @@ private slots:
         QCOMPARE(*page.batch().factors.stock_mm->measured, values);
     }
 
-    /// Every key of the batch that the file knows has its place on the page.
     void everyKeyOfTheBatchIsOnThePage() {
         Page page(fixtures::shaftBatch(50));
         for (const Field& field : tableOf<Batch>().fields) {

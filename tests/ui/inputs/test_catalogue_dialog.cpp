@@ -77,8 +77,6 @@ private slots:
         QVERIFY(!window.document().canUndo());
     }
 
-    /// What is not known is said in words, in the list and beside what the project has; it is not
-    /// left blank, and not kept of the material before.
     void whatIsNotKnownIsSaid() {
         Window window(materialPage);
         {

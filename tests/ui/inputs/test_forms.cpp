@@ -1,28 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
-#include "core/study/new_project.h"
+#include "core/format/project_file.h"
 #include "core/study/operation.h"
 #include "core/study/search_edits.h"
+#include "tests/registry.h"
+#include "tests/ui/inputs/inputs_bench.h"
 #include "tests/ui/support/typing.h"
 #include "tests/ui/support/untitled.h"
-#include "tests/whole_project.h"
-#include "ui/fields/number_field.h"
 #include "ui/inputs/editors/choice_editor.h"
 #include "ui/inputs/forms/form_page.h"
-#include "ui/inputs/forms/form_row.h"
-#include "ui/inputs/inputs_panel.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
-
-#include "core/format/project_file.h"
-#include "core/project/validate.h"
-
-#include "tests/registry.h"
 
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
-#include <QGroupBox>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QLocale>
@@ -33,6 +25,9 @@
 #include <functional>
 
 namespace sparkout::test_forms {
+
+using namespace inputs_bench;
+using inputs_bench::Bench;
 
 /// Types into the widget of a row, whatever it is, so that its value changes.
 void changeByHand(QWidget* widget, int places) {
@@ -319,56 +314,42 @@ private slots:
 
     // The window begins with one page of eight.
     void aPageIsBuiltWhenItIsWantedWithWhatHoldsByThen() {
-        Document document;
-        InputsPanel panel(document);
-        panel.show();
         Project project = newProject(Operation::traverse);
         project.part->diameter_mm = 41;
         project.part->radii_per_section = 35; // an odd number
-        document.startUntitled(project);
-        auto outcome = std::make_shared<Outcome>();
-        outcome->issues = validate(project);
-        panel.setOutcome(outcome);
+        Bench bench(project);
+        bench.showIssues();
         const auto diameter = QStringLiteral("/part/diameter_mm");
-        QVERIFY(!panel.findChild<NumberField*>(diameter));
-        panel.focusPath("/part/radii_per_section");
-        auto* radii = panel.findChild<NumberField*>(QStringLiteral("/part/radii_per_section"));
+        QVERIFY(!bench.panel.findChild<NumberField*>(diameter));
+        bench.panel.focusPath("/part/radii_per_section");
+        auto* radii = bench.field("/part/radii_per_section");
         QVERIFY(radii && radii->isVisible());
         QCOMPARE(radii->remark().mark, Mark::error);
-        QCOMPARE(panel.findChild<NumberField*>(diameter)->value(), 41.0);
+        QCOMPARE(bench.panel.findChild<NumberField*>(diameter)->value(), 41.0);
         project.part->diameter_mm = 42;
-        document.startUntitled(project);
-        QCOMPARE(panel.findChild<NumberField*>(diameter)->value(), 42.0);
-        QVERIFY(!panel.findChild<NumberField*>(QStringLiteral("/wheel/diameter_mm")));
-        QCOMPARE(panel.pages().size(), std::size_t{8});
-        QVERIFY(panel.findChild<NumberField*>(QStringLiteral("/wheel/diameter_mm")));
+        bench.document.startUntitled(project);
+        QCOMPARE(bench.panel.findChild<NumberField*>(diameter)->value(), 42.0);
+        QVERIFY(!bench.field("/wheel/diameter_mm"));
+        QCOMPARE(bench.panel.pages().size(), std::size_t{8});
+        QVERIFY(bench.field("/wheel/diameter_mm"));
     }
 
     void typingInTheMiddleOfATextStaysThere() {
-        Document document;
-        InputsPanel panel(document);
-        panel.show();
-        panel.showPage(0);
         Project project = newProject(Operation::traverse);
         project.title = "Shaft";
-        document.startUntitled(project);
-        auto* title = panel.findChild<QLineEdit*>(QStringLiteral("/title"));
+        Bench bench(project, partPage);
+        auto* title = bench.find<QLineEdit>("/title");
         title->setFocus();
         QTest::keyClick(title, Qt::Key_Home);
         QTest::keyClicks(title, QStringLiteral("My "));
-        QCOMPARE(document.project().title, std::string("My Shaft"));
-        document.undo();
+        QCOMPARE(bench.project().title, std::string("My Shaft"));
+        bench.document.undo();
         QCOMPARE(title->text(), QStringLiteral("Shaft"));
     }
 
     void aMachineRangeIsTakenWhenAllThreeNumbersMakeOne() {
-        Document document;
-        InputsPanel panel(document);
-        panel.show();
-        panel.showPage(3);
-        document.startUntitled(newProject(Operation::traverse));
-        const auto* body =
-            panel.findChild<QWidget*>(QStringLiteral("/machine/limits/radial_feed_mm"));
+        Bench bench(machinePage);
+        const auto* body = bench.find<QWidget>("/machine/limits/radial_feed_mm");
         QVERIFY(body);
         const auto numbers = body->findChildren<NumberField*>();
         QCOMPARE(numbers.size(), 3);
@@ -378,137 +359,94 @@ private slots:
             QTest::keyClicks(numbers[i], QString::fromLatin1(text));
             QTest::keyClick(numbers[i], Qt::Key_Return);
         };
-        const auto& range = document.project().machine->limits.radial_feed_mm;
+        const auto& range = bench.project().machine->limits.radial_feed_mm;
         type(0, "0.05");
         QVERIFY(!range);
-        QCOMPARE(panel.refusals().size(), 1u);
+        QCOMPARE(bench.panel.refusals().size(), 1u);
         type(1, "0.01");
         type(2, "0.0005");
         QVERIFY2(!range, "the lowest is above the highest");
         type(0, "0.001");
         QCOMPARE(range.value(), (std::vector<double>{0.001, 0.01, 0.0005}));
-        QVERIFY(panel.refusals().empty());
+        QVERIFY(bench.panel.refusals().empty());
         type(1, "x");
         QCOMPARE(numbers[1]->text(), QStringLiteral("x"));
         QCOMPARE(range.value()[1], 0.01);
-        QCOMPARE(panel.refusals().size(), 1u);
-        QVERIFY(panel.dropNewestRefusal());
+        QCOMPARE(bench.panel.refusals().size(), 1u);
+        QVERIFY(bench.panel.dropNewestRefusal());
         QCOMPARE(numbers[1]->text(), QLocale().toString(0.01));
     }
 
     void rowsOfTheOtherOperationAreHidden() {
-        Document document;
-        InputsPanel panel(document);
-        panel.show();
-        document.startUntitled(newProject(Operation::plunge));
-        panel.showPage(3);
-        QVERIFY(!panel.findChild<QWidget*>(QStringLiteral("/machine/dwell_entry_s"))->isVisible());
-        document.startUntitled(newProject(Operation::traverse));
-        QVERIFY(panel.findChild<QWidget*>(QStringLiteral("/machine/dwell_entry_s"))->isVisible());
+        Bench bench(newProject(Operation::plunge), machinePage);
+        QVERIFY(!bench.find<QWidget>("/machine/dwell_entry_s")->isVisible());
+        bench.document.startUntitled(newProject(Operation::traverse));
+        QVERIFY(bench.find<QWidget>("/machine/dwell_entry_s")->isVisible());
     }
 
     void switchingTheOperationIsOneUndoableEditThatGivesAValidProject() {
-        Document document;
-        InputsPanel panel(document);
-        panel.show();
-        document.startUntitled(newProject(Operation::traverse));
-        panel.showPage(5);
-        const std::string before = writeProject(document.project());
-        auto* box = panel.findChild<QComboBox*>(QStringLiteral("/operation"));
+        Bench bench(newProject(Operation::traverse), cyclePage);
+        const std::string before = writeProject(bench.project());
+        auto* box = bench.find<QComboBox>("/operation");
         box->setFocus();
         QTest::keyClick(box, Qt::Key_Down);
-        QCOMPARE(document.project().operation, Operation::plunge);
-        QVERIFY(!hasErrors(validate(document.project())));
-        document.undo();
-        QVERIFY(!document.canUndo());
-        QCOMPARE(writeProject(document.project()), before);
+        QCOMPARE(bench.project().operation, Operation::plunge);
+        QVERIFY(!hasErrors(validate(bench.project())));
+        bench.document.undo();
+        QVERIFY(!bench.document.canUndo());
+        QCOMPARE(writeProject(bench.project()), before);
     }
 
     void eachValueOfTheComplianceIsEditable() {
-        Document document;
-        InputsPanel panel(document);
-        panel.show();
-        panel.showPage(3);
-        document.startUntitled(newProject(Operation::traverse));
-        auto* nz = panel.findChild<NumberField*>(QStringLiteral("/machine/compliance_mm_per_n/nz"));
+        Bench bench(machinePage);
+        auto* nz = bench.field("/machine/compliance_mm_per_n/nz");
         QVERIFY(nz && nz->isVisible());
         typeOver(*nz, QStringLiteral("2,5e-4"));
-        const auto zones =
-            std::get<ZoneCompliance>(document.project().machine->compliance_mm_per_n);
+        const auto zones = std::get<ZoneCompliance>(bench.project().machine->compliance_mm_per_n);
         QCOMPARE(zones.nz, 2.5e-4);
-        document.startUntitled(withSections(newProject(Operation::plunge), 6));
+        bench.document.startUntitled(withSections(newProject(Operation::plunge), 6));
         for (int section = 0; section < 6; ++section) {
-            auto* field = panel.findChild<NumberField*>(
+            auto* field = bench.panel.findChild<NumberField*>(
                 QStringLiteral("/machine/compliance_mm_per_n/%1").arg(section));
             QVERIFY(field && field->isVisible());
         }
     }
 
     void theComplianceCanBeLeftToStiffnessAndShaftAndTakenBack() {
-        Document document;
-        InputsPanel panel(document);
-        panel.show();
-        panel.showPage(3);
         Project project = newProject(Operation::traverse);
         project.machine->stiffness_n_um.emplace();
         project.part->shaft.segments = {{200, 30}};
-        document.startUntitled(project);
-        auto* nz = panel.findChild<NumberField*>(QStringLiteral("/machine/compliance_mm_per_n/nz"));
+        Bench bench(project, machinePage);
+        auto* nz = bench.field("/machine/compliance_mm_per_n/nz");
         auto* tick = nz->parentWidget()->parentWidget()->findChild<QCheckBox*>();
         QVERIFY(tick && tick->isVisible());
         QTest::keyClick(tick, Qt::Key_Space);
-        QVERIFY(std::holds_alternative<std::monostate>(
-            document.project().machine->compliance_mm_per_n));
-        QVERIFY(!hasErrors(validate(document.project())));
+        QVERIFY(
+            std::holds_alternative<std::monostate>(bench.project().machine->compliance_mm_per_n));
+        QVERIFY(!hasErrors(validate(bench.project())));
         QTest::keyClick(tick, Qt::Key_Space);
-        QVERIFY(std::holds_alternative<ZoneCompliance>(
-            document.project().machine->compliance_mm_per_n));
-    }
-
-    void anOptionalStructIsGivenAndTakenAwayByItsTick() {
-        Document document;
-        InputsPanel panel(document);
-        panel.show();
-        panel.showPage(3);
-        document.startUntitled(newProject(Operation::traverse));
-        auto* field =
-            panel.findChild<QWidget*>(QStringLiteral("/machine/stiffness_n_um/headstock"));
-        QVERIFY(field && !field->isEnabled());
-        auto* box = qobject_cast<QGroupBox*>(field->parentWidget());
-        QVERIFY(box && box->isCheckable());
-        box->setFocus();
-        QTest::keyClick(box, Qt::Key_Space);
-        QVERIFY(document.project().machine->stiffness_n_um.has_value());
-        QVERIFY(field->isEnabled());
-        document.undo();
-        QVERIFY(!document.project().machine->stiffness_n_um.has_value());
-        QVERIFY(!box->isChecked());
+        QVERIFY(
+            std::holds_alternative<ZoneCompliance>(bench.project().machine->compliance_mm_per_n));
     }
 
     void issuesMarkTheirFieldAndRefusedTextsAreListed() {
-        Document document;
-        InputsPanel panel(document);
-        panel.show();
-        panel.showPage(0);
         Project project = newProject(Operation::traverse);
         project.part->radii_per_section = 35;
-        document.startUntitled(project);
-        auto outcome = std::make_shared<Outcome>();
-        outcome->issues = validate(project);
-        panel.setOutcome(outcome);
-        auto* radii = panel.findChild<NumberField*>(QStringLiteral("/part/radii_per_section"));
+        Bench bench(project, partPage);
+        bench.showIssues();
+        auto* radii = bench.field("/part/radii_per_section");
         QCOMPARE(radii->remark().mark, Mark::error);
-        auto* diameter = panel.findChild<NumberField*>(QStringLiteral("/part/diameter_mm"));
+        auto* diameter = bench.field("/part/diameter_mm");
         typeOver(*diameter, QStringLiteral("abc"));
-        QCOMPARE(panel.refusals().size(), 1u);
-        QCOMPARE(panel.refusals().front().path, std::string("/part/diameter_mm"));
-        QCOMPARE(document.project().part->diameter_mm, project.part->diameter_mm);
-        panel.focusPath("/cycle/stages/1/stock_mm");
+        QCOMPARE(bench.panel.refusals().size(), 1u);
+        QCOMPARE(bench.panel.refusals().front().path, std::string("/part/diameter_mm"));
+        QCOMPARE(bench.project().part->diameter_mm, project.part->diameter_mm);
+        bench.panel.focusPath("/cycle/stages/1/stock_mm");
         QVERIFY(!diameter->isVisible());
-        panel.focusPath("/part/diameter_mm");
+        bench.panel.focusPath("/part/diameter_mm");
         QVERIFY(diameter->isVisible());
-        document.startUntitled(project); // another document: the refused text goes
-        QVERIFY(panel.refusals().empty());
+        bench.document.startUntitled(project); // another document: the refused text goes
+        QVERIFY(bench.panel.refusals().empty());
         QCOMPARE(diameter->text(), QStringLiteral("30"));
     }
 };

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the inputs say of themselves: hints, marks of changes, refused texts and undo.
-#include "core/study/new_project.h"
-#include "tests/whole_project.h"
-#include "ui/fields/number_field.h"
+#include "core/format/project_file.h"
+#include "tests/registry.h"
+#include "tests/ui/inputs/inputs_bench.h"
 #include "ui/fields/reset_mark.h"
-#include "ui/inputs/forms/form_row.h"
 #include "ui/inputs/forms/stage_table.h"
-#include "ui/inputs/inputs_panel.h"
 #include "ui/text/defaults.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/source_names.h"
 #include "ui/text/texts.h"
 #include "ui/window/main_window.h"
-
-#include "core/format/project_file.h"
-#include "core/project/validate.h"
-
-#include "tests/registry.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -31,28 +24,8 @@
 
 namespace sparkout::test_input_marks {
 
-struct Bench {
-    Bench() : panel(document) {
-        panel.resize(360, 640);
-        panel.show();
-        document.startUntitled(newProject(Operation::traverse));
-    }
-    [[nodiscard]] FormRow* row(const std::string& path) {
-        for (const FormPage* page : panel.pages()) {
-            for (FormRow* row : page->rows()) {
-                if (row->editor().path() == path) {
-                    return row;
-                }
-            }
-        }
-        return nullptr;
-    }
-    [[nodiscard]] NumberField* field(const char* path) const {
-        return panel.findChild<NumberField*>(QString::fromLatin1(path));
-    }
-    Document document;
-    InputsPanel panel;
-};
+using namespace inputs_bench;
+using inputs_bench::Bench;
 
 void typeOver(QWidget& widget, const QString& text) {
     widget.setFocus();
@@ -183,8 +156,7 @@ private slots:
     }
 
     void aScreenReaderHearsTheHintAndTheReasonOfAMarkFirst() {
-        Bench bench;
-        bench.panel.showPage(1);
+        Bench bench(materialPage);
         NumberField& friction = *bench.field("/material/friction");
         QVERIFY(friction.accessibleDescription().contains(QStringLiteral("Allowed: 0 to 2")));
         typeOver(friction, QStringLiteral("0.9"));
@@ -194,8 +166,7 @@ private slots:
     }
 
     void theStripBelowThePagesFollowsTheFocus() {
-        Bench bench;
-        bench.panel.showPage(1);
+        Bench bench(materialPage);
         QApplication::setActiveWindow(&bench.panel);
         auto* strip = bench.panel.findChild<QWidget*>(QStringLiteral("hintStrip"));
         QVERIFY(strip);
@@ -212,8 +183,7 @@ private slots:
 
     // Every place of a page that takes the focus by Tab, also those that are no input themselves.
     void theStripFollowsTheFocusIntoTheToleranceClass() {
-        Bench bench;
-        bench.panel.showPage(0);
+        Bench bench(partPage);
         QApplication::setActiveWindow(&bench.panel);
         const auto* text =
             bench.panel.findChild<QWidget*>(QStringLiteral("hintStrip"))->findChild<QLabel*>();
@@ -236,8 +206,7 @@ private slots:
     }
 
     void aDesignationTypedIntoTheDiameterFillsItsLimits() {
-        Bench bench;
-        bench.panel.showPage(0);
+        Bench bench(partPage);
         NumberField* const diameter = bench.field("/part/diameter_mm");
         typeOver(*diameter, QStringLiteral("35k6"));
         QTest::keyClick(diameter, Qt::Key_Return);
@@ -256,8 +225,7 @@ private slots:
     }
 
     void onlyInputsWithADefaultAreMarkedAndAClickTakesThemBack() {
-        Bench bench;
-        bench.panel.showPage(1);
+        Bench bench(materialPage);
         FormRow& friction = *bench.row("/material/friction");
         QVERIFY(friction.resetMark() && !friction.resetMark()->isVisible());
         QVERIFY2(!bench.row("/material/flow_stress_mpa")->resetMark(), "required: the user's own");
@@ -380,8 +348,7 @@ private slots:
     }
 
     void notesThatAreTooLongStayInSightMarkedAndTheLastOnesAreKept() {
-        Bench bench;
-        bench.panel.showPage(0);
+        Bench bench(partPage);
         auto* notes = bench.panel.findChild<QPlainTextEdit*>(QStringLiteral("/notes"));
         QVERIFY(notes);
         notes->setFocus();

@@ -57,46 +57,10 @@ struct Bench {
     std::unique_ptr<InputsPanel> panel;
 };
 
-/// The keys of the rows of a struct that are usual, below a path.
-void addUsual(const StructInfo& table, const std::string& path, std::set<std::string>& usual,
-              int& onPages) {
-    for (const Field& field : table.fields) {
-        const std::string at = path + "/" + field.key;
-        if (field.page != Page::none) {
-            ++onPages;
-            if (field.usual) {
-                usual.insert(at);
-            }
-        }
-        if (field.nested && field.kind != Kind::objectList) {
-            addUsual(*field.nested, at, usual, onPages);
-        }
-    }
-}
-
 class TestInputRank : public QObject {
     Q_OBJECT
 
 private slots:
-    void aboutHalfOfTheInputsAreUsual() {
-        std::set<std::string> usual;
-        int onPages = 0;
-        addUsual(tableOf<Project>(), {}, usual, onPages);
-        qInfo("%zu of %d inputs are usual", usual.size(), onPages);
-        QVERIFY(usual.size() > 50 && 2 * static_cast<int>(usual.size()) < onPages + 40);
-        for (const char* path :
-             {"/part/diameter_mm", "/part/tolerance/roughness_ra_um", "/wheel/marking",
-              "/wheel/roughness_factor", "/machine/stiffness_n_um/headstock", "/gauge/rule",
-              "/batch/parts", "/optimisation/scenarios"}) {
-            QVERIFY2(usual.contains(path), path);
-        }
-        for (const char* path :
-             {"/wheel/grain_mm", "/wheel/bond_share", "/sections", "/machine/limits/radial_feed_mm",
-              "/least_overlap", "/wheel/force_recipe", "/material/shear_factor"}) {
-            QVERIFY2(!usual.contains(path), path);
-        }
-    }
-
     void aUsualSurfaceShowsAtMostFortyFields() {
         for (const char* name : {"plunge-shaft-two-stage", "shaft-30h6-factory"}) {
             Bench bench(samples::projectIn(

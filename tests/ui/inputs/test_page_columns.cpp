@@ -6,7 +6,6 @@
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/inputs/forms/form_row.h"
-#include "ui/inputs/forms/stage_table.h"
 #include "ui/session/document.h"
 
 #include <QLabel>
@@ -147,15 +146,6 @@ private slots:
         QVERIFY(!last->editor().widget()->visibleRegion().isEmpty());
         show(form, 2 * panelWidth(), 300);
         QVERIFY(form.verticalScrollBar()->maximum() < one / 2);
-    }
-
-    void theTableOfStagesHasTheWholeWidth() {
-        Document document;
-        QVERIFY(document.open(fullExample()).opened());
-        FormPage form(Page::cycle, document);
-        show(form, 2 * panelWidth());
-        const auto* table = form.findChild<StageTable*>();
-        QVERIFY(table->width() > 1.8 * panelWidth());
     }
 };
 

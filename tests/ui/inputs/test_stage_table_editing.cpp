@@ -44,10 +44,7 @@ private slots:
         elsewhere.setFocusPolicy(Qt::StrongFocus);
         elsewhere.show();
         bench.select(0, 0);
-        NumberField* editor = bench.openEditor();
-        QVERIFY(editor);
-        editor->selectAll();
-        QTest::keyClicks(editor, QStringLiteral("0.003"));
+        NumberField* editor = bench.typeOver(QStringLiteral("0.003"));
         WarningCatcher warnings;
         QTest::keyClick(editor, Qt::Key_Return); // commits later in the event loop …
         elsewhere.setFocus();                    // … in which the editor is closed by now
@@ -114,11 +111,7 @@ private slots:
             Bench bench(0, 1);
             const Project& project = bench.document.project();
             const double wanted = 0.3 * project.wheel->width_mm * project.machine->work_speed_rpm;
-            auto* editor = bench.openEditor();
-            QVERIFY(editor);
-            editor->selectAll();
-            QTest::keyClicks(editor, QString::fromUtf8(text));
-            QTest::keyClick(editor, Qt::Key_Return);
+            bench.enter(QString::fromUtf8(text));
             QTRY_VERIFY(!bench.table.view().findChild<NumberField*>());
             QVERIFY(std::abs(bench.stages()[0].axial_feed_mm_min.value() - wanted) < 1e-6);
             const QModelIndex cell = bench.table.view().model()->index(0, 1);
@@ -160,10 +153,7 @@ private slots:
 
     void aRefusedTextStaysInTheCellMarkedAndTheStageKeepsItsValue() {
         Bench bench(1, 2);
-        auto* editor = bench.openEditor();
-        QVERIFY(editor);
-        editor->selectAll();
-        QTest::keyClicks(editor, QStringLiteral("0.9"));
+        auto* editor = bench.typeOver(QStringLiteral("0.9"));
         QCOMPARE(bench.stages()[1].stock_mm, 0.9); // followed while it is a number
         QTest::keyClicks(editor, QStringLiteral("x"));
         QCOMPARE(bench.stages()[1].stock_mm, 0.04); // and taken back when it is none
@@ -178,15 +168,8 @@ private slots:
 
     void aGoodNumberOverARefusedTextIsTaken() {
         Bench bench(1, 2);
-        auto* editor = bench.openEditor();
-        editor->selectAll();
-        QTest::keyClicks(editor, QStringLiteral("2 um"));
-        QTest::keyClick(editor, Qt::Key_Return);
-        editor = bench.openEditor();
-        QVERIFY(editor);
-        editor->selectAll();
-        QTest::keyClicks(editor, QStringLiteral("0"));
-        QTest::keyClick(editor, Qt::Key_Return);
+        bench.enter(QStringLiteral("2 um"));
+        bench.enter(QStringLiteral("0"));
         QCOMPARE(bench.stages()[1].stock_mm, 0.0);
         QVERIFY(bench.table.refusals().empty());
     }
@@ -211,9 +194,7 @@ private slots:
 
     void escapeTakesBackWhatWasTyped() {
         Bench bench(1, 2);
-        auto* editor = bench.openEditor();
-        editor->selectAll();
-        QTest::keyClicks(editor, QStringLiteral("0.07"));
+        auto* editor = bench.typeOver(QStringLiteral("0.07"));
         QCOMPARE(bench.stages()[1].stock_mm, 0.07);
         QTest::keyClick(editor, Qt::Key_Escape);
         QCOMPARE(bench.stages()[1].stock_mm, 0.04);
@@ -221,10 +202,7 @@ private slots:
 
     void aRefusedTextOfACellGivesWayToItsValue() {
         Bench bench(0, 0);
-        auto* editor = bench.openEditor();
-        editor->selectAll();
-        QTest::keyClicks(editor, QStringLiteral("much"));
-        QTest::keyClick(editor, Qt::Key_Return);
+        bench.enter(QStringLiteral("much"));
         QTRY_COMPARE(bench.table.refusals().size(), 1u); // the editor closes by a later event
         QVERIFY(!bench.table.dropRefusal("/cycle/stages/1/radial_feed_mm"));
         QVERIFY(bench.table.dropRefusal("/cycle/stages/0/radial_feed_mm"));

@@ -119,11 +119,7 @@ private slots:
         QVERIFY(sameProject(bench.document.project(), before));
 
         bench.select(1, stockColumn);
-        NumberField* editor = bench.openEditor();
-        QVERIFY(editor);
-        editor->selectAll();
-        QTest::keyClicks(editor, QStringLiteral("0.1+0.02"));
-        QTest::keyClick(editor, Qt::Key_Return);
+        bench.enter(QStringLiteral("0.1+0.02"));
         QTRY_COMPARE(bench.stages()[1].stock_mm, 0.06);
         QCOMPARE(cell(bench, 1), QStringLiteral("0.12"));
 

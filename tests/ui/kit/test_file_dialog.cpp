@@ -76,10 +76,6 @@ private slots:
             }
             auto* places = dialog.findChild<QListView*>(QStringLiteral("sidebar"));
             QVERIFY(!drawnOn(*places->viewport()).contains(u'…'));
-            if (qEnvironmentVariableIsSet("SPARKOUT_GALLERY")) {
-                dialog.grab().save(QStringLiteral(SPARKOUT_BUILD_DIR "/gallery/file-dialog-%1.png")
-                                       .arg(QString::fromUtf8(QTest::currentDataTag())));
-            }
         });
     }
 

@@ -196,27 +196,6 @@ QString firstSymbol(const FormSheet& sheet) {
     return symbol == sheet.texts.end() ? QString() : symbol->text;
 }
 
-/// A file of an archive, as another program reads it; empty when it is none.
-QByteArray unzipped(const QByteArray& archive, const char* name) {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("card.odt"));
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(archive) != archive.size()) {
-        return {};
-    }
-    file.close();
-    QProcess process;
-    process.start(QStringLiteral("/usr/bin/python3"),
-                  {QStringLiteral("-c"),
-                   QStringLiteral("import sys, zipfile\n"
-                                  "z = zipfile.ZipFile(sys.argv[1])\n"
-                                  "assert z.testzip() is None\n"
-                                  "sys.stdout.buffer.write(z.read(sys.argv[2]))"),
-                   path, QString::fromLatin1(name)});
-    process.waitForFinished(60'000);
-    return process.readAllStandardOutput();
-}
-
 /// The rows of the tables of an OpenDocument text, cell by cell, and the texts between them.
 struct OdtText {
     explicit OdtText(const QByteArray& content) {
@@ -255,7 +234,6 @@ class TestCardSheets : public QObject {
 private slots:
     void init() { m_language.apply(QStringLiteral("ru")); }
 
-    /// No text leaves its cell or lies on another one, on any sheet.
     void everyTextHasItsRoom_data() { addSetups(); }
     void everyTextHasItsRoom() {
         QFETCH(QString, name);
@@ -279,7 +257,6 @@ private slots:
         }
     }
 
-    /// Every row of the card is on the sheets whole and in order, a number each line.
     void everyRowIsOnTheSheets_data() { addSetups(); }
     void everyRowIsOnTheSheets() {
         QFETCH(QString, name);
@@ -338,7 +315,6 @@ private slots:
         }
     }
 
-    /// The sheets of the document are counted through, the sketch with them.
     void sheetsAreCountedThrough() {
         m_language.apply(QStringLiteral("en"));
         for (const std::size_t surfaces : {1U, 6U}) {
@@ -396,7 +372,6 @@ private slots:
         QCOMPARE(toolingWith(""), QStringLiteral("Круг 500×40"));
     }
 
-    /// What is printed is what the set-up was set to and what came out of its run.
     void numbersAreThoseOfTheRun() {
         for (const char* name : {"spindle", "sleeve"}) {
             const Setup setup = setupOf(name);
@@ -448,14 +423,13 @@ private slots:
         QVERIFY(!english.contains(cyrillic));
     }
 
-    /// The text for shops that edit: real tables, the same rows, A4 landscape, the language.
     void theOdtHasTheRowsInTables() {
         for (const char* language : {"en", "ru"}) {
             m_language.apply(QString::fromLatin1(language));
             const Setup setup = setupOf("spindle");
             const QByteArray odt = bytesOf(cardOf(setup), Format::odt);
             QVERIFY(odt.mid(30).startsWith("mimetypeapplication/vnd.oasis.opendocument.text"));
-            const OdtText text(unzipped(odt, "content.xml"));
+            const OdtText text(reading::unzipped(odt, "content.xml"));
             QVERIFY2(text.fault.isEmpty() && !text.tables.empty(), qPrintable(text.fault));
             const SetupRun run = runSetup(setup);
             const auto rows = CardRows::of(operationCard(setup, run), setup, run);
@@ -474,24 +448,23 @@ private slots:
                     QCOMPARE(table[i + 1].at(c + 2), rows[i].cells.at(c));
                 }
             }
-            const QByteArray styles = unzipped(odt, "styles.xml");
+            const QByteArray styles = reading::unzipped(odt, "styles.xml");
             QVERIFY(styles.contains("fo:page-width=\"297mm\""));
             QVERIFY(styles.contains("fo:language=\"" + QByteArray(language) + '"'));
             for (const char* part : {"styles.xml", "meta.xml", "META-INF/manifest.xml"}) {
-                const OdtText other(unzipped(odt, part));
+                const OdtText other(reading::unzipped(odt, part));
                 QVERIFY2(other.fault.isEmpty(), part);
             }
-            QVERIFY(unzipped(odt, "Pictures/figure1.png").startsWith("\x89PNG"));
+            QVERIFY(reading::unzipped(odt, "Pictures/figure1.png").startsWith("\x89PNG"));
             QVERIFY(text.rest.contains(report::SketchSheet::description(setup)));
         }
     }
 
-    /// Its head is that of the sheets: who signs with dates, designations, operation, sheets.
     void theHeadOfTheOdtIsThatOfTheSheets() {
         for (const char* language : {"en", "ru"}) {
             m_language.apply(QString::fromLatin1(language));
             const QByteArray odt = bytesOf(cardOf(filledSetup(), filledCompany()), Format::odt);
-            const OdtText text(unzipped(odt, "content.xml"));
+            const OdtText text(reading::unzipped(odt, "content.xml"));
             QVERIFY2(text.fault.isEmpty(), qPrintable(text.fault));
             QCOMPARE(text.tables.size(), 7U); // four of the head, the rows, two of the sketch's
             const auto& inventory = text.tables.at(0);
@@ -521,11 +494,11 @@ private slots:
                      qsizetype(report::form::operationRow.size()));
             QCOMPARE(text.tables.at(3).front().size(),
                      qsizetype(report::form::equipmentRow.size()));
-            const QByteArray content = unzipped(odt, "content.xml");
+            const QByteArray content = reading::unzipped(odt, "content.xml");
             QCOMPARE(content.count("<text:page-count"), 2);
             QVERIFY(content.contains("table:number-rows-spanned=\"3\""));
-            QVERIFY(unzipped(odt, "Pictures/logo1.png").startsWith("\x89PNG"));
-            const QByteArray styles = unzipped(odt, "styles.xml");
+            QVERIFY(reading::unzipped(odt, "Pictures/logo1.png").startsWith("\x89PNG"));
+            const QByteArray styles = reading::unzipped(odt, "styles.xml");
             for (const char* page : {"Form1", "Form1_Next", "Form2", "Form2_Next"}) {
                 QVERIFY2(
                     styles.contains(QByteArray("<style:master-page style:name=\"") + page + '"'),
@@ -534,7 +507,6 @@ private slots:
         }
     }
 
-    /// Every cell of the head that an input fills is filled, in print and in the other formats.
     void everyCellOfTheHeadHasItsInput() {
         m_language.apply(QStringLiteral("ru"));
         const report::Report card = cardOf(filledSetup(), filledCompany());
@@ -554,7 +526,6 @@ private slots:
         QCOMPARE(head.letter, QStringLiteral("А"));
     }
 
-    /// The web page has the rows and the sketch, well-formed.
     void theWebPageHasTheRows() {
         const Setup setup = setupOf("sleeve");
         const SetupRun run = runSetup(setup);
@@ -568,19 +539,18 @@ private slots:
         QVERIFY(!html.contains("<td></td>") && !html.contains("<dd></dd>"));
     }
 
-    /// Every other report is a text to be edited, too.
     void everyReportIsWrittenAsOdt() {
         const OutcomePtr outcome = exampleOutcome(ExamplesDialog::paths().front());
         for (const report::KindRow& kind : report::kinds()) {
             report::Subject subject;
             subject.outcome = outcome;
             subject.date = today;
-            const OdtText text(unzipped(bytesOf(kind.make(subject), Format::odt), "content.xml"));
+            const OdtText text(
+                reading::unzipped(bytesOf(kind.make(subject), Format::odt), "content.xml"));
             QVERIFY2(text.fault.isEmpty() && !text.tables.empty(), kind.key);
         }
     }
 
-    /// What the settings say of the company is on every document; a logo that is none is left out.
     void theHeadsHaveTheCompany() {
         Company company;
         company.name = QStringLiteral("АО «Станкомаш»");

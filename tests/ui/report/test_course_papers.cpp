@@ -166,7 +166,6 @@ private slots:
         }));
     }
 
-    // A prediction that is still open must not be read off a report.
     void noResultStandsBesideAnOpenPrediction_data() { addLessons(); }
     void noResultStandsBesideAnOpenPrediction() {
         QFETCH(QString, path);
@@ -368,7 +367,6 @@ private slots:
         }
     }
 
-    // The contents name the pages on which their headings stand.
     void theContentsNameTheirPages() {
         m_language.apply(QStringLiteral("ru"));
         const Report made = report::labReport(finished(lessonIn(lessonFiles().front())), wish());
@@ -456,8 +454,8 @@ private slots:
 private:
     /// Well-formed, with every style and every mark that it names.
     static void checkOdt(const QByteArray& odt) {
-        const QByteArray content = unzipped(odt, "content.xml");
-        const QString all = QString::fromUtf8(content + unzipped(odt, "styles.xml"));
+        const QByteArray content = reading::unzipped(odt, "content.xml");
+        const QString all = QString::fromUtf8(content + reading::unzipped(odt, "styles.xml"));
         QXmlStreamReader reader(content);
         while (!reader.atEnd()) {
             reader.readNext();
@@ -482,25 +480,6 @@ private:
         for (const QString& mark : named("text:ref-name=\"([^\"]+)\"")) {
             QVERIFY2(marks.contains(mark), qPrintable(mark));
         }
-    }
-
-    /// A file of an archive, as another program reads it.
-    static QByteArray unzipped(const QByteArray& archive, const char* name) {
-        const QTemporaryDir folder;
-        QFile file(folder.filePath(QStringLiteral("paper.odt")));
-        if (!file.open(QIODevice::WriteOnly) || file.write(archive) != archive.size()) {
-            return {};
-        }
-        file.close();
-        QProcess process;
-        process.start(QStringLiteral("/usr/bin/python3"),
-                      {QStringLiteral("-c"),
-                       QStringLiteral("import sys, zipfile\n"
-                                      "sys.stdout.buffer.write(zipfile.ZipFile(sys.argv[1])"
-                                      ".read(sys.argv[2]))"),
-                       file.fileName(), QString::fromLatin1(name)});
-        process.waitForFinished(60'000);
-        return process.readAllStandardOutput();
     }
 
     /// Every result of the key is left out of the worksheet, whose formulas have the same numbers.

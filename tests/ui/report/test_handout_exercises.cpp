@@ -116,7 +116,6 @@ private slots:
                                        QStringLiteral("/wheel/dullness")}));
     }
 
-    /// A plunge has sections, a traverse zones.
     void placesAreCalledByTheirNamesInTheOperation() {
         for (const Operation operation : {Operation::traverse, Operation::plunge}) {
             const bool plunges = operation == Operation::plunge;
@@ -135,7 +134,6 @@ private slots:
         }
     }
 
-    /// What yields more is less stiff.
     void unitsThatYieldMoreAreLessStiff() {
         Project project = fixtures::traverseProject();
         project.part->shaft.segments = {{150, 30}};

@@ -21,7 +21,6 @@
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_text.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -41,10 +40,6 @@ Fitness fitness(const Project& project) {
         }
     }
     throw std::runtime_error("no verdict");
-}
-
-bool conforms(const Project& project) {
-    return fitness(project) == Fitness::fit;
 }
 
 /// The row of a web page whose first cells are these.
@@ -83,8 +78,6 @@ class TestPassport : public QObject {
 
 private slots:
     void init() { m_language.apply(QStringLiteral("en")); }
-    void cleanupTestCase() { m_language.apply(QStringLiteral("en")); }
-
     void itsNumbersAreThoseOfTheEnginesBatch_data() { addLanguages(); }
     void itsNumbersAreThoseOfTheEnginesBatch() {
         QFETCH(QString, language);
@@ -174,8 +167,6 @@ private slots:
         QVERIFY(fitness(project) == (good ? Fitness::conditional : Fitness::unfit));
     }
 
-    /// Every part holds, but the bound of the capability is below what is asked: the passport says
-    /// so, and by which figure.
     void aLowBoundOfPpkMakesItConditional_data() { addLanguages(); }
     void aLowBoundOfPpkMakesItConditional() {
         QFETCH(QString, language);
@@ -195,35 +186,6 @@ private slots:
         QVERIFY(text.contains(BatchText::full(of.characteristic)));
         QVERIFY(text.contains(BatchText::capability(of.ppk)));
         QVERIFY(text.contains(Names::significant(project.batch->least_ppk)));
-    }
-
-    /// The nominal part holds, but not all of the batch.
-    void oneBadPartOfTheBatchIsEnough() {
-        Project project = smallBatch();
-        project.part->upper_deviation_um = 40;
-        project.part->lower_deviation_um = -40;
-        project.machine->geometric_runout_um = 1; // known, so that runout is decided
-        project.part->tolerance.radial_runout_um = 20;
-        QVERIFY(conforms(project));
-        const BatchSummary summary = summarise(runBatch(project, {}));
-        double most = 0;
-        for (const CharacteristicSummary& of : summary.characteristics) {
-            most = std::string_view(of.characteristic.name) == "radial_runout"
-                       ? std::max(most, of.most.value)
-                       : most;
-        }
-        const report::Subject nominal = subjectOf(project);
-        double own = 0;
-        for (const ConstraintResult& c : nominal.outcome->constraints) {
-            own = c.kind == ConstraintKind::radialRunout ? std::max(own, c.value) : own;
-        }
-        QVERIFY2(most > own + 1e-6, "the batch scatters");
-        project.part->tolerance.radial_runout_um = (most + own) / 2;
-        QVERIFY(!conforms(project));
-        QVERIFY(textOfHtml(made(project, Format::html)).contains(QStringLiteral("Worst part, ")));
-        project.batch.reset();
-        const bool fails = isFailure(judgementOf(*subjectOf(project).outcome).state);
-        QVERIFY(fitness(project) == (fails ? Fitness::unfit : Fitness::conditional));
     }
 
     /// Of a part of several surfaces: the one that is meant, and a command that runs.
@@ -269,7 +231,6 @@ private slots:
         QVERIFY(plain(textOfHtml(bytesOf(card, Format::html))).contains(headline));
     }
 
-    /// The worst part is made of the factors that stand beside it, and no other part is.
     void theWorstPartIsTheOneOfItsFactors_data() {
         QTest::addColumn<int>("parts");
         QTest::newRow("many") << 24;

@@ -2,63 +2,23 @@
 // The pages of the accuracy passport in its three formats: whole, in one language, whatever the
 // batch and the texts.
 #include "tests/check_line.h"
+#include "tests/processor_time.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/passport_bench.h"
+#include "ui/report/documents/report_kinds.h"
 
 #include <QRegularExpression>
-
-#include <ctime>
 
 namespace sparkout::test_passport_pages {
 
 using namespace passport_bench;
-
-/// What this thread has computed so far, however busy the machine is.
-double ownTime_ms() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
-}
 
 class TestPassportPages : public QObject {
     Q_OBJECT
 
 private slots:
     void init() { m_language.apply(QStringLiteral("en")); }
-    void cleanupTestCase() { m_language.apply(QStringLiteral("en")); }
-
-    void thePagesAreWhole_data() { addLanguages(); }
-    void thePagesAreWhole() {
-        QFETCH(QString, language);
-        m_language.apply(language);
-        const Project project = example("30h6-factory");
-        const report::Report report = report::passport(subjectOf(project));
-        const QByteArray pdf = bytesOf(report, Format::pdf);
-        const QStringList pages = textOf(pdf).split(u'\f', Qt::SkipEmptyParts);
-        QVERIFY(pages.size() >= 4);
-        for (qsizetype i = 0; i < pages.size(); ++i) {
-            const QString number = (language == u"ru" ? QStringLiteral("стр. %1 из %2")
-                                                      : QStringLiteral("page %1 of %2"))
-                                       .arg(i + 1)
-                                       .arg(pages.size());
-            QVERIFY2(pages[i].contains(number), qPrintable(pages[i]));
-        }
-        const QString info = told(QStringLiteral("pdfinfo"), {}, pdf);
-        for (const QString& line :
-             {QStringLiteral("Title: +%1").arg(report.title), QStringLiteral("Author: +Sparkout\n"),
-              QStringLiteral("Subject: +\\S"), QStringLiteral("Creator: +Sparkout \\d")}) {
-            QVERIFY2(info.contains(QRegularExpression(line)), qPrintable(info));
-        }
-        const QStringList fonts =
-            told(QStringLiteral("pdffonts"), {}, pdf).split(u'\n', Qt::SkipEmptyParts).mid(2);
-        static const QRegularExpression embedded(QStringLiteral("\\byes +(yes|no) +(yes|no) +\\d"));
-        QVERIFY(!fonts.isEmpty());
-        for (const QString& font : fonts) {
-            QVERIFY2(font.contains(embedded), qPrintable(font));
-        }
-    }
-
     void theOutlineLeadsToEveryHeading() {
         const report::Report report = report::passport(subjectOf(example("30h6-factory")));
         const QByteArray pdf = bytesOf(report, Format::pdf);
@@ -99,16 +59,7 @@ private slots:
             QStringLiteral("\\[figure-\\d+\\](: data:\\S+)?"));
         const QString text = textOfHtml(made(project, Format::html))
                              + QString::fromUtf8(made(project, Format::markdown)).remove(pictures);
-        static const QRegularExpression english(QStringLiteral("\\b[A-Za-z]{3,}\\b"));
-        QStringList words;
-        for (auto it = english.globalMatch(text); it.hasNext();) {
-            words << it.next().captured();
-        }
-        for (const char* kept : {"Sparkout", "part", "sparkout", "HRC", "Srad", "Ppk", "RONt",
-                                 "report", "passport", "pdf"}) { // names, symbols, the command
-            words.removeAll(QString::fromLatin1(kept));
-        }
-        QVERIFY2(words.isEmpty(), qPrintable(words.join(u' ')));
+        QCOMPARE(englishWords(text, {"Ppk", "RONt", "report", "passport", "pdf"}), QStringList());
     }
 
     /// Corners have no mean; parts that do not reach size have no values; factors may be none.
@@ -167,34 +118,15 @@ private slots:
         }
     }
 
-    void aLongTableRepeatsItsHead() {
-        Project project = fixtures::plungeProject(16);
-        project.part->radii_per_section = 12;
-        project.batch = smallBatch().batch;
-        project.batch->parts = 6;
-        project.batch->factors.dullness->parts_between_dressings.reset();
-        const QStringList pages =
-            textOf(made(project, Format::pdf)).split(u'\f', Qt::SkipEmptyParts);
-        static const QRegularExpression row(QStringLiteral("Section \\d+ +µm"));
-        int withRows = 0;
-        for (const QString& page : pages) {
-            if (page.count(row) > 2) {
-                ++withRows;
-                QVERIFY2(page.contains(QStringLiteral("Characteristic")), qPrintable(page));
-            }
-        }
-        QVERIFY2(withRows >= 2, qPrintable(QString::number(withRows)));
-    }
-
     /// It is put together in the window's thread; laying out and writing are done beside it.
     void puttingItTogetherHoldsTheWindowBriefly() {
         report::Subject subject = subjectOf(example("30h6-factory"));
         (void)report::passport(subject); // fonts are loaded once
         int breaths = 0;
         const double worst_ms = leastOfTries_ms(200, [&] {
-            double began_ms = ownTime_ms(), longest_ms = 0;
+            double began_ms = threadTime_ms(), longest_ms = 0;
             subject.breathe = [&] {
-                const double now_ms = ownTime_ms();
+                const double now_ms = threadTime_ms();
                 longest_ms = std::max(longest_ms, now_ms - began_ms);
                 began_ms = now_ms;
                 ++breaths;
@@ -208,22 +140,31 @@ private slots:
         QVERIFY(breaths > 3 && worst_ms <= 200);
     }
 
+    /// In every report, whatever it prints of them.
     void hostileTextsStayTexts() {
         Project project = smallBatch();
         project.title = "<script>alert(1)</script> | a\nb \x01 & \"q\"";
         project.part->name = "</title><svg onload=x>";
+        project.author = "<math><mi>x</mi></math>";
         project.machine->name = "a | b <img src=x>";
         project.notes = "<script>alert(2)</script>";
-        const report::Report report = report::passport(subjectOf(project));
-        const QByteArray html = bytesOf(report, Format::html);
-        QVERIFY(!textOfHtml(html).isEmpty());
-        QVERIFY(!html.contains("<script") && !html.contains("<img"));
+        const report::Subject subject = subjectOf(project);
+        for (const report::KindRow& kind : report::kinds()) {
+            const report::Report made = kind.make(subject);
+            const QByteArray html = bytesOf(made, Format::html);
+            QVERIFY2(!textOfHtml(html).isEmpty(), kind.key);
+            const QByteArray markdown = bytesOf(made, Format::markdown);
+            for (const char* tag : {"<script", "<img", "<svg onload", "<math>"}) {
+                QVERIFY2(!html.contains(tag) && !markdown.contains(tag), kind.key);
+            }
+        }
+        const report::Report passport = report::passport(subject);
         static const QRegularExpression outside(
             QStringLiteral("<(link|[^>]* (src|href)=)|url\\(h"));
-        QVERIFY(!QString::fromUtf8(html).contains(outside)); // nothing from elsewhere
-        const QString markdown = QString::fromUtf8(bytesOf(report, Format::markdown));
+        QVERIFY(!QString::fromUtf8(bytesOf(passport, Format::html)).contains(outside));
+        const QString markdown = QString::fromUtf8(bytesOf(passport, Format::markdown));
         QCOMPARE(markdown.count(u'<'), markdown.count(QStringLiteral("<br>")));
-        QVERIFY(textOf(bytesOf(report, Format::pdf))
+        QVERIFY(textOf(bytesOf(passport, Format::pdf))
                     .contains(QStringLiteral("<script>alert(2)</script>")));
     }
 

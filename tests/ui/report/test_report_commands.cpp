@@ -41,7 +41,6 @@ class TestReportCommands : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Filled in by the menu and the keyboard, kept, and printed on the card.
     void theCompanyIsFilledInOnceAndPrinted() {
         OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         const QTemporaryDir folder;

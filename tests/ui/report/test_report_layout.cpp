@@ -3,13 +3,13 @@
 // the room that it needs. The texts of the figures, too.
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
+#include "tests/ui/support/ink.h"
 #include "tests/ui/support/passport_bench.h"
 #include "ui/report/documents/report_kinds.h"
 #include "ui/report/format/pages.h"
 #include "ui/report/parts/input_fact.h"
 #include "ui/text/number_text.h"
 
-#include <QPaintEngine>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -24,53 +24,6 @@ using Box = Pages::Box;
 
 constexpr QSizeF area(5100, 7740); ///< A4 within the margins [tenths of a point]
 constexpr double step = 120;       ///< about as fine as widths are shared out
-
-/// Writes down where texts are painted.
-class TextEngine : public QPaintEngine {
-public:
-    struct Text {
-        QString text;
-        QRectF box;
-    };
-    TextEngine() : QPaintEngine(AllFeatures) {}
-    bool begin(QPaintDevice*) override { return true; }
-    bool end() override { return true; }
-    void updateState(const QPaintEngineState&) override {}
-    void drawPixmap(const QRectF&, const QPixmap&, const QRectF&) override {}
-    void drawPolygon(const QPointF*, int, PolygonDrawMode) override {}
-    void drawPath(const QPainterPath&) override {}
-    void drawTextItem(const QPointF& at, const QTextItem& item) override {
-        const QRectF box(at.x(), at.y() - item.ascent() * 0.7, item.width(), item.ascent() * 0.7);
-        texts.push_back({item.text(), painter()->combinedTransform().mapRect(box)});
-    }
-    [[nodiscard]] Type type() const override { return User; }
-    std::vector<Text> texts;
-};
-
-class TextDevice : public QPaintDevice {
-public:
-    explicit TextDevice(QSize size) : m_size(size) {}
-    [[nodiscard]] QPaintEngine* paintEngine() const override { return &m_engine; }
-    [[nodiscard]] const std::vector<TextEngine::Text>& texts() const { return m_engine.texts; }
-
-protected:
-    [[nodiscard]] int metric(PaintDeviceMetric metric) const override {
-        switch (metric) {
-        case PdmWidth: return m_size.width();
-        case PdmHeight: return m_size.height();
-        case PdmDpiX:
-        case PdmDpiY:
-        case PdmPhysicalDpiX:
-        case PdmPhysicalDpiY: return 96;
-        case PdmDevicePixelRatioScaled: return static_cast<int>(devicePixelRatioFScale());
-        default: return 1;
-        }
-    }
-
-private:
-    QSize m_size;
-    mutable TextEngine m_engine;
-};
 
 double longestLine(const TextBox& box) {
     const QFontMetricsF metrics(box.font());
@@ -163,20 +116,21 @@ void checkCells(const Table& table, const std::map<int, std::vector<const Box*>>
 }
 
 void checkFigure(const report::Figure& figure, const QString& what) {
-    TextDevice device(figure.size.toSize());
+    inks::Ink ink;
+    inks::InkDevice device(ink, figure.size.toSize());
     QPainter painter(&device);
     figure.paint(painter);
     painter.end();
     static const QRegularExpression number(QStringLiteral("^[−+-]?[0-9]+([.,][0-9]+)?$"));
     const QRectF whole = QRectF(QPointF(), figure.size).adjusted(-1, -1, 1, 1);
-    const auto& texts = device.texts();
+    const auto& texts = ink.texts;
     QVERIFY(!texts.empty());
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const QString where = what + QStringLiteral(": ") + texts[i].text;
-        QVERIFY2(whole.contains(texts[i].box), qPrintable(where));
+        QVERIFY2(whole.contains(texts[i].caps), qPrintable(where));
         for (std::size_t k = i + 1; k < texts.size(); ++k) {
             const bool ticks = texts[i].text.contains(number) && texts[k].text.contains(number);
-            QVERIFY2(!ticks || !texts[i].box.adjusted(-2, 0, 2, 0).intersects(texts[k].box),
+            QVERIFY2(!ticks || !texts[i].caps.adjusted(-2, 0, 2, 0).intersects(texts[k].caps),
                      qPrintable(where + QStringLiteral(" meets ") + texts[k].text));
         }
     }
@@ -238,21 +192,6 @@ private slots:
             }
         }
     }
-
-    void theCapabilityOfFourSectionsTakesALineEach_data() { addLanguages(); }
-    void theCapabilityOfFourSectionsTakesALineEach() {
-        QFETCH(QString, language);
-        m_language.apply(language);
-        QVERIFY(rowsOfALineEach("plunge-shaft-two-stage", QStringLiteral("Ppk")) > 4 * 6);
-    }
-
-    void theRequirementsTakeALineEach() {
-        m_language.apply(QStringLiteral("ru"));
-        // Roundness says in a second line that the machine is not known.
-        QVERIFY(rowsOfALineEach("slender-shaft", QStringLiteral("Место в цикле")) >= 3 * 4 + 2);
-        QVERIFY(rowsOfALineEach("slender-shaft", QStringLiteral("Ступень или цикл")) >= 8);
-    }
-
     void aSizeIsWrittenAsOnADrawing_data() {
         addColumns<QString, double, double, QString>("name", "upper", "lower", "russian");
         QTest::newRow("its own field") << "Вал 30h6" << 0.0 << -16.0 << "⌀30h6(−0,016)";
@@ -373,28 +312,6 @@ private slots:
     }
 
 private:
-    /// Rows in a passport of an example, of tables with the head given: each cell is one line.
-    static int rowsOfALineEach(const char* example, const QString& head) {
-        const report::Report made =
-            report::passport(passport_bench::subjectOf(passport_bench::example(example)));
-        const Pages pages(made, area);
-        int rows = 0;
-        for (const Box& box : pages.boxes()) {
-            const auto* table =
-                box.kind == Box::Kind::row ? std::get_if<Table>(&made.blocks[box.block]) : nullptr;
-            if (table && table->head.contains(head)) {
-                ++rows;
-                for (const TextBox& cell : box.cells) {
-                    if (cell.lines() != 1) {
-                        qWarning("%s", qPrintable(cell.texts().join(u'|')));
-                        return 0;
-                    }
-                }
-            }
-        }
-        return rows;
-    }
-
     report::Subject subjectOf(const QString& path) {
         Document document;
         (void)document.openCopy(ExamplesDialog::textOf(path));

@@ -75,25 +75,6 @@ class TestReportNumbers : public QObject {
 
 private slots:
     void init() { m_language.apply(QStringLiteral("en")); }
-    void cleanupTestCase() { m_language.apply(QStringLiteral("en")); }
-
-    void aDeviationIsWrittenAsADrawingWritesIt_data() { addLanguages(); }
-    void aDeviationIsWrittenAsADrawingWritesIt() {
-        QFETCH(QString, language);
-        m_language.apply(language);
-        const QString minus(QChar(0x2212));
-        const QString point = language == u"ru" ? QStringLiteral(",") : QStringLiteral(".");
-        Part part;
-        part.diameter_mm = 30;
-        part.upper_deviation_um = 18;
-        part.lower_deviation_um = -16;
-        QCOMPARE(report::drawnSize(part), QStringLiteral("⌀30 (+0") + point
-                                              + QStringLiteral("018; ") + minus + u'0' + point
-                                              + QStringLiteral("016)"));
-        QCOMPARE(printedNumber(-2.5), minus + QStringLiteral("2") + point + u'5');
-        QCOMPARE(printedNumber(2.5), QStringLiteral("2") + point + u'5');
-    }
-
     void aWheelThatOtherSurfacesWoreIsGivenInAFewDigits() {
         const QLocale before;
         QLocale::setDefault(QLocale::c());
@@ -125,7 +106,6 @@ private slots:
         }
     }
 
-    /// The card, the table of the zones and the words at the pointer say the same of each zone.
     void zonesOfSeveralSectionsStateTheirForm() {
         Project project = fixtures::traverseProject();
         QVERIFY(CycleCard::zoneForms(*fixtures::run(project)).rows.empty());
@@ -221,7 +201,6 @@ private slots:
         }
     }
 
-    /// A deviation has a sign, what is never negative has none.
     void onlyDeviationsAmongTheRequirementsHaveASign() {
         Outcome outcome = unlikeZones();
         outcome.constraints = {requirement(ConstraintKind::diameterMin, 0, 1.25),

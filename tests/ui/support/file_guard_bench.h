@@ -42,4 +42,13 @@ struct Bench {
     Access access = Access::conflict;
 };
 
+struct OpenBench : Bench {
+    OpenBench() { open(); }
+};
+
+/// With a change that is not saved.
+struct EditedBench : OpenBench {
+    EditedBench() { setDiameter(document, 31); }
+};
+
 } // namespace sparkout::file_guard_bench

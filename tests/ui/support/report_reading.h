@@ -5,10 +5,13 @@
 #include <QByteArray>
 #include <QFile>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QString>
 #include <QStringList>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
+
+#include <initializer_list>
 
 namespace sparkout::reading {
 
@@ -36,6 +39,68 @@ inline QString told(const QString& tool, const QStringList& options, const QByte
 inline QString textOf(const QByteArray& pdf) {
     return told(QStringLiteral("pdftotext"), {QStringLiteral("-layout")}, pdf)
         .replace(QChar(0x00a0), u' ');
+}
+
+/// The fonts of a PDF that are not embedded; a word where it has none at all.
+inline QStringList fontsLeftOut(const QByteArray& pdf) {
+    QStringList fonts =
+        told(QStringLiteral("pdffonts"), {}, pdf).split(u'\n', Qt::SkipEmptyParts).mid(2);
+    if (fonts.isEmpty()) {
+        return {QStringLiteral("none")};
+    }
+    static const QRegularExpression embedded(QStringLiteral("\\byes +(yes|no) +(yes|no) +\\d"));
+    fonts.removeIf([](const QString& font) { return font.contains(embedded); });
+    return fonts;
+}
+
+/// Words of three Latin letters and more, but for names, symbols and functions.
+inline QStringList englishWords(const QString& text, std::initializer_list<const char*> more = {}) {
+    static const QRegularExpression english(QStringLiteral("\\b[A-Za-z]{3,}\\b"));
+    QStringList words;
+    for (auto it = english.globalMatch(text); it.hasNext();) {
+        words << it.next().captured();
+    }
+    for (const char* kept : {"Sparkout", "part", "sparkout", "HRC", "Srad"}) {
+        words.removeAll(QString::fromLatin1(kept));
+    }
+    for (const char* kept : more) {
+        words.removeAll(QString::fromLatin1(kept));
+    }
+    return words;
+}
+
+/// The first row of a table in Markdown that has an empty cell or not as many as that before.
+inline QString raggedRow(const QString& markdown) {
+    static const QRegularExpression bar(QStringLiteral("(?<!\\\\)\\|"));
+    qsizetype columns = 0;
+    for (const QString& line : markdown.split(u'\n')) {
+        const qsizetype now = line.startsWith(u'|') ? line.count(bar) : 0;
+        if ((columns > 0 && now > 0 && now != columns) || line.contains(QStringLiteral("|  |"))) {
+            return line;
+        }
+        columns = now;
+    }
+    return {};
+}
+
+/// A file of an archive that is whole, as another program reads it; else empty.
+inline QByteArray unzipped(const QByteArray& archive, const char* name) {
+    const QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("paper.odt")));
+    if (!file.open(QIODevice::WriteOnly) || file.write(archive) != archive.size()) {
+        return {};
+    }
+    file.close();
+    QProcess process;
+    process.start(QStringLiteral("/usr/bin/python3"),
+                  {QStringLiteral("-c"),
+                   QStringLiteral("import sys, zipfile\n"
+                                  "z = zipfile.ZipFile(sys.argv[1])\n"
+                                  "assert z.testzip() is None\n"
+                                  "sys.stdout.buffer.write(z.read(sys.argv[2]))"),
+                   file.fileName(), QString::fromLatin1(name)});
+    process.waitForFinished(60'000);
+    return process.readAllStandardOutput();
 }
 
 /// The plain text of a well-formed page; a fault is empty.

@@ -88,6 +88,34 @@ void Bench::settle() const {
     }
 }
 
+void Bench::rest() const {
+    settle();
+    QTest::qWait(60);
+    settle();
+}
+
+QDockWidget& Bench::dock(const char* name) const {
+    return *window->findChild<QDockWidget*>(QString::fromUtf8(name));
+}
+
+void Bench::resize(int width, int height) const {
+    window->resize(width, height);
+    rest();
+}
+
+void Bench::setFontSize(int percent) const {
+    action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+    rest();
+}
+
+void Bench::drag(const QPoint& from, const QPoint& by) const {
+    QTest::mousePress(window.get(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(window.get(), from + by);
+    settle();
+    QTest::mouseRelease(window.get(), Qt::LeftButton, {}, from + by);
+    rest();
+}
+
 WarningCatcher::WarningCatcher() {
     before = qInstallMessageHandler(collect);
 }

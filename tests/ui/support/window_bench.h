@@ -5,6 +5,7 @@
 #include "ui/kit/theme.h"
 #include "ui/window/main_window.h"
 
+#include <QDockWidget>
 #include <QTest>
 
 #include <memory>
@@ -23,8 +24,13 @@ struct Bench {
 
     /// Opens a project and waits until the views have drawn its outcome; false when they do not.
     [[nodiscard]] bool open(const QString& path);
-    [[nodiscard]] QAction* action(const char* name) const; ///< of the menus, by object name
-    void settle() const;                                   ///< queued layouts, replots and repaints
+    [[nodiscard]] QAction* action(const char* name) const;   ///< of the menus, by object name
+    [[nodiscard]] QDockWidget& dock(const char* name) const; ///< a panel, by object name
+    void settle() const; ///< queued layouts, replots and repaints
+    void rest() const;   ///< also what is laid out a moment later
+    void resize(int width, int height) const;
+    void setFontSize(int percent) const;                   ///< by the menu
+    void drag(const QPoint& from, const QPoint& by) const; ///< what parts the panels
 
     Settings settings;
     Language language;

@@ -50,6 +50,15 @@ struct Bench {
     std::unique_ptr<MainWindow> window;
 };
 
+struct OpenBench : Bench {
+    OpenBench() { QVERIFY(open()); }
+};
+
+/// With a change that is not saved.
+struct EditedBench : OpenBench {
+    EditedBench() { edit(31); }
+};
+
 } // namespace sparkout::file_dialogs_bench
 
 #define ANSWERED(answers) QVERIFY2((answers).fault().isEmpty(), qPrintable((answers).fault()))

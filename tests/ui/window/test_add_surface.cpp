@@ -12,7 +12,6 @@
 #include <QComboBox>
 #include <QTest>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -68,28 +67,6 @@ private slots:
         QCOMPARE(document.project().cycle->stages.size(), stages.size());
         QCOMPARE(document.project().cycle->stages.front().radial_feed_mm_min,
                  stages.front().radial_feed_mm_min);
-    }
-
-    /// It asks as a copy does that is added, but stays where the other is.
-    void aDuplicateStaysInItsPlace() {
-        Setup setup = plainSetup(newProject(Operation::plunge));
-        Part& part = *setup.surfaces.front().project.part;
-        part.shaft.segments = {{part.length_mm, part.diameter_mm}, {60, part.diameter_mm + 5}};
-        const auto isFree = [](const QString&) { return true; };
-        const auto duplicateOf = [&](const SetupState& state) {
-            auto dialog = std::make_unique<AddSurfaceDialog>(state, QStringLiteral("second"),
-                                                             isFree, std::nullopt);
-            dialog->onlyDuplicate();
-            return dialog;
-        };
-        Untitled document(setup);
-        auto dialog = duplicateOf(document.state());
-        QVERIFY(dialog->isCopy() && dialog->hasAnythingToAsk() && !dialog->startsWhenDrawn());
-        QVERIFY(sameProject(dialog->project(), document.project()));
-        dialog->findChild<QCheckBox*>(QStringLiteral("copyDeviations"))->setChecked(false);
-        QCOMPARE(dialog->openInputs().size(), std::size_t{2});
-        part.tolerance = {};
-        QVERIFY(!duplicateOf(Untitled(setup).state())->hasAnythingToAsk());
     }
 
     /// As the surface itself would.

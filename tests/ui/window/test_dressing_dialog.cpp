@@ -77,7 +77,6 @@ private slots:
         QVERIFY(dialog.interval().parts <= alone);
     }
 
-    /// Without wear it says so, and leads to where it is given.
     void withoutWearItLeadsThere() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("sharp.sparkout"));

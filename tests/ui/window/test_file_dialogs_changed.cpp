@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The file of the window is changed or removed by another program: the notice and its buttons.
+// What others do to the files of the window: they change, remove, lock or forbid them.
 #include "tests/registry.h"
 #include "tests/ui/window/file_dialogs_bench.h"
 #include "ui/dialogs/notice_bar.h"
+#include "ui/window/dialogs/examples_dialog.h"
 
 namespace sparkout::test_file_dialogs_changed {
 
@@ -57,8 +58,7 @@ private slots:
     }
 
     void aChangedFileIsOfferedForReloading() {
-        Bench bench;
-        QVERIFY(bench.open());
+        OpenBench bench;
         QVERIFY(changedOnDisk(bench));
         NoticeBar& notices = bench.window->files().notices();
         QVERIFY(notices.isVisible());
@@ -69,9 +69,7 @@ private slots:
     }
 
     void reloadingInsteadOfSavingTakesTheNoticeAway() {
-        Bench bench;
-        QVERIFY(bench.open());
-        bench.edit(31);
+        EditedBench bench;
         QVERIFY(changedOnDisk(bench));
         NoticeBar& notices = bench.window->files().notices();
         DialogAnswers answers({QStringLiteral("reload")});
@@ -81,8 +79,7 @@ private slots:
     }
 
     void keepingOnesOwnVersionCountsAsUnsaved() {
-        Bench bench;
-        QVERIFY(bench.open());
+        OpenBench bench;
         QVERIFY(changedOnDisk(bench));
         QTest::keyClick(bench.noticeButton("disk", 1), Qt::Key_Space);
         QTRY_VERIFY(bench.document().modified());
@@ -90,8 +87,7 @@ private slots:
     }
 
     void aFileThatIsRemovedCountsAsUnsaved() {
-        Bench bench;
-        QVERIFY(bench.open());
+        OpenBench bench;
         QTest::qWait(400);
         QVERIFY(QFile::remove(bench.path));
         QTRY_VERIFY(bench.window->files().notices().holds(QStringLiteral("disk")));
@@ -119,6 +115,84 @@ private slots:
             return row ? row->findChildren<QLabel*>().last()->text() : QString();
         };
         QTRY_VERIFY(shown().contains(QStringLiteral("unsaved changes")));
+    }
+
+    void theSecondOpenerIsToldAndCanRead_data() {
+        QTest::addColumn<QString>("answer");
+        for (const char* name : {"readOnly", "copy", "takeOver", "Escape", "Enter"}) {
+            QTest::newRow(name) << QString::fromUtf8(name);
+        }
+    }
+
+    void theSecondOpenerIsToldAndCanRead() {
+        QFETCH(QString, answer);
+        Bench bench;
+        FileLock other;
+        QCOMPARE(other.acquire(bench.path), FileLock::State::held);
+        DialogAnswers answers({answer});
+        const bool opened = bench.open();
+        ANSWERED(answers);
+        const QString text = answers.text();
+        QVERIFY2(text.contains(bench.path) && text.contains(QSysInfo::machineHostName())
+                     && text.contains(other.holder().user)
+                     && text.contains(QString::number(QCoreApplication::applicationPid())),
+                 qPrintable(text));
+        QCOMPARE(opened, answer != u"Escape");
+        const bool readOnly = answer == u"readOnly" || answer == u"Enter";
+        QCOMPARE(bench.document().readOnly(), readOnly);
+        QCOMPARE(bench.document().filePath().isEmpty(), answer == u"copy" || answer == u"Escape");
+        QCOMPARE(other.stillOurs(), answer != u"takeOver");
+        QCOMPARE(bench.window->windowTitle().contains(QStringLiteral("read-only")), readOnly);
+        QCOMPARE(bench.window->files().notices().holds(QStringLiteral("readOnly")), readOnly);
+        QVERIFY(QFileInfo::exists(bench.lock));
+    }
+
+    void savingAReadOnlyDocumentAsksForAnotherName() {
+        Bench bench;
+        trouble::setMode(bench.path, 0444);
+        QVERIFY(bench.open());
+        QVERIFY(bench.document().readOnly());
+        bench.edit(31);
+        DialogAnswers answers({QStringLiteral("file:") + bench.other});
+        QVERIFY(bench.window->files().save());
+        ANSWERED(answers);
+        QCOMPARE(trouble::bytesOf(bench.path), textWith(30));
+        QCOMPARE(trouble::bytesOf(bench.other), textWith(31));
+        QVERIFY(!bench.document().readOnly());
+        QVERIFY(!bench.window->windowTitle().contains(QStringLiteral("read-only")));
+        QVERIFY(!bench.window->files().notices().holds(QStringLiteral("readOnly")));
+        QVERIFY(QFileInfo::exists(FileLock::lockPath(bench.other)));
+    }
+
+    void aLockWithoutSenseCanBeTakenOver() {
+        Bench bench;
+        trouble::write(bench.lock, "garbage");
+        DialogAnswers answers({QStringLiteral("takeOver")});
+        QVERIFY(bench.open());
+        ANSWERED(answers);
+        QVERIFY(answers.text().contains(QStringLiteral("cannot be read")));
+        QVERIFY(!bench.document().readOnly());
+    }
+
+    void anExampleOfTheShippedOnesLeavesNoLock() {
+        Bench bench;
+        const QByteArray example = ExamplesDialog::textOf(ExamplesDialog::paths().first());
+        trouble::write(bench.path, example);
+        QVERIFY(bench.open());
+        QVERIFY(!QFileInfo::exists(bench.lock));
+        bench.edit(31);
+        QVERIFY(bench.window->files().save());
+        QVERIFY2(QFileInfo::exists(bench.lock), "once it is saved to it is a file like others");
+    }
+
+    void aRefusedFileLeavesNoLockAndKeepsTheOneOfTheDocument() {
+        OpenBench bench;
+        trouble::write(bench.other, "{}");
+        DialogAnswers answers({QStringLiteral("Escape")});
+        QVERIFY(!bench.window->files().openFile(bench.other));
+        ANSWERED(answers);
+        QVERIFY(!QFileInfo::exists(FileLock::lockPath(bench.other)));
+        QVERIFY(QFileInfo::exists(bench.lock));
     }
 };
 

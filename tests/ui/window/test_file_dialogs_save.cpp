@@ -23,9 +23,7 @@ private slots:
 
     void whatAnotherProgramWroteIsNotSavedOverUnasked() {
         QFETCH(QString, answer);
-        Bench bench;
-        QVERIFY(bench.open());
-        bench.edit(31);
+        EditedBench bench;
         trouble::write(bench.path, textWith(35));
         QStringList list{answer};
         if (answer == u"elsewhere") {
@@ -119,9 +117,7 @@ private slots:
     }
 
     void aFailedSaveCanGoElsewhere() {
-        Bench bench;
-        QVERIFY(bench.open());
-        bench.edit(31);
+        EditedBench bench;
         QVERIFY(QFile::remove(bench.path));
         QVERIFY(QDir().mkdir(bench.path)); // something else stands there now
         DialogAnswers answers({QStringLiteral("elsewhere"), QStringLiteral("file:") + bench.other});

@@ -146,8 +146,7 @@ private slots:
             Bench bench(language);
             bench.window->resize(size);
             QVERIFY(bench.open(examplePath(name)));
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-            bench.settle();
+            bench.setFontSize(percent);
             QCOMPARE(bench.settings.fontSize(), percent);
             Offenders offenders;
             everyPlace(bench, [&](const QString& place) {

@@ -13,7 +13,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QDataStream>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
@@ -101,31 +100,6 @@ class TestLayout : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Wide again as soon as they have room.
-    void tabsAreInNarrowTypeOnlyWhereTheyWouldNotAllBeInSight() {
-        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
-        const auto narrow = [&bench] {
-            bench.settle();
-            return bench.window->viewTabs().tabBar()->font().stretch() == 90;
-        };
-        const QTabBar& bar = *bench.window->viewTabs().tabBar();
-        for (int i = 0; i < 2; ++i) {
-            bench.window->resize(1366, 768);
-            QVERIFY(narrow());
-            QVERIFY(bar.tabRect(bar.count() - 1).right() < bar.width());
-            bench.window->resize(1920, 1080);
-            QVERIFY(!narrow());
-            QVERIFY(bar.tabRect(bar.count() - 1).right() < bar.width());
-        }
-        bench.window->resize(1366, 768);
-        bench.action("fontSize-130")->trigger();
-        QVERIFY(narrow());
-        bench.action("fontSize-100")->trigger();
-        QVERIFY(narrow());
-        bench.action("english")->trigger(); // shorter words
-        QVERIFY(!narrow());
-    }
-
     void aDoubleClickOnATabTearsItOffAndClosingBringsItBack() {
         Tabs t;
         const QRect tab = t.tabs->tabBar()->tabRect(1);
@@ -254,10 +228,8 @@ private slots:
     void theLayoutIsRememberedAndCanBeReset() {
         Bench bench(QStringLiteral("en"));
         const QStringList usual = layoutOf(bench);
-        auto* inputs = bench.window->findChild<QDockWidget*>(QStringLiteral("inputs"));
-        auto* verdict = bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"));
-        inputs->close();
-        bench.window->addDockWidget(Qt::LeftDockWidgetArea, verdict);
+        bench.dock("inputs").close();
+        bench.window->addDockWidget(Qt::LeftDockWidgetArea, &bench.dock("verdict"));
         bench.settle();
         const QStringList changed = layoutOf(bench);
         QVERIFY(changed != usual);
@@ -277,21 +249,13 @@ private slots:
 
     void aLanguageSwitchLeavesTheLayoutAsItIs() {
         OpenBench bench(QStringLiteral("en"), examplePaths().front());
-        auto* verdict = bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"));
-        auto* messages = bench.window->findChild<QDockWidget*>(QStringLiteral("messages"));
-        messages->show(); // nothing is said: it was closed
+        const QDockWidget& verdict = bench.dock("verdict");
+        QDockWidget& messages = bench.dock("messages");
+        messages.show(); // nothing is said: it was closed
         bench.settle();
-        const auto drag = [&bench](const QPoint& from, const QPoint& by) {
-            QTest::mousePress(bench.window.get(), Qt::LeftButton, {}, from);
-            QTest::mouseMove(bench.window.get(), from + by);
-            bench.settle();
-            QTest::mouseRelease(bench.window.get(), Qt::LeftButton, {}, from + by);
-            bench.settle();
-            QTest::qWait(20);
-        };
-        drag({verdict->x() - 2, verdict->y() + verdict->height() / 2}, {-53, 0});
-        drag({messages->x() + messages->width() / 2, messages->y() - 2}, {0, -54});
-        const int width = verdict->width(), height = messages->height();
+        bench.drag({verdict.x() - 2, verdict.y() + verdict.height() / 2}, {-53, 0});
+        bench.drag({messages.x() + messages.width() / 2, messages.y() - 2}, {0, -54});
+        const int width = verdict.width(), height = messages.height();
         QVERIFY(width > 340 && height > 110);
         const QStringList before = layoutOf(bench);
         const QSize size = bench.window->size();
@@ -330,22 +294,11 @@ private slots:
     void pressedPanelsTakeTheirRoomBack() {
         QFETCH(QString, language);
         QFETCH(QString, by);
-        Bench bench(language);
-        const QStringList examples = examplePaths();
-        const auto factory =
-            std::ranges::find(examples, QStringLiteral("shaft-30h6-factory"), nameOf);
-        QVERIFY(factory != examples.end() && bench.open(*factory));
-        const auto wait = [&bench] {
-            bench.settle();
-            QTest::qWait(60);
-            bench.settle();
-        };
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         const auto widths = [&bench] {
-            return std::pair(
-                bench.window->findChild<QDockWidget*>(QStringLiteral("inputs"))->width(),
-                bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"))->width());
+            return std::pair(bench.dock("inputs").width(), bench.dock("verdict").width());
         };
-        wait();
+        bench.rest();
         const auto before = widths();
         QVERIFY(before.second > 300);
         if (by == u"scatter") {
@@ -355,49 +308,35 @@ private slots:
             content->setFocus();
             QTest::keyClick(content, Qt::Key_Down);
             QTest::keyClick(content, Qt::Key_Down); // Scatter
-            wait();
+            bench.rest();
             QCOMPARE(content->currentIndex(), 2);
             QCOMPARE(widths(), before); // its tools go on in a further line
             content->setCurrentIndex(0);
         } else if (by == u"narrow") {
-            bench.window->resize(1024, 768);
-            wait();
-            bench.window->resize(1366, 768);
+            bench.resize(1024, 768);
+            bench.resize(1366, 768);
         } else {
-            bench.action("fontSize-130")->trigger();
-            wait();
-            bench.action("fontSize-100")->trigger();
+            bench.setFontSize(130);
+            bench.setFontSize(100);
         }
-        wait();
+        bench.rest();
         QCOMPARE(widths(), before);
-        applyFontSize(usualFontSize);
     }
 
     void aPanelThatTheUserMadeNarrowStaysSo() {
         OpenBench bench(QStringLiteral("en"), examplePaths().front());
-        auto* verdict = bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"));
-        const int before = verdict->width();
-        const QPoint separator(verdict->x() - 2, verdict->y() + verdict->height() / 2);
-        QTest::mousePress(bench.window.get(), Qt::LeftButton, {}, separator);
-        QTest::mouseMove(bench.window.get(), separator - QPoint(80, 0));
-        bench.settle();
-        QTest::mouseRelease(bench.window.get(), Qt::LeftButton, {}, separator - QPoint(80, 0));
-        bench.settle();
-        const int dragged = verdict->width();
+        const QDockWidget& verdict = bench.dock("verdict");
+        const int before = verdict.width();
+        const QPoint separator(verdict.x() - 2, verdict.y() + verdict.height() / 2);
+        bench.drag(separator, {-80, 0});
+        const int dragged = verdict.width();
         QVERIFY(dragged > before + 60);
-        QTest::mousePress(bench.window.get(), Qt::LeftButton, {}, separator - QPoint(80, 0));
-        QTest::mouseMove(bench.window.get(), separator - QPoint(40, 0));
-        bench.settle();
-        QTest::mouseRelease(bench.window.get(), Qt::LeftButton, {}, separator - QPoint(40, 0));
-        bench.settle();
-        const int narrower = verdict->width();
+        bench.drag(separator - QPoint(80, 0), {40, 0});
+        const int narrower = verdict.width();
         QVERIFY(narrower < dragged - 20);
-        bench.window->resize(1100, 768);
-        bench.settle();
-        bench.window->resize(1366, 768);
-        bench.settle();
-        QTest::qWait(60);
-        QCOMPARE(verdict->width(), narrower);
+        bench.resize(1100, 768);
+        bench.resize(1366, 768);
+        QCOMPARE(verdict.width(), narrower);
     }
 
     // Closed while a narrow window presses them; opened again where there is room.
@@ -407,9 +346,7 @@ private slots:
             return window.findChild<QDockWidget*>(QStringLiteral("verdict"))->width();
         };
         const int before = verdictOf(*bench.window);
-        bench.window->resize(960, 700);
-        bench.settle();
-        QTest::qWait(60);
+        bench.resize(960, 700);
         QVERIFY(verdictOf(*bench.window) < before - 20);
         QVERIFY(bench.window->close());
         MainWindow again(bench.settings, bench.language);
@@ -420,36 +357,21 @@ private slots:
 
     void whatOneDragsSaysNothingOfAnotherPanelThatIsPressed() {
         OpenBench bench(QStringLiteral("en"), examplePaths().front());
-        auto* verdict = bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"));
-        auto* inputs = bench.window->findChild<QDockWidget*>(QStringLiteral("inputs"));
-        const auto drag = [&](QPoint from, int by) {
-            QTest::mousePress(bench.window.get(), Qt::LeftButton, {}, from);
-            QTest::mouseMove(bench.window.get(), from + QPoint(by, 0));
-            bench.settle();
-            QTest::mouseRelease(bench.window.get(), Qt::LeftButton, {}, from + QPoint(by, 0));
-            bench.settle();
-            QTest::qWait(60);
+        const QDockWidget &verdict = bench.dock("verdict"), &inputs = bench.dock("inputs");
+        const auto edge = [&inputs] {
+            return QPoint(inputs.geometry().right() + 3, inputs.y() + inputs.height() / 2);
         };
-        const auto edge = [&] {
-            return QPoint(inputs->geometry().right() + 3, inputs->y() + inputs->height() / 2);
-        };
-        drag(edge(), 90);
-        const int wanted = verdict->width();
-        bench.window->resize(1024, 768);
-        bench.settle();
-        QTest::qWait(60);
-        const int pressed = verdict->width();
-        QVERIFY2(pressed < wanted - 20, "the window is to press it");
-        const int before = inputs->width();
-        drag(edge(), -12);
-        QVERIFY(inputs->width() < before);
-        bench.window->resize(1366, 768);
-        bench.settle();
-        QTest::qWait(60);
-        QCOMPARE(verdict->width(), wanted);
+        bench.drag(edge(), {90, 0});
+        const int wanted = verdict.width();
+        bench.resize(1024, 768);
+        QVERIFY2(verdict.width() < wanted - 20, "the window is to press it");
+        const int before = inputs.width();
+        bench.drag(edge(), {-12, 0});
+        QVERIFY(inputs.width() < before);
+        bench.resize(1366, 768);
+        QCOMPARE(verdict.width(), wanted);
     }
 
-    // A wide window gives its room to the views and the verdict; the inputs have what they need.
     void aWideWindowHasRoomForTheNamesOfTheVerdict_data() { addLongerLanguages(); }
     void aWideWindowHasRoomForTheNamesOfTheVerdict() {
         QFETCH(QString, language);
@@ -465,8 +387,7 @@ private slots:
             QTRY_VERIFY(verdict->width() >= 440);
             QCOMPARE(inputs->width(), narrowInputs);
             QVERIFY(window.findChild<ViewTabs*>()->width() > 1050);
-            bench.settle();
-            QTest::qWait(60);
+            bench.rest();
             int names = 0;
             const int line = table->rowHeight(0); // the name of a group
             for (int row = 0; row < table->model()->rowCount(); ++row) {
@@ -491,10 +412,7 @@ private slots:
         window.resize(1920, 1080);
         QTest::qWait(100);
         const QPoint edge(inputs->mapTo(&window, QPoint(inputs->width() + 2, 300)));
-        QTest::mousePress(&window, Qt::LeftButton, {}, edge);
-        QTest::mouseMove(&window, edge + QPoint(140, 0));
-        bench.settle();
-        QTest::mouseRelease(&window, Qt::LeftButton, {}, edge + QPoint(140, 0));
+        bench.drag(edge, {140, 0});
         QTRY_VERIFY(inputs->width() > before + 100);
         QTest::qWait(100);
         const int dragged = inputs->width();
@@ -510,29 +428,6 @@ private slots:
         QTRY_COMPARE(again.findChild<InputsPanel*>()->width(), dragged);
     }
 
-    // Two columns of inputs, which no hand has dragged, were wanted in a wide window once.
-    void aWidthThatTheProgramChoseBeforeGivesWay() {
-        OpenBench bench(QStringLiteral("en"), examplePaths().front());
-        const int narrow = bench.window->findChild<InputsPanel*>()->width();
-        bench.window->resize(1920, 1080);
-        QTest::qWait(100);
-        const int verdict =
-            bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"))->width();
-        QVERIFY(bench.window->close());
-        auto parts = unsealed(bench.settings.windowState(), 3);
-        QVERIFY(parts);
-        parts->back().clear();
-        QDataStream stream(&parts->back(), QIODevice::WriteOnly);
-        stream.setVersion(QDataStream::Qt_6_0);
-        stream << qint32(0) << qint32(694) << qint32(310) << qint32(350);
-        bench.settings.setWindow(bench.settings.windowGeometry(), sealed(*parts));
-        MainWindow again(bench.settings, bench.language);
-        again.resize(1920, 1080);
-        again.show();
-        QTRY_COMPARE(again.findChild<InputsPanel*>()->width(), narrow);
-        QTRY_COMPARE(again.findChild<QDockWidget*>(QStringLiteral("verdict"))->width(), verdict);
-    }
-
     // Large type widens the panels, and the views keep what they have in a small window.
     void theViewsOfAWideWindowKeepTheirRoomInLargeType() {
         OpenBench bench(QStringLiteral("ru"), examplePaths().front());
@@ -541,7 +436,7 @@ private slots:
         const auto* verdict = window.findChild<QDockWidget*>(QStringLiteral("verdict"));
         window.resize(1920, 1080);
         for (const int percent : {90, 115, 130}) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            bench.setFontSize(percent);
             QTRY_VERIFY(verdict->width() >= atFontSize(450) - 1);
             QVERIFY(window.findChild<ViewTabs*>()->width() >= 690); // and the lines that part them
             for (std::size_t page = 0; page < inputs->pages().size(); ++page) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/typing.h"
-#include "tests/whole_project.h"
-#include "ui/dialogs/faults_dialog.h"
+#include "tests/ui/support/window_bench.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/forms/stage_table.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
-#include "ui/session/project_io.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 #include "ui/views/feeds/feeds_plot.h"
@@ -16,16 +16,12 @@
 #include "ui/views/verdict/verdict_panel.h"
 #include "ui/window/dialogs/examples_dialog.h"
 #include "ui/window/file_commands.h"
-#include "ui/window/main_window.h"
 #include "ui/window/status_line.h"
 #include "ui/window/view_tabs.h"
 
 #include "core/format/project_file.h"
 #include "core/study/stock_edits.h"
 
-#include "tests/registry.h"
-
-#include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
 #include <QFile>
@@ -33,33 +29,9 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QStatusBar>
-#include <QTableView>
 #include <QTemporaryDir>
 
 namespace sparkout::test_main_window {
-
-QString example(const char* name) {
-    return QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/") + QString::fromUtf8(name);
-}
-
-/// A window with the 30h6 example, in a language, at the size of a small laptop.
-struct Bench {
-    explicit Bench(const QString& code) : settings(Settings::transient()) {
-        language.apply(code);
-        window = std::make_unique<MainWindow>(settings, language);
-        window->resize(1366, 768);
-        window->show();
-    }
-    void open(const QString& path) {
-        QSignalSpy shown(window.get(), &MainWindow::outcomeShown);
-        QVERIFY(window->document().open(path).opened());
-        QTRY_COMPARE(shown.count(), 1);
-        QTest::qWait(50); // queued replots and layouts
-    }
-    Settings settings;
-    Language language;
-    std::unique_ptr<MainWindow> window;
-};
 
 class TestMainWindow : public QObject {
     Q_OBJECT
@@ -68,9 +40,8 @@ private slots:
     void aTypedFeedChangesTheVerdictAndSurvivesSaveAndReopen() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("вал.sparkout"));
-        QVERIFY(QFile::copy(example("shaft-30h6-factory.sparkout"), path));
-        Bench bench(QStringLiteral("ru"));
-        bench.open(path);
+        QVERIFY(QFile::copy(examplePath("shaft-30h6-factory"), path));
+        OpenBench bench(QStringLiteral("ru"), path);
         const OutcomePtr before = bench.window->outcome();
         auto& table = *bench.window->findChild<StageTable*>();
         table.view().setFocus();
@@ -89,8 +60,7 @@ private slots:
         QVERIFY(bench.window->files().save());
         QVERIFY(!bench.window->isWindowModified());
 
-        Bench again(QStringLiteral("en"));
-        again.open(path);
+        OpenBench again(QStringLiteral("en"), path);
         QVERIFY(
             sameProject(again.window->document().project(), bench.window->document().project()));
         const OutcomePtr same = again.window->outcome();
@@ -113,32 +83,8 @@ private slots:
         line.showForAWhile(QStringLiteral("and after"));
         QVERIFY(!status->isVisible());
     }
-
-    void aRequirementTakesTwoLinesAtMost_data() {
-        QTest::addColumn<QString>("code");
-        QTest::newRow("ru") << QStringLiteral("ru");
-        QTest::newRow("en") << QStringLiteral("en");
-    }
-    void aRequirementTakesTwoLinesAtMost() {
-        QFETCH(QString, code);
-        Bench bench(code);
-        for (const char* file : {"shaft-38-74h6.sparkout", "plunge-shaft-two-stage.sparkout"}) {
-            bench.open(example(file));
-            const auto* table = bench.window->findChild<VerdictPanel*>()->findChild<QTableView*>();
-            int oneLine = 0;
-            const int line = QFontMetrics(table->font()).lineSpacing();
-            for (int row = 0; row < table->model()->rowCount(); ++row) {
-                const QString text = table->model()->index(row, 0).data().toString();
-                QVERIFY2(table->rowHeight(row) < 3 * line, qPrintable(text));
-                oneLine += table->rowHeight(row) < 2 * line ? 1 : 0;
-            }
-            QVERIFY(2 * oneLine > table->model()->rowCount());
-        }
-    }
-
     void whatAnotherOperationChangesIsTold() {
-        Bench bench(QStringLiteral("ru"));
-        bench.open(example("shaft-30h6-factory.sparkout"));
+        OpenBench bench(QStringLiteral("ru"), examplePath("shaft-30h6-factory"));
         const Part before = *bench.window->document().project().part;
         const double width_mm = bench.window->document().project().wheel->width_mm;
         QVERIFY(before.length_mm > width_mm);
@@ -158,8 +104,7 @@ private slots:
     }
 
     void refusedInputsAreListedAndTheMessageLeadsToTheField() {
-        Bench bench(QStringLiteral("en"));
-        bench.open(example("shaft-30h6-factory.sparkout"));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         Project project = bench.window->document().project();
         project.part->radii_per_section = 35;
         bench.window->document().edit(project, {"Input", "Radii per section"});
@@ -175,8 +120,7 @@ private slots:
     }
 
     void theLineBelowStocksThatDoNotAddUpFitsThem() {
-        Bench bench(QStringLiteral("en"));
-        bench.open(example("shaft-30h6-factory.sparkout"));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         Project project = bench.window->document().project();
         project.part->stock_mm += 0.05;
         bench.window->document().edit(project, {"Input", "Stock"});
@@ -209,8 +153,7 @@ private slots:
     }
 
     void aRefusedTextIsListedAndTheVerdictSaysSo() {
-        Bench bench(QStringLiteral("en"));
-        bench.open(example("shaft-30h6-factory.sparkout"));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         bench.window->inputs().showPage(0);
         auto* field = bench.window->findChild<NumberField*>(QStringLiteral("/part/diameter_mm"));
         typeOver(*field, QStringLiteral("thirty"));
@@ -227,10 +170,7 @@ private slots:
 
     void aRequirementLeadsToWhereItIsSeen() {
         Bench bench(QStringLiteral("en"));
-        Project project = loadProject(example("shaft-30h6-factory.sparkout"))
-                              .setup.value()
-                              .surfaces.front()
-                              .project;
+        Project project = exampleProject("shaft-30h6-factory");
         project.machine->limits.work_speed_rpm = std::vector<double>{100, 101, 1};
         project.machine->wheel_drive_kw = 0.1;
         QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
@@ -266,25 +206,15 @@ private slots:
     }
 
     void theComputedComplianceCanBeRead() {
-        Bench bench(QStringLiteral("en"));
-        bench.open(example("slender-shaft.sparkout"));
+        OpenBench bench(QStringLiteral("en"), examplePath("slender-shaft"));
         bench.window->inputs().showPage(3);
         auto* label = bench.window->findChild<QLabel*>(QStringLiteral("computedCompliance"));
         QVERIFY(label->isVisibleTo(label->parentWidget()));
         for (const SectionResult& section : bench.window->outcome()->result.sections) {
             QVERIFY(label->text().contains(Names::significant(section.compliance_mm_per_n)));
         }
-        bench.open(example("shaft-30h6-factory.sparkout")); // with given values
+        QVERIFY(bench.open(examplePath("shaft-30h6-factory"))); // with given values
         QVERIFY(!label->isVisibleTo(label->parentWidget()));
-    }
-
-    void faultsAreListedAsPathAndSentence() {
-        const ReadResult read = readProject(R"({"format":"sparkout-project","version":1,"x":1})");
-        const QStringList lines = FaultsDialog::lines(read.issues);
-        QCOMPARE(lines.size(), static_cast<int>(read.issues.size()));
-        QVERIFY(lines.join(u'\n').contains(QStringLiteral("/x: ")));
-        FaultsDialog dialog(QStringLiteral("a.sparkout"), read.issues);
-        QVERIFY(dialog.findChildren<QAbstractButton*>().size() >= 2);
     }
 
     void theGalleryOpensEveryExampleAsAnUntitledCopy() {
@@ -329,21 +259,6 @@ private slots:
         QVERIFY(document.state().surfaces[1]->name != name);
         choose("english");
         QCOMPARE(document.state().surfaces[1]->name, name);
-    }
-
-    void theLayoutIsRememberedAndUndoReachesTheWholeWindow() {
-        Bench bench(QStringLiteral("en"));
-        bench.open(example("shaft-30h6-factory.sparkout"));
-        bench.window->inputs().showPage(0);
-        auto* field = bench.window->findChild<NumberField*>(QStringLiteral("/part/diameter_mm"));
-        bench.window->activateWindow();
-        typeOver(*field, QStringLiteral("31"));
-        QCOMPARE(bench.window->document().project().part->diameter_mm, 31.0);
-        QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(bench.window->document().project().part->diameter_mm, 30.0);
-        QCOMPARE(field->text(), QStringLiteral("30"));
-        bench.window->close();
-        QVERIFY(!bench.settings.windowState().isEmpty());
     }
 };
 

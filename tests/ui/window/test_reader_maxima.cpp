@@ -48,134 +48,120 @@ std::size_t mostOf(std::string_view key) {
     return mostOf(tableOf<Struct>(), key);
 }
 
-std::string plunge(const std::function<void(Project&)>& change) {
-    Project project = newProject(Operation::plunge);
-    change(project);
-    return writeProject(project);
+using File = std::function<std::string(std::size_t count)>;
+
+/// A new project with so many of something.
+File changed(Operation operation, std::function<void(Project&, std::size_t)> change) {
+    return [operation, change = std::move(change)](std::size_t count) {
+        Project project = newProject(operation);
+        change(project, count);
+        return writeProject(project);
+    };
 }
-std::string traverse(const std::function<void(Project&)>& change) {
-    Project project = newProject(Operation::traverse);
-    change(project);
-    return writeProject(project);
+File plunge(std::function<void(Project&, std::size_t)> change) {
+    return changed(Operation::plunge, std::move(change));
+}
+File traverse(std::function<void(Project&, std::size_t)> change) {
+    return changed(Operation::traverse, std::move(change));
 }
 
-std::string ofStages(std::size_t count) {
-    return plunge([count](Project& project) {
-        const Stage first = project.cycle->stages.front();
-        project.cycle->stages.assign(count, first);
-        for (Stage& stage : project.cycle->stages) {
-            stage.stock_mm = project.part->stock_mm / double(count);
-        }
-    });
+void ofStages(Project& project, std::size_t count) {
+    const Stage first = project.cycle->stages.front();
+    project.cycle->stages.assign(count, first);
+    for (Stage& stage : project.cycle->stages) {
+        stage.stock_mm = project.part->stock_mm / double(count);
+    }
 }
 
-std::string ofSegments(std::size_t count) {
-    return plunge([count](Project& project) {
-        ShaftSegment whole;
-        for (const ShaftSegment& each : project.part->shaft.segments) {
-            whole.length_mm += each.length_mm;
-            whole.diameter_mm = each.diameter_mm;
-        }
-        whole.length_mm = std::max(whole.length_mm, project.part->length_mm) * 2 / double(count);
-        whole.diameter_mm = std::max(whole.diameter_mm, 10.0);
-        project.part->shaft.segments.assign(count, whole);
-    });
+void ofSegments(Project& project, std::size_t count) {
+    ShaftSegment whole;
+    for (const ShaftSegment& each : project.part->shaft.segments) {
+        whole.length_mm += each.length_mm;
+        whole.diameter_mm = each.diameter_mm;
+    }
+    whole.length_mm = std::max(whole.length_mm, project.part->length_mm) * 2 / double(count);
+    whole.diameter_mm = std::max(whole.diameter_mm, 10.0);
+    project.part->shaft.segments.assign(count, whole);
 }
 
-std::string ofSteadyRests(std::size_t count) {
-    return plunge([count](Project& project) {
-        for (std::size_t i = 0; i < count; ++i) {
-            project.part->shaft.steady_rests.push_back(
-                {.position_mm = project.part->length_mm * double(i) / double(count),
-                 .stiffness_n_um = 20});
-        }
-    });
+void ofSteadyRests(Project& project, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        project.part->shaft.steady_rests.push_back(
+            {.position_mm = project.part->length_mm * double(i) / double(count),
+             .stiffness_n_um = 20});
+    }
 }
 
-std::string ofGaps(std::size_t count) {
-    return plunge([count](Project& project) {
-        project.part->radii_per_section = 360;
-        for (std::size_t i = 0; i < count; ++i) {
-            project.part->gaps.push_back(
-                {.from_deg = 360.0 * double(i) / double(count), .width_deg = 2});
-        }
-    });
+void ofGaps(Project& project, std::size_t count) {
+    project.part->radii_per_section = 360;
+    for (std::size_t i = 0; i < count; ++i) {
+        project.part->gaps.push_back(
+            {.from_deg = 360.0 * double(i) / double(count), .width_deg = 2});
+    }
 }
 
 std::string ofSections(std::size_t count) {
     return writeProject(withSections(newProject(Operation::plunge), static_cast<int>(count)));
 }
 
-std::string ofPlaces(std::size_t count) { // a part of many zones' worth of measurements
-    return traverse([count](Project& project) {
-        Measured& measured = project.measured.emplace();
-        for (std::size_t i = 0; i < count; ++i) {
-            MeasuredPart part;
-            part.part = std::to_string(i / 3 + 1);
-            part.place = static_cast<int>(i % 3);
-            part.diameters_mm = {project.part->diameter_mm};
-            part.roundness_um = 1.5;
-            measured.parts.push_back(part);
-        }
-    });
+void ofPlaces(Project& project, std::size_t count) { // a part of many zones' worth of measurements
+    Measured& measured = project.measured.emplace();
+    for (std::size_t i = 0; i < count; ++i) {
+        MeasuredPart part;
+        part.part = std::to_string(i / 3 + 1);
+        part.place = static_cast<int>(i % 3);
+        part.diameters_mm = {project.part->diameter_mm};
+        part.roundness_um = 1.5;
+        measured.parts.push_back(part);
+    }
 }
 
-std::string ofTraces(std::size_t count) {
-    return traverse([count](Project& project) {
-        std::vector<double> times, values;
-        const std::size_t samples = longTest ? limits::traceSamples : 100;
-        for (std::size_t i = 0; i < samples; ++i) {
-            times.push_back(double(i) * 0.01);
-            values.push_back(project.part->diameter_mm + 0.1 / (1 + double(i)));
-        }
-        Measured& measured = project.measured.emplace();
-        for (std::size_t i = 0; i < count; ++i) {
-            MeasuredTrace trace;
-            trace.time_s = Samples(times);
-            trace.values = Samples(values);
-            measured.traces.push_back(trace);
-        }
-    });
+void ofTraces(Project& project, std::size_t count) {
+    std::vector<double> times, values;
+    const std::size_t samples = longTest ? limits::traceSamples : 100;
+    for (std::size_t i = 0; i < samples; ++i) {
+        times.push_back(double(i) * 0.01);
+        values.push_back(project.part->diameter_mm + 0.1 / (1 + double(i)));
+    }
+    Measured& measured = project.measured.emplace();
+    for (std::size_t i = 0; i < count; ++i) {
+        MeasuredTrace trace;
+        trace.time_s = Samples(times);
+        trace.values = Samples(values);
+        measured.traces.push_back(trace);
+    }
 }
 
-std::string ofSummaries(std::size_t count) {
-    return traverse([count](Project& project) {
-        Measured& measured = project.measured.emplace();
-        measured.summaries.assign(count, {});
-        for (std::size_t i = 0; i < count; ++i) {
-            measured.summaries[i].place = static_cast<int>(i % 3);
-            measured.summaries[i].count = 10;
-            measured.summaries[i].mean_um = 1 + double(i) * 1e-3;
-        }
-    });
+void ofSummaries(Project& project, std::size_t count) {
+    Measured& measured = project.measured.emplace();
+    measured.summaries.assign(count, {});
+    for (std::size_t i = 0; i < count; ++i) {
+        measured.summaries[i].place = static_cast<int>(i % 3);
+        measured.summaries[i].count = 10;
+        measured.summaries[i].mean_um = 1 + double(i) * 1e-3;
+    }
 }
 
-std::string ofCalibrations(std::size_t count) {
-    return traverse([count](Project& project) {
-        Calibration calibration;
-        calibration.input = "/wheel/dullness";
-        calibration.value = 0.02;
-        calibration.data = "trial";
-        project.measured.emplace().calibrations.assign(count, calibration);
-    });
+void ofCalibrations(Project& project, std::size_t count) {
+    Calibration calibration;
+    calibration.input = "/wheel/dullness";
+    calibration.value = 0.02;
+    calibration.data = "trial";
+    project.measured.emplace().calibrations.assign(count, calibration);
 }
 
-std::string ofSweep(std::size_t points) {
-    return traverse([points](Project& project) {
-        const int count = static_cast<int>(points);
-        project.sweep.emplace().inputs = {
-            {.input = "/wheel/dullness", .from = 0.02, .to = 0.05, .points = count},
-            {.input = "/part/initial_runout_mm", .from = 0.01, .to = 0.05, .points = count}};
-    });
+void ofSweep(Project& project, std::size_t points) {
+    const int count = static_cast<int>(points);
+    project.sweep.emplace().inputs = {
+        {.input = "/wheel/dullness", .from = 0.02, .to = 0.05, .points = count},
+        {.input = "/part/initial_runout_mm", .from = 0.01, .to = 0.05, .points = count}};
 }
 
-std::string ofMeasuredBlanks(std::size_t count) {
-    return traverse([count](Project& project) {
-        auto& values = project.batch.emplace().factors.stock_mm.emplace().measured.emplace();
-        for (std::size_t i = 0; i < count; ++i) {
-            values.push_back(0.14 + 1e-8 * double(i));
-        }
-    });
+void ofMeasuredBlanks(Project& project, std::size_t count) {
+    auto& values = project.batch.emplace().factors.stock_mm.emplace().measured.emplace();
+    for (std::size_t i = 0; i < count; ++i) {
+        values.push_back(0.14 + 1e-8 * double(i));
+    }
 }
 
 std::string ofLevels(std::size_t count) {
@@ -188,13 +174,11 @@ std::string ofLevels(std::size_t count) {
     return writeProject(project);
 }
 
-std::string ofContactPoints(std::size_t count) {
-    return traverse([count](Project& project) {
-        auto& rows = project.machine->wheel_contact.emplace().n_um_at_n.emplace();
-        for (std::size_t i = 0; i < count; ++i) {
-            rows.push_back({double(i), 10 + double(i) * 1e-3});
-        }
-    });
+void ofContactPoints(Project& project, std::size_t count) {
+    auto& rows = project.machine->wheel_contact.emplace().n_um_at_n.emplace();
+    for (std::size_t i = 0; i < count; ++i) {
+        rows.push_back({double(i), 10 + double(i) * 1e-3});
+    }
 }
 
 std::string ofSurfaces(std::size_t count) {
@@ -214,11 +198,14 @@ Lesson lessonOfWork() {
     static const Lesson lesson = lesson_bench::givenOut().works.front().lesson;
     return lesson;
 }
-std::string work(const std::function<void(Lesson&)>& change) {
-    Lesson lesson = lessonOfWork();
-    change(lesson);
-    return writeWork(newWork(lesson, {}, {}, 1, "Student", "Group"));
+File work(std::function<void(Lesson&, std::size_t)> change) {
+    return [change = std::move(change)](std::size_t count) {
+        Lesson lesson = lessonOfWork();
+        change(lesson, count);
+        return writeWork(newWork(lesson, {}, {}, 1, "Student", "Group"));
+    };
 }
+
 LessonStep stepWith(Goal goal) {
     LessonStep step;
     step.task.en = "Task";
@@ -263,96 +250,72 @@ std::string tablesOf(std::size_t tags) {
 std::vector<Maximum> allMaxima() {
     const std::size_t listed = limits::listItems, numbers = limits::listNumbers;
     return {
-        {"/cycle/stages", mostOf<Cycle>("stages"), 20, ofStages},
-        {"/part/shaft/segments", mostOf<Shaft>("segments"), 20, ofSegments},
-        {"/part/shaft/steady_rests", mostOf<Shaft>("steady_rests"), 5, ofSteadyRests},
-        {"/part/gaps", mostOf<Part>("gaps"), 6, ofGaps},
+        {"/cycle/stages", mostOf<Cycle>("stages"), 20, plunge(ofStages)},
+        {"/part/shaft/segments", mostOf<Shaft>("segments"), 20, plunge(ofSegments)},
+        {"/part/shaft/steady_rests", mostOf<Shaft>("steady_rests"), 5, plunge(ofSteadyRests)},
+        {"/part/gaps", mostOf<Part>("gaps"), 6, plunge(ofGaps)},
         {"/part/radii_per_section", mostOf<Part>("radii_per_section"), 36,
-         [](std::size_t count) {
-             return plunge([count](Project& project) {
-                 project.part->radii_per_section = static_cast<int>(count);
-             });
-         }},
+         plunge([](Project& project, std::size_t count) {
+             project.part->radii_per_section = static_cast<int>(count);
+         })},
         {"/sections", mostOf<Project>("sections"), 8, ofSections},
         {"/zone_sections", mostOf<Project>("zone_sections"), 3,
-         [](std::size_t count) {
-             return traverse(
-                 [count](Project& project) { project.zone_sections = static_cast<int>(count); });
-         }},
+         traverse([](Project& project, std::size_t count) {
+             project.zone_sections = static_cast<int>(count);
+         })},
         {"/sweep/inputs", mostOf<Sweep>("inputs"), 2,
-         [](std::size_t) { return ofSweep(longTest ? 21 : 3); }},
-        {"/sweep/inputs/points", mostOf<SweepAxis>("points"), 3, ofSweep},
+         traverse([](Project& project, std::size_t) { ofSweep(project, longTest ? 21 : 3); })},
+        {"/sweep/inputs/points", mostOf<SweepAxis>("points"), 3, traverse(ofSweep)},
         {"/runs", mostOf<Project>("runs"), 20,
          [](std::size_t count) {
              return writeProject(
                  projectOfRuns(newProject(Operation::traverse), static_cast<int>(count)));
          }},
-        {"/measured/parts", mostOf<Measured>("parts"), 30, ofPlaces},
-        {"/measured/traces", mostOf<Measured>("traces"), 3, ofTraces},
-        {"/measured/summaries", mostOf<Measured>("summaries"), 6, ofSummaries},
-        {"/measured/calibrations", mostOf<Measured>("calibrations"), 6, ofCalibrations},
-        {"/batch/factors/stock_mm/measured", numbers, 50, ofMeasuredBlanks},
+        {"/measured/parts", mostOf<Measured>("parts"), 30, traverse(ofPlaces)},
+        {"/measured/traces", mostOf<Measured>("traces"), 3, traverse(ofTraces)},
+        {"/measured/summaries", mostOf<Measured>("summaries"), 6, traverse(ofSummaries)},
+        {"/measured/calibrations", mostOf<Measured>("calibrations"), 6, traverse(ofCalibrations)},
+        {"/batch/factors/stock_mm/measured", numbers, 50, traverse(ofMeasuredBlanks)},
         {"/optimisation/radial_feed_mm", limits::levels, 50, ofLevels},
-        {"/machine/wheel_contact/n_um_at_n", listed, 20, ofContactPoints},
+        {"/machine/wheel_contact/n_um_at_n", listed, 20, traverse(ofContactPoints)},
         {"/notes", limits::stringBytes, 500,
-         [](std::size_t bytes) {
-             return traverse([bytes](Project& project) { project.notes = textOf(bytes); });
-         }},
+         traverse([](Project& project, std::size_t bytes) { project.notes = textOf(bytes); })},
         {"/title", limits::stringBytes, 50,
-         [](std::size_t bytes) {
-             return traverse([bytes](Project& project) { project.title = textOf(bytes); });
-         }},
+         traverse([](Project& project, std::size_t bytes) { project.title = textOf(bytes); })},
         {"/surfaces", limits::surfaces, 3, ofSurfaces},
         {"/lesson/steps", mostOf<LessonSheet>("steps"), 5,
-         [](std::size_t count) {
-             return work(
-                 [count](Lesson& lesson) { lesson.steps.assign(count, stepWith(inWords())); });
-         },
+         work([](Lesson& lesson, std::size_t count) {
+             lesson.steps.assign(count, stepWith(inWords()));
+         }),
          true},
         {"/lesson/steps/values", mostOf<LessonStep>("values"), 3,
-         [](std::size_t count) {
-             return work([count](Lesson& lesson) {
-                 lesson.steps = {stepWith(inWords())};
-                 lesson.steps.front().values.assign(count, {"/wheel/dullness", 0.03, {}});
-             });
-         },
+         work([](Lesson& lesson, std::size_t count) {
+             lesson.steps = {stepWith(inWords())};
+             lesson.steps.front().values.assign(count, {"/wheel/dullness", 0.03, {}});
+         }),
          true},
         {"/lesson/steps/goal/choice/options", mostOf<ChoiceGoal>("options"), 3,
-         [](std::size_t count) {
-             return work([count](Lesson& lesson) {
-                 Goal goal;
-                 goal.choice.emplace().options.assign(
-                     count,
-                     {{.ru = {},
-                       .en = longTest ? textOf(limits::lessonLine.bytes) : std::string("Option")}});
-                 lesson.steps = {stepWith(std::move(goal))};
-             });
-         },
+         work([](Lesson& lesson, std::size_t count) {
+             Goal goal;
+             goal.choice.emplace().options.assign(
+                 count,
+                 {{.ru = {},
+                   .en = longTest ? textOf(limits::lessonLine.bytes) : std::string("Option")}});
+             lesson.steps = {stepWith(std::move(goal))};
+         }),
          true},
         {"/lesson/theory", limits::lessonText.bytes, 500,
-         [](std::size_t bytes) {
-             return work([bytes](Lesson& lesson) { lesson.theory.en = textOf(bytes); });
-         },
-         true},
+         work([](Lesson& lesson, std::size_t bytes) { lesson.theory.en = textOf(bytes); }), true},
         {"/lesson/steps/task", limits::lessonText.bytes, 500,
-         [](std::size_t bytes) {
-             return work([bytes](Lesson& lesson) { lesson.steps[0].task.en = textOf(bytes); });
-         },
+         work([](Lesson& lesson, std::size_t bytes) { lesson.steps[0].task.en = textOf(bytes); }),
          true},
         {"/lesson/theory (tags)", limits::lessonText.tags, 20,
-         [](std::size_t tags) {
-             return work([tags](Lesson& lesson) { lesson.theory.en = tagsOf(tags); });
-         },
-         true},
+         work([](Lesson& lesson, std::size_t tags) { lesson.theory.en = tagsOf(tags); }), true},
         {"/lesson/steps/task (tags)", limits::lessonText.tags, 20,
-         [](std::size_t tags) {
-             return work([tags](Lesson& lesson) { lesson.steps[0].task.en = tagsOf(tags); });
-         },
+         work([](Lesson& lesson, std::size_t tags) { lesson.steps[0].task.en = tagsOf(tags); }),
          true},
         {"/lesson/steps/task (nested tags)", limits::lessonText.tags, 100,
-         [](std::size_t tags) {
-             return work([tags](Lesson& lesson) { lesson.steps[0].task.en = tablesOf(tags); });
-         },
+         work([](Lesson& lesson, std::size_t tags) { lesson.steps[0].task.en = tablesOf(tags); }),
          true},
         {"/entries", limits::workEntries, 20,
          [](std::size_t count) {

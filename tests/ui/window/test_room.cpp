@@ -17,9 +17,6 @@
 #include "ui/views/optimise/found_table.h"
 #include "ui/window/view_tabs.h"
 
-#include <QApplication>
-#include <QComboBox>
-#include <QDockWidget>
 #include <QLabel>
 #include <QListView>
 #include <QPainter>
@@ -36,21 +33,6 @@
 #include <vector>
 
 namespace sparkout::test_room {
-
-void wait(const Bench& bench) {
-    bench.settle();
-    QTest::qWait(60);
-    bench.settle();
-}
-
-double shareOfViews(const Bench& bench) {
-    const QSize views = bench.window->viewTabs().size(), window = bench.window->size();
-    return double(views.width()) * views.height() / (double(window.width()) * window.height());
-}
-
-QDockWidget* dock(const Bench& bench, const char* name) {
-    return bench.window->findChild<QDockWidget*>(QLatin1StringView(name));
-}
 
 /// The areas of its curves, within the plot.
 std::vector<QRect> plotsOf(const FeedsView& view) {
@@ -75,40 +57,6 @@ class TestRoom : public QObject {
     Q_OBJECT
 
 private slots:
-    void theViewsHaveTheirShareOfTheWindow_data() { addLongerLanguages(); }
-    void theViewsHaveTheirShareOfTheWindow() {
-        QFETCH(QString, language);
-        OpenBench bench(language, examplePath("shaft-30h6-factory"));
-        wait(bench);
-        QCOMPARE(bench.window->size(), QSize(1366, 768));
-        QVERIFY(dock(bench, "inputs")->isVisible() && dock(bench, "verdict")->isVisible());
-        qInfo("ROOM both panels %.3f", shareOfViews(bench));
-        QVERIFY(shareOfViews(bench) >= 0.45);
-        for (const char* closed : {"verdict", "inputs"}) {
-            dock(bench, closed)->close();
-            wait(bench);
-            qInfo("ROOM without %s %.3f", closed, shareOfViews(bench));
-            QVERIFY(shareOfViews(bench) >= 0.6);
-            dock(bench, closed)->show();
-            wait(bench);
-        }
-    }
-
-    void theNinePlotsOfFeedsAreLargeEnough_data() { addLongerLanguages(); }
-    void theNinePlotsOfFeedsAreLargeEnough() {
-        QFETCH(QString, language);
-        OpenBench bench(language, examplePath("shaft-30h6-factory"));
-        QVERIFY(bench.window->showView(QStringLiteral("feeds")));
-        wait(bench);
-        const auto* view = bench.window->findChild<FeedsView*>();
-        const std::vector<QRect> plots = plotsOf(*view);
-        for (const QRect& plot : plots) {
-            qInfo("ROOM plot %d × %d", plot.width(), plot.height());
-            QVERIFY(plot.width() >= 180 && plot.height() >= 95);
-        }
-        QCOMPARE(plots.size(), 9U);
-    }
-
     /// Where the window is too small for nine of them, they are scrolled.
     void thePlotsOfFeedsAreLegibleInLargeType_data() { addLongerLanguages(); }
     void thePlotsOfFeedsAreLegibleInLargeType() {
@@ -118,14 +66,14 @@ private slots:
         const auto* view = bench.window->findChild<FeedsView*>();
         const auto* area = view->findChild<QScrollArea*>(QStringLiteral("feedsArea"));
         for (const int percent : {115, 130, 100, 130, 115}) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-            wait(bench);
+            bench.setFontSize(percent);
             QCOMPARE(bench.window->size(), QSize(1366, 768));
             const std::vector<QRect> plots = plotsOf(*view);
             QCOMPARE(plots.size(), 9U);
+            const QSize least = percent == usualFontSize ? QSize(180, 95) : QSize(120, 80);
             for (const QRect& plot : plots) {
                 qInfo("ROOM plot at %d %% %d × %d", percent, plot.width(), plot.height());
-                QVERIFY(plot.width() >= 120 && plot.height() >= 80);
+                QVERIFY(plot.width() >= least.width() && plot.height() >= least.height());
                 QVERIFY(area->widget()->rect().contains(plot));
             }
             const QSize reached = area->viewport()->size()
@@ -134,8 +82,7 @@ private slots:
             QCOMPARE(reached, area->widget()->size());
             QCOMPARE(area->horizontalScrollBar()->maximum(), 0);
         }
-        bench.action("fontSize-100")->trigger();
-        wait(bench);
+        bench.setFontSize(100);
         QCOMPARE(area->widget()->size(), area->viewport()->size()); // nothing left to scroll
     }
 
@@ -146,12 +93,12 @@ private slots:
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
         for (const int percent : {115, 130}) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            bench.setFontSize(percent);
             for (const char* name : {"compare", "optimise", "batch", "profiles", "constraints"}) {
                 QVERIFY(bench.window->showView(QString::fromLatin1(name)));
                 const View* const view = bench.window->viewTabs().currentView();
                 QTRY_VERIFY_WITH_TIMEOUT(!view->busy(), 60'000);
-                wait(bench);
+                bench.rest();
                 int seen = 0;
                 for (const auto* plot : view->findChildren<QCustomPlot*>()) {
                     for (const QCPAxisRect* rect : plot->axisRects()) {
@@ -191,12 +138,12 @@ private slots:
         QFETCH(QString, language);
         QFETCH(QString, name);
         Bench bench(language);
-        bench.action("fontSize-130")->trigger();
+        bench.setFontSize(130);
         QVERIFY(bench.open(examplePath(qPrintable(name))));
         QVERIFY(bench.window->showView(QStringLiteral("batch")));
         const View* const view = bench.window->viewTabs().currentView();
         QTRY_VERIFY_WITH_TIMEOUT(!view->busy(), 60'000);
-        wait(bench);
+        bench.rest();
         const QStringList cut = textsWithoutRoom(*view);
         QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
         if (name == u"plunge-shaft-two-stage") { // its four sections are scrolled
@@ -212,7 +159,6 @@ private slots:
         QCOMPARE(areas, 1);
     }
 
-    /// A text that is longer than the legend is wide is wrapped.
     void noLegendIsElided_data() { addLongerLanguages(); }
     void noLegendIsElided() {
         QFETCH(QString, language);
@@ -220,10 +166,10 @@ private slots:
         keepAs(bench,
                QStringLiteral("Radial feed 0.004, axial feed 1400, the second stage as it was"));
         for (const int percent : {130, 100}) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            bench.setFontSize(percent);
             for (const char* name : {"feeds", "profiles", "constraints", "compare"}) {
                 QVERIFY(bench.window->showView(QString::fromLatin1(name)));
-                wait(bench);
+                bench.rest();
                 const auto* legend = bench.window->findChild<LegendStrip*>(
                     QLatin1String(name) + QStringLiteral("Legend"));
                 const auto count = static_cast<int>(legend->entries().size());
@@ -255,10 +201,9 @@ private slots:
         const auto* table = bench.window->findChild<QTableView*>(QStringLiteral("compareTable"));
         const auto* area = bench.window->findChild<QScrollArea*>(QStringLiteral("compareArea"));
         for (const int percent : {130, 100, 115}) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-            wait(bench);
+            bench.setFontSize(percent);
             QTRY_COMPARE(table->model()->columnCount(), 4);
-            wait(bench);
+            bench.rest();
             qInfo("ROOM compared at %d %%: curves %d × %d, name %d of %d", percent,
                   area->viewport()->width(), area->viewport()->height(), table->columnWidth(0),
                   table->viewport()->width());
@@ -272,10 +217,10 @@ private slots:
 
     void theNameOfARunIsWrapped() {
         OpenBench bench(QStringLiteral("ru"), examplePath("shaft-30h6-factory"));
-        bench.action("fontSize-130")->trigger();
+        bench.setFontSize(130);
         const QString name = QStringLiteral("Припуск 0,11, вторая ступень прежняя, круг новый");
         const QListView* const list = keepAs(bench, name);
-        wait(bench);
+        bench.rest();
         const QModelIndex row = list->model()->index(list->model()->rowCount() - 1, 0);
         const int line = list->fontMetrics().lineSpacing();
         QVERIFY(row.data(Qt::DisplayRole).toString().startsWith(name));
@@ -293,8 +238,7 @@ private slots:
         auto* table = bench.window->findChild<QTableView*>(QStringLiteral("margins"));
         QVERIFY(table);
         for (const int percent : fontSizes) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-            wait(bench);
+            bench.setFontSize(percent);
             QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
             const QFontMetrics metrics(table->font());
             const auto* sheet =
@@ -318,15 +262,14 @@ private slots:
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("optimise")));
-        wait(bench);
+        bench.rest();
         auto* run = bench.window->findChild<QPushButton*>(QStringLiteral("optimiseRun"));
         QVERIFY(run);
         QTest::mouseClick(run, Qt::LeftButton);
         auto* table = bench.window->findChild<QTableView*>(QStringLiteral("optimiseFound"));
         QTRY_VERIFY_WITH_TIMEOUT(table->isVisible(), 60'000);
         for (const int percent : fontSizes) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-            wait(bench);
+            bench.setFontSize(percent);
             const auto column = static_cast<int>(FoundColumn::cycle);
             const int right = table->columnViewportPosition(column) + table->columnWidth(column);
             qInfo("ROOM cycle at %d %% to %d of %d", percent, right, table->viewport()->width());
@@ -345,12 +288,12 @@ private slots:
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("optimise")));
-        wait(bench);
+        bench.rest();
         QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("optimiseRun")),
                           Qt::LeftButton);
         auto* table = bench.window->findChild<QTableView*>(QStringLiteral("optimiseAnswer"));
         QTRY_VERIFY_WITH_TIMEOUT(table->isVisible(), 60'000);
-        wait(bench);
+        bench.rest();
         QCOMPARE(bench.window->size(), QSize(1366, 768));
         QTRY_COMPARE(table->verticalScrollBar()->maximum(), 0);
         QTRY_COMPARE(table->horizontalScrollBar()->maximum(), 0);
@@ -374,57 +317,13 @@ private slots:
         for (const int percent : fontSizes) {
             applyFontSize(percent);
             Bench bench(language);
-            wait(bench);
+            bench.rest();
             auto* bar = bench.window->findChild<QToolBar*>(QStringLiteral("toolBar"));
             QVERIFY(bar);
             for (const QAction* action : bar->actions()) {
                 const QWidget* button = bar->widgetForAction(const_cast<QAction*>(action));
                 QVERIFY2(!action->isVisible() || (button && button->isVisible()),
                          qPrintable(QStringLiteral("%1 at %2 %").arg(action->text()).arg(percent)));
-            }
-        }
-    }
-
-    /// A box is measured anew in another type and language, also in a view that is not shown.
-    void theBoxesAreAsWideAsInAFreshWindow() {
-        const auto widthsIn = [](const Bench& bench) {
-            QStringList widths;
-            for (const char* name : {"feeds", "profiles", "batch", "compare", "layers"}) {
-                if (bench.window->showView(QString::fromLatin1(name))) {
-                    wait(bench);
-                }
-                for (const auto* box : bench.window->findChildren<QComboBox*>()) {
-                    if (box->isVisible()
-                        && box->sizeAdjustPolicy() == QComboBox::AdjustToContents) {
-                        widths << QStringLiteral("%1 %2: %3")
-                                      .arg(QLatin1String(name))
-                                      .arg(box->objectName())
-                                      .arg(box->width());
-                    }
-                }
-            }
-            return widths;
-        };
-        QStringList fresh;
-        {
-            OpenBench bench(QStringLiteral("ru"), examplePath("shaft-30h6-factory"));
-            fresh = widthsIn(bench);
-        }
-        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
-        for (const char* step : {"fontSize-130", "theme-dark", "russian", "theme-contrast",
-                                 "fontSize-100", "theme-light"}) {
-            (void)widthsIn(bench);
-            bench.action(step)->trigger();
-        }
-        QCOMPARE(widthsIn(bench), fresh);
-    }
-
-    void theTitlesOfThePanelsFollowTheType() {
-        Bench bench(QStringLiteral("en"));
-        for (const int percent : {130, 100, 115}) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-            for (const char* name : {"inputs", "verdict", "messages", "step"}) {
-                QCOMPARE(dock(bench, name)->font().pointSizeF(), QApplication::font().pointSizeF());
             }
         }
     }
@@ -438,8 +337,7 @@ private slots:
         auto* view = bench.window->findChild<FeedsView*>();
         const auto* values = view->findChild<QLabel*>(QStringLiteral("feedsValues"));
         for (const int percent : fontSizes) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-            wait(bench);
+            bench.setFontSize(percent);
             for (const QRect& plot : plotsOf(*view)) {
                 QTest::mouseMove(view->plot(), plot.center() + QPoint(9, 4));
                 QTest::mouseMove(view->plot(), plot.center());
@@ -457,10 +355,10 @@ private slots:
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
         int captions = 0;
         for (const int percent : {130, 100, 115}) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            bench.setFontSize(percent);
             for (const char* name : {"feeds", "profiles"}) {
                 QVERIFY(bench.window->showView(QString::fromLatin1(name)));
-                wait(bench);
+                bench.rest();
                 for (const auto* plot :
                      bench.window->viewTabs().currentView()->findChildren<QCustomPlot*>()) {
                     for (QCPLayoutElement* element : plot->plotLayout()->elements(true)) {
@@ -487,11 +385,11 @@ private slots:
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
         int names = 0;
         for (const int percent : {130, 100}) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            bench.setFontSize(percent);
             for (const char* view : {"feeds", "profiles", "constraints", "compliance", "layers",
                                      "optimise", "compare"}) {
                 QVERIFY(bench.window->showView(QString::fromLatin1(view)));
-                wait(bench);
+                bench.rest();
                 for (const auto* plot :
                      bench.window->viewTabs().currentView()->findChildren<QCustomPlot*>()) {
                     for (const QCPAxisRect* rect : plot->axisRects()) {
@@ -527,8 +425,7 @@ private slots:
         bench.window->findChild<InputsPanel*>()->showCycle();
         const auto* view = bench.window->findChild<StageTable*>()->findChild<QTableView*>();
         for (const int percent : fontSizes) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-            wait(bench);
+            bench.setFontSize(percent);
             const QModelIndex cell = view->model()->index(0, 1);
             QVERIFY(view->isVisible() && !cell.data(Qt::DecorationRole).isNull());
             const QString text = cell.data(Qt::DisplayRole).toString();
@@ -543,17 +440,16 @@ private slots:
         }
     }
 
-    /// Also the titles of boxes that say what all surfaces of a part share.
     void theInputsOfSeveralSurfacesHaveRoom_data() { addLongerLanguages(); }
     void theInputsOfSeveralSurfacesHaveRoom() {
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("setups/spindle"));
         InputsPanel& inputs = bench.window->inputs();
         for (const int percent : {100, 130}) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            bench.setFontSize(percent);
             for (const int page : {2, 3}) { // wheel, machine
                 inputs.showPage(page);
-                wait(bench);
+                bench.rest();
                 const QStringList cut = textsWithoutRoom(inputs);
                 QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
             }
@@ -572,7 +468,7 @@ private slots:
                                            {"sweep", false},
                                            {"optimise", false}}) {
             QVERIFY(bench.window->showView(QString::fromLatin1(view)));
-            wait(bench);
+            bench.rest();
             QVERIFY2(bar->isVisible() == moment && place->isVisible() == moment, view);
         }
         for (View* view : bench.window->views()) {
@@ -580,7 +476,7 @@ private slots:
                 bench.window->viewTabs().detach(view); // whatever tab is in front
             }
         }
-        wait(bench);
+        bench.rest();
         QVERIFY(bar->isVisible());
     }
 
@@ -588,7 +484,7 @@ private slots:
     void anEmptyDrawingHasNothingToPlay() {
         OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
-        wait(bench);
+        bench.rest();
         const auto* bar = bench.window->findChild<QWidget*>(QStringLiteral("playback"));
         QVERIFY(bar->isVisible());
         Document& document = bench.window->document();
@@ -611,32 +507,32 @@ private slots:
 
     void messagesTakeRoomOnlyWhenSomethingIsSaid() {
         OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
-        wait(bench);
-        const QDockWidget* messages = dock(bench, "messages");
+        bench.rest();
+        const QDockWidget& messages = bench.dock("messages");
         auto* button = bench.window->findChild<QToolButton*>(QStringLiteral("messagesButton"));
-        QVERIFY(!messages->isVisible());
+        QVERIFY(!messages.isVisible());
         QCOMPARE(button->text(), QStringLiteral("No messages"));
         Document& document = bench.window->document();
         Project project = document.project();
         project.wheel->dullness = 0.4; // unusual
         document.edit(project, {"Edit", "Dullness"});
-        QTRY_VERIFY(messages->isVisible());
+        QTRY_VERIFY(messages.isVisible());
         QCOMPARE(button->text(), QStringLiteral("1 message"));
         QTest::mouseClick(button, Qt::LeftButton);
-        QVERIFY(!messages->isVisible());
+        QVERIFY(!messages.isVisible());
         bench.action("russian")->trigger(); // nothing new is said
-        wait(bench);
-        QVERIFY(!messages->isVisible());
+        bench.rest();
+        QVERIFY(!messages.isVisible());
         QCOMPARE(button->text(), QStringLiteral("1 сообщение"));
         QTest::mouseClick(button, Qt::LeftButton);
-        QVERIFY(messages->isVisible());
+        QVERIFY(messages.isVisible());
         document.undo();
-        QTRY_VERIFY(!messages->isVisible());
+        QTRY_VERIFY(!messages.isVisible());
     }
 
     void theStepThatMendsIsNoMessageOfItsOwn() {
         OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
-        wait(bench);
+        bench.rest();
         Project project = bench.window->document().project();
         project.cycle->stages.front().stock_mm += 0.01;
         bench.window->document().edit(project, {"Edit", "Stock"});
@@ -651,18 +547,17 @@ private slots:
         QFETCH(QString, language);
         Bench bench(language);
         for (const int percent : fontSizes) {
-            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            bench.setFontSize(percent);
             QVERIFY(bench.open(examplePath("shaft-30h6-factory")));
-            wait(bench);
-            const int width = dock(bench, "verdict")->width();
+            bench.rest();
+            const int width = bench.dock("verdict").width();
             QVERIFY(bench.open(examplePath("setups/spindle")));
-            wait(bench);
+            bench.rest();
             const auto* strip = bench.window->findChild<QWidget*>(QStringLiteral("partStrip"));
             QVERIFY(strip->isVisible());
             qInfo("ROOM strip at %d %% at least %d of %d, verdict %d", percent,
-                  strip->minimumSizeHint().width(), strip->width(),
-                  dock(bench, "verdict")->width());
-            QCOMPARE(dock(bench, "verdict")->width(), width);
+                  strip->minimumSizeHint().width(), strip->width(), bench.dock("verdict").width());
+            QCOMPARE(bench.dock("verdict").width(), width);
         }
     }
 
@@ -672,7 +567,7 @@ private slots:
         for (const char* language : {"english", "russian"}) {
             bench.action(language)->trigger();
             for (const int percent : {100, 115, 130}) {
-                bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+                bench.setFontSize(percent);
                 for (const QSize size : {QSize(1366, 768), QSize(1920, 1080)}) {
                     bench.window->resize(size);
                     for (const View* view : bench.window->views()) {
@@ -680,22 +575,11 @@ private slots:
                         bench.settle();
                         qInfo("ROOM verdict %s %d %% %d %s: %d of %d", language, percent,
                               size.width(), qPrintable(view->objectName()),
-                              dock(bench, "verdict")->width(), bench.window->width());
-                        QVERIFY(dock(bench, "verdict")->width() >= atFontSize(303) - 1);
+                              bench.dock("verdict").width(), bench.window->width());
+                        QVERIFY(bench.dock("verdict").width() >= atFontSize(303) - 1);
                     }
                 }
             }
-        }
-    }
-
-    void theVerdictKeepsItsWidthWhateverIsShown() {
-        OpenBench bench(QStringLiteral("ru"), examplePath("shaft-30h6-factory"));
-        wait(bench);
-        const int width = dock(bench, "verdict")->width();
-        for (const View* view : bench.window->views()) {
-            QVERIFY(bench.window->showView(view->objectName()));
-            wait(bench);
-            QVERIFY2(dock(bench, "verdict")->width() == width, qPrintable(view->objectName()));
         }
     }
 };

@@ -67,10 +67,13 @@ struct Desk {
         press("duplicateSurface");
         QVERIFY2(answers.fault().isEmpty(), qPrintable(answers.fault()));
     }
+    [[nodiscard]] PartWindow* openWholePart() {
+        press("wholePart");
+        return bench.window->findChild<PartWindow*>();
+    }
     /// Searches all surfaces and takes what was found.
     void optimiseAll() {
-        press("wholePart");
-        auto* whole = bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = openWholePart();
         QSignalSpy ended(&whole->study(), &PartStudy::finished);
         for (const char* button : {"searchAll", "takeFound"}) {
             QTest::mouseClick(whole->findChild<QPushButton*>(QString::fromUtf8(button)),
@@ -160,19 +163,6 @@ private slots:
         QCOMPARE(bytesOf(desk.path), before);
     }
 
-    /// On a small laptop, with both panels beside the views.
-    void theStripLeavesTheViewsTheirRoom() {
-        Desk desk;
-        const QSize views = desk.bench.window->viewTabs().size();
-        const QSize window = desk.bench.window->size();
-        QCOMPARE(window, QSize(1366, 768));
-        const double share =
-            double(views.width()) * views.height() / (double(window.width()) * window.height());
-        qInfo("ROOM strip %d, views %.3f", desk.strip().height(), share);
-        QVERIFY(desk.strip().height() <= 52);
-        QVERIFY(share >= 0.42);
-    }
-
     /// Names where they have room, else numbers; the drawing is as high as the strip.
     void twentySurfacesFitIntoTheStrip() {
         Setup setup = steppedShaft();
@@ -225,32 +215,6 @@ private slots:
         QVERIFY(run.surfaces[2].result.project.wheel->dullness
                 > setup.surfaces[0].project.wheel->dullness);
         QCOMPARE(desk.runs().time()->piece_min, run.time.piece_min);
-    }
-
-    void editsAreOfTheirSurfaceAndUndoneThere() {
-        Desk desk;
-        desk.clickSurface(1);
-        desk.type("/machine/work_speed_rpm", QStringLiteral("150"));
-        desk.clickSurface(0);
-        desk.type("/wheel/width_mm", QStringLiteral("41"));
-        for (const GroundSurface& surface : desk.document().setup().surfaces) {
-            QCOMPARE(surface.project.wheel->width_mm, 41.0);
-        }
-        QVERIFY(desk.document().setup().surfaces[0].project.machine->work_speed_rpm != 150);
-        desk.clickSurface(2);
-        desk.press("undo");
-        QCOMPARE(desk.document().surface(), std::size_t{0});
-        desk.press("undo");
-        QCOMPARE(desk.document().surface(), std::size_t{1});
-        QVERIFY(!desk.document().modified());
-        desk.press("redo");
-        desk.press("redo");
-        QVERIFY(desk.bench.window->files().save());
-        const Setup saved = *readSetup(bytesOf(desk.path).toStdString()).setup;
-        QCOMPARE(saved.surfaces[1].project.machine->work_speed_rpm, 150.0);
-        QCOMPARE(saved.surfaces[2].project.wheel->width_mm, 41.0);
-        QVERIFY(desk.bench.open(desk.path));
-        QVERIFY(sameSetup(desk.document().setup(), saved));
     }
 
     void surfacesAreMovedRenamedDuplicatedAndRemoved() {
@@ -337,7 +301,6 @@ private slots:
         QVERIFY(!desk.strip().isVisible());
     }
 
-    /// A step that is picked gives place, length and diameter.
     void aSurfaceIsAddedOnAStepOfTheShaft() {
         Setup setup = steppedShaft();
         setup.surfaces.erase(setup.surfaces.begin() + 1);
@@ -417,7 +380,6 @@ private slots:
         QCOMPARE(saved.surfaces[2].project.runs.size(), std::size_t{1});
     }
 
-    /// They can be laid over the present run and compared with it, and belong to their surface.
     void keptRunsOfOtherSurfacesAreCompared() {
         Desk desk;
         desk.press("keepRun");
@@ -487,7 +449,6 @@ private slots:
         QVERIFY(!width->refused());
     }
 
-    /// With the wheel that wears, what is refused before stops those behind it, and is named.
     void faultsOfASurfaceBeforeAreNamedWithIt() {
         Desk desk;
         Project project = desk.document().project();
@@ -532,8 +493,7 @@ private slots:
 
     void theWholePartIsListedWithItsTimes() {
         Desk desk;
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = desk.openWholePart();
         QVERIFY(whole->isVisible());
         const auto* table = whole->findChild<QTableView*>(QStringLiteral("partTable"));
         QCOMPARE(table->model()->rowCount(), 3);
@@ -556,11 +516,9 @@ private slots:
         QCOMPARE(desk.document().state().times.handling_s, 0.0);
     }
 
-    /// A bar of time and one of the least margin for each surface; a click leads to the surface.
     void theSurfacesAreComparedAsBars() {
         Desk desk;
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = desk.openWholePart();
         auto& bars = *whole->findChild<BarPlot*>(QStringLiteral("surfaceBars"));
         const std::vector<SurfaceStatus>& statuses = desk.runs().statuses();
         QCOMPARE(bars.chart().categories.size(), qsizetype(statuses.size()));
@@ -583,8 +541,7 @@ private slots:
     void allAreOptimisedAndTheCyclesFoundAreOneStep() {
         Setup setup = searchedSetup();
         Desk desk(setup);
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = desk.openWholePart();
         QSignalSpy ended(&whole->study(), &PartStudy::finished);
         const QSignalSpy told(&whole->study(), &PartStudy::progressed);
         QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("searchAll")),
@@ -662,8 +619,7 @@ private slots:
         }
         setup.surfaces[1].project.batch.reset();
         Desk desk(setup);
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = desk.openWholePart();
         QSignalSpy ended(&whole->study(), &PartStudy::finished);
         auto* batch = whole->findChild<QPushButton*>(QStringLiteral("batchAll"));
         QTest::mouseClick(batch, Qt::LeftButton);
@@ -691,8 +647,7 @@ private slots:
     /// A surface that is gone, or another file, while all of it runs.
     void whatRunsIsDroppedWithItsSurface() {
         Desk desk(searchedSetup());
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = desk.openWholePart();
         for (const char* action : {"removeSurface", "undo", "removeSurface"}) {
             QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("searchAll")),
                               Qt::LeftButton);
@@ -706,8 +661,7 @@ private slots:
 
     void russianWordsStandThroughout() {
         Desk desk(steppedShaft(), QStringLiteral("ru"));
-        desk.press("wholePart");
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        PartWindow* const whole = desk.openWholePart();
         for (const QWidget* part :
              {static_cast<QWidget*>(whole), static_cast<QWidget*>(&desk.strip())}) {
             for (const auto* label : part->findChildren<QLabel*>()) {
