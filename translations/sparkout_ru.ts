@@ -13500,10 +13500,6 @@ With another name both versions stay as they are.</source>
             <translation>Ступени</translation>
         </message>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
-        </message>
-        <message>
             <source>Against yours, %</source>
             <translation>К исходному, %</translation>
         </message>
