@@ -4506,10 +4506,6 @@ With another name both versions stay as they are.</source>
             <translation>Непрерывная радиальная подача</translation>
         </message>
         <message>
-            <source>Cont. infeed</source>
-            <translation>Непр. подача</translation>
-        </message>
-        <message>
             <source>Radial infeed that continues while the table travels and dwells, in addition to the radial feed at the reversals, which may then be 0.</source>
             <translation>Радиальная подача, которая идёт всё время, при ходах стола и на выстоях, дополнительно к подаче на реверсах, которая тогда может быть равна 0.</translation>
         </message>
@@ -4532,10 +4528,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Spark-out</source>
             <translation>Выхаживание</translation>
-        </message>
-        <message>
-            <source>Sparked out</source>
-            <translation>Выхаж.</translation>
         </message>
         <message>
             <source>an ordinary stage</source>
@@ -5310,16 +5302,8 @@ With another name both versions stay as they are.</source>
             <translation>Припуск ступени на сторону</translation>
         </message>
         <message>
-            <source>Length</source>
-            <translation>Длина</translation>
-        </message>
-        <message>
             <source>Position</source>
             <translation>Положение</translation>
-        </message>
-        <message>
-            <source>Stiffness</source>
-            <translation>Жёсткость</translation>
         </message>
         <message>
             <source>Name to search by.</source>
@@ -5916,10 +5900,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Gap width</source>
             <translation>Ширина паза</translation>
-        </message>
-        <message>
-            <source>Width</source>
-            <translation>Ширина</translation>
         </message>
         <message>
             <source>Angle from edge to edge; of a keyway of width w about 115°·w/d. The radii within are not ground.</source>
@@ -7164,6 +7144,49 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Uniform from 0 to 360° where parts are clamped at random angles.</source>
             <translation>Равномерно от 0 до 360°, если детали устанавливают как придётся.</translation>
+        </message>
+    </context>
+    <context>
+        <name>InputBrief</name>
+        <message>
+            <source>Radial feed</source>
+            <translation>Радиальная подача</translation>
+        </message>
+        <message>
+            <source>Cont. infeed</source>
+            <translation>Непр. подача</translation>
+        </message>
+        <message>
+            <source>Stock per side</source>
+            <translation>Припуск на сторону</translation>
+        </message>
+        <message>
+            <source>Spark-out</source>
+            <translation>Выхаж.</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>Длина</translation>
+        </message>
+        <message>
+            <source>Diameter</source>
+            <translation>Диаметр</translation>
+        </message>
+        <message>
+            <source>Position</source>
+            <translation>Положение</translation>
+        </message>
+        <message>
+            <source>Stiffness</source>
+            <translation>Жёсткость</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>От</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Ширина</translation>
         </message>
     </context>
     <context>
