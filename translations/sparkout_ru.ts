@@ -8079,6 +8079,10 @@ With another name both versions stay as they are.</source>
             <translation>дальше нельзя.</translation>
         </message>
         <message>
+            <source>No margin is left for: %1. For a cycle with a margin, set “%2” in the search.</source>
+            <translation>Нет запаса: %1. Чтобы найти цикл с запасом, задайте в поиске «%2».</translation>
+        </message>
+        <message>
             <source>The rotation ratio of wheel and work is near a whole number, %1: waviness.</source>
             <translation>Отношение частот вращения круга и детали близко к целому числу, %1: волнистость.</translation>
         </message>

@@ -559,6 +559,13 @@ void SearchWording::addSettingEdges(const SearchOutcome& outcome,
 
 void SearchWording::addRemarks(const SearchOutcome& outcome,
                                std::vector<std::string>& lines) const {
+    if (!outcome.remarks.noMargin.empty()) {
+        lines.push_back(filled(
+            SPARKOUT_NOOP(
+                "Search",
+                "No margin is left for: %1. For a cycle with a margin, set “%2” in the search."),
+            {names(outcome.remarks.noMargin), setting("margin_within_min")}));
+    }
     if (const std::optional<double>& ratio = outcome.remarks.ratioNearInteger) {
         lines.push_back(filled(SPARKOUT_NOOP("Search", "The rotation ratio of wheel and work is "
                                                        "near a whole number, %1: waviness."),

@@ -702,6 +702,24 @@ private slots:
         QVERIFY(!says("not known") && says("Limited by: "));
     }
 
+    void anAnswerWithoutAMarginNamesItsRequirementAndTheInputThatAsksForOne() {
+        SearchOutcome outcome;
+        outcome.project = outcome.searched = fixtures::searchedShaft();
+        FoundCycle& found = outcome.found.emplace_back();
+        found.time_s = 50;
+        found.isBest = true;
+        outcome.search.status = SearchStatus::proved;
+        QVERIFY(!OptimiseText::notes(outcome).contains(QStringLiteral("No margin")));
+        outcome.remarks.noMargin = {ConstraintKind::diameterMin, ConstraintKind::wheelPower};
+        const QString text = OptimiseText::notes(outcome);
+        QVERIFY2(text.contains(
+                     QStringLiteral("No margin is left for: %1, %2. For a cycle with a margin, set "
+                                    "“Maximum margin within a time” in the search.")
+                         .arg(Names::inSentence(Names::constraint(ConstraintKind::diameterMin)),
+                              Names::inSentence(Names::constraint(ConstraintKind::wheelPower)))),
+                 qPrintable(text));
+    }
+
     /// Where the answer stands at the edge of its grid, the line below it says so.
     void theEdgeOfTheGridIsNamed() {
         SearchOutcome outcome;
