@@ -8135,8 +8135,8 @@ With another name both versions stay as they are.</source>
             <translation>Найдено до %1; у более длинных циклов запас может быть больше.</translation>
         </message>
         <message>
-            <source>The margin is the least over all that the search must hold for.</source>
-            <translation>Запас — наименьший по всему, что должен выдержать поиск.</translation>
+            <source>The margin is the least over all cases for which the cycle must be fit.</source>
+            <translation>Запас — наименьший по всем случаям, для которых цикл должен быть годен.</translation>
         </message>
         <message>
             <source>%1 min</source>

@@ -31,7 +31,7 @@ private slots:
                                      "0.8", "--machine", "3М153", "-o", file});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         QVERIFY(outcome.out.find("rough depth bound by") != std::string::npos);
-        QVERIFY(outcome.out.find("every stock of ") != std::string::npos);
+        QVERIFY(outcome.out.find("fit for every stock of ") != std::string::npos);
 
         auto drawing = *drawingOf(*parseSizeDesignation("35k6"));
         drawing.name = "35k6 × 28";
