@@ -8158,7 +8158,7 @@ With another name both versions stay as they are.</source>
             <translation>Для каждой ступени: радиальная подача, мм/мин; припуск на сторону, мм</translation>
         </message>
         <message>
-            <source>The batch that the cycle is to hold for cannot be run:</source>
+            <source>The batch that the cycle must be fit for cannot be run:</source>
             <translation>Партию, для которой цикл должен быть годен, рассчитать нельзя:</translation>
         </message>
         <message>
@@ -8178,11 +8178,11 @@ With another name both versions stay as they are.</source>
             <translation>выстой %1 и %2 с</translation>
         </message>
         <message>
-            <source>“Search” finds the cycle of the grid with the minimum cost of a part, together with the parts between dressings: it holds for all of them.</source>
+            <source>“Search” finds the cycle of the grid with the minimum cost of a part, together with the parts between dressings: it is fit for all of them.</source>
             <translation>«Найти» ищет цикл сетки с наименьшей стоимостью детали вместе с числом деталей между правками: он годен для каждой из них.</translation>
         </message>
         <message>
-            <source>“Search” finds the cycle of the grid that holds for the most parts from one dressing to the next, the quickest of these.</source>
+            <source>“Search” finds the cycle of the grid that is fit for the most parts from one dressing to the next, the quickest of these.</source>
             <translation>«Найти» ищет цикл сетки, который годен для наибольшего числа деталей от правки до правки, из таких самый быстрый.</translation>
         </message>
         <message>
@@ -8206,7 +8206,7 @@ With another name both versions stay as they are.</source>
             <translation>Метод меток</translation>
         </message>
         <message>
-            <source>Proves from few runs that no cycle of the grid is better: what cannot hold or be quicker is not run</source>
+            <source>Proves from few runs that no cycle of the grid is better: what cannot be fit or quicker is not run</source>
             <translation>Доказывает немногими расчётами, что лучшего цикла в сетке нет: то, что не может выдержать требования или быть быстрее, не рассчитывается</translation>
         </message>
         <message>
@@ -13607,7 +13607,7 @@ With another name both versions stay as they are.</source>
             <translation>Стоимость</translation>
         </message>
         <message>
-            <source>Parts from one dressing to the next that it holds for</source>
+            <source>Parts from one dressing to the next that it is fit for</source>
             <translation>Для скольких деталей от правки до правки он годен</translation>
         </message>
         <message>
@@ -15002,7 +15002,7 @@ target, µm</source>
             <translation>Для всех припусков</translation>
         </message>
         <message>
-            <source>The cycle must hold for stocks spread over one feed step of every stage too: where the last step falls decides on the size</source>
+            <source>The cycle must be fit for stocks spread over one feed step of every stage too: where the last step falls decides on the size</source>
             <translation>Цикл должен быть годен для всех припусков в пределах подачи на шаг каждой ступени: размер зависит от того, куда пришёлся последний шаг</translation>
         </message>
         <message>

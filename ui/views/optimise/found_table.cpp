@@ -54,9 +54,10 @@ ValueHead marginHead() {
 }
 
 void addWearHeads(std::vector<ValueHead>& heads) {
-    heads.push_back({.text = FoundTable::tr("Parts"),
-                     .tip = FoundTable::tr("Parts from one dressing to the next that it holds for"),
-                     .key = "parts"});
+    heads.push_back(
+        {.text = FoundTable::tr("Parts"),
+         .tip = FoundTable::tr("Parts from one dressing to the next that it is fit for"),
+         .key = "parts"});
     heads.push_back({.text = FoundTable::tr("Cost"),
                      .tip = FoundTable::tr("Cost of a part with its share of the dressing"),
                      .key = "cost"});

@@ -655,7 +655,7 @@ void OptimiseView::nameButtons() {
     tellButton(*m_take, tr("Take this cycle"),
                tr("Put the chosen cycle in the place of the current one; undo brings yours back"));
     tellButton(*m_phases, tr("For every stock"),
-               tr("The cycle must hold for stocks spread over one feed step of every stage too: "
+               tr("The cycle must be fit for stocks spread over one feed step of every stage too: "
                   "where the last step falls decides on the size"));
     tellButton(*m_refine, tr("Between levels"),
                tr("Go on from the quickest cycle between the levels of the grid, in the machine's "
