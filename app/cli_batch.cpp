@@ -40,7 +40,7 @@ std::string sobolText(const std::vector<SobolIndex>& indices,
     return text.empty() ? text : text + '\n';
 }
 
-/// "conforms conditionally: the lower 95 % bound of Ppk of rz1 diameter is 0.73, below 1".
+/// "conditionally fit: the lower 95 % bound of Ppk of rz1 diameter is 0.73, below 1".
 std::string verdictText(const BatchVerdict& verdict, const BatchSummary& summary) {
     const std::string of =
         verdict.characteristic
@@ -49,29 +49,28 @@ std::string verdictText(const BatchVerdict& verdict, const BatchSummary& summary
             : std::string();
     const std::string limit = numberText(verdict.limit);
     switch (verdict.reason) {
-    case BatchReason::noPart: return "does not conform: no part was run";
+    case BatchReason::noPart: return "unfit: no part was run";
     case BatchReason::partsFail:
-        return "does not conform: " + fixed(100 * verdict.value, 2)
-               + " % of the parts are not good, allowed " + numberText(100 * verdict.limit) + " %";
-    case BatchReason::someFail:
-        return "conforms conditionally: some parts are not good, but no more than the allowed "
+        return "unfit: " + fixed(100 * verdict.value, 2) + " % of the parts are rejected, allowed "
                + numberText(100 * verdict.limit) + " %";
-    case BatchReason::stopped: return "conforms conditionally: not all parts were run";
+    case BatchReason::someFail:
+        return "conditionally fit: some parts are rejected, but no more than the allowed "
+               + numberText(100 * verdict.limit) + " %";
+    case BatchReason::stopped: return "conditionally fit: not all parts were run";
     case BatchReason::noSample:
-        return "conforms conditionally: all corners hold, but they are not a sample, so Ppk is not "
-               "known";
-    case BatchReason::fewParts:
-        return "conforms conditionally: Ppk cannot be computed from one part";
+        return "conditionally fit: all corner combinations are good, but they are not a sample, so "
+               "Ppk is not known";
+    case BatchReason::fewParts: return "conditionally fit: Ppk cannot be computed from one part";
     case BatchReason::outside:
-        return "conforms conditionally: of " + of + " " + fixed(100 * verdict.value, 3)
+        return "conditionally fit: of " + of + " " + fixed(100 * verdict.value, 3)
                + " % are expected out of tolerance, allowed " + numberText(100 * verdict.limit)
                + " %";
     case BatchReason::ppk:
-        return "conforms conditionally: the lower 95 % bound of Ppk of " + of + " is "
+        return "conditionally fit: the lower 95 % bound of Ppk of " + of + " is "
                + fixed(verdict.value, 2) + ", below " + limit;
     case BatchReason::allHold:
-        return of.empty() ? "conforms: all parts hold, and none of their sizes scatters to speak of"
-                          : "conforms: all parts hold, and the least lower 95 % bound of Ppk, of "
+        return of.empty() ? "fit: all parts are good, and none of their sizes scatters to speak of"
+                          : "fit: all parts are good, and the least lower 95 % bound of Ppk, of "
                                 + of + ", is " + fixed(verdict.value, 2) + ", at least " + limit;
     }
     return {};

@@ -2,6 +2,7 @@
 #include "app/cli_new.h"
 
 #include "app/io/cli_io.h"
+#include "app/io/cli_report.h"
 #include "core/digits.h"
 #include "core/files/file_system.h"
 #include "core/format/project_file.h"
@@ -82,13 +83,13 @@ std::string stocksText(const PhaseDecision& decision) {
         return fixed(stocks.from_mm, digits) + "…" + fixed(stocks.to_mm, digits) + " mm";
     };
     if (decision.holds()) {
-        return "holds for every stock of " + range(decision.range);
+        return fitForStocks(true, range(decision.range));
     }
-    std::string text = "fails for stocks of";
+    std::string failing;
     for (const StockRange& each : decision.failingRanges()) {
-        text += ' ' + range(each);
+        failing += (failing.empty() ? "" : ", ") + range(each);
     }
-    return text;
+    return fitForStocks(false, failing);
 }
 
 std::string labelled(const std::string& label, const std::string& value) {

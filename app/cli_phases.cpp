@@ -56,11 +56,7 @@ std::string pieceText(const Project& project, const DecidedPiece& each) {
         text += "  " + placeOf(project, place) + ' ' + um(low.least_mm) + "…" + um(low.most_mm)
                 + " → " + um(high.least_mm) + "…" + um(high.most_mm) + " µm";
     }
-    return text
-           + (each.holdsWhole() ? "  holds"
-              : each.holds      ? "  fails in part"
-                                : "  fails")
-           + '\n';
+    return text + (each.holdsWhole() ? "  fit" : each.holds ? "  unfit in part" : "  unfit") + '\n';
 }
 
 std::string phasesText(const Project& project, const PhaseDecision& decision) {
@@ -73,10 +69,10 @@ std::string phasesText(const Project& project, const PhaseDecision& decision) {
         text += pieceText(project, each);
     }
     if (decision.holds()) {
-        return text + "holds for every stock of " + rangeText(decision.range) + '\n';
+        return text + fitForStocks(true, rangeText(decision.range)) + '\n';
     }
     for (const FailingStocks& each : decision.failing) {
-        text += "fails for stocks of " + rangeText(each.stocks) + ": "
+        text += fitForStocks(false, rangeText(each.stocks)) + ": "
                 + whyText(each.status, each.worst) + '\n';
     }
     return text;

@@ -29,14 +29,15 @@ std::string stateText(const SimulationResult& result, const RemedyResult& found,
         return "the cycle does not end by itself\n";
     }
     if (found.fault == RemedyFault::stocks) {
-        return "holds for the stated stock, but not for every stock\n";
+        return "fit for the stated stock, but not for every stock\n";
     }
     if (found.fault == RemedyFault::batch) {
-        return "holds for every stock, but not for the batch\n";
+        return "fit for every stock, but not for the batch\n";
     }
     const ConstraintResult& worst = *worstRequirement(constraints);
     return std::string(requirementOf(worst.kind).key)
-           + (worst.holds ? " is close to its limit in " : " fails in ") + whereText(worst) + '\n';
+           + (worst.holds ? " is close to its limit in " : " is not met in ") + whereText(worst)
+           + '\n';
 }
 
 std::string remediesText(const Project& project, const RemedyResult& found) {

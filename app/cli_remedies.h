@@ -5,7 +5,7 @@
 
 namespace sparkout::cli {
 
-/// `remedies`: which change of one setting makes a failing cycle hold. Returns the exit status.
+/// `remedies`: which change of one setting makes an unfit cycle fit. Returns the exit status.
 [[nodiscard]] int runRemediesCommand(const Options& options);
 
 } // namespace sparkout::cli

@@ -72,7 +72,7 @@ std::string sweepText(const SweepResult& sweep) {
                 text += "  " + fixed(point.values[q].value, 2);
             }
         }
-        text += point.status == SweepStatus::done && !point.good ? "  does not hold\n" : "\n";
+        text += point.status == SweepStatus::done && !point.good ? "  unfit\n" : "\n";
     }
     return text;
 }

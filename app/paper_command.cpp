@@ -52,7 +52,7 @@ std::optional<Work> workOrSay(const QString& path) {
         return std::nullopt;
     }
     if (brokenSeal(*read.work)) {
-        say(stderr, QStringLiteral("sparkout: a seal of %1 does not hold: it was edited outside "
+        say(stderr, QStringLiteral("sparkout: a seal of %1 is broken: it was edited outside "
                                    "the program")
                         .arg(printableText(path)));
     }

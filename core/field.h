@@ -135,8 +135,9 @@ struct Row {
     bool usual = false;           ///< set for every cycle; the page shows the others on demand
     const char* hint = "";
     const char* formula = ""; ///< where the member enters the model, in the model page's letters
-    const char* column = "";  ///< label at the head of a table's column, where it must be short
-    const char* source = "";  ///< key of core/SOURCES.md
+    /// Label at the head of a table's column, where it must be short; translated in "InputBrief".
+    const char* column = "";
+    const char* source = ""; ///< key of core/SOURCES.md
 
     /// What hints and messages state as allowed.
     [[nodiscard]] const Range& stated() const { return read.unbounded() ? hard : read; }

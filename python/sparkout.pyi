@@ -78,7 +78,7 @@ class JudgedStocks:
         """whether the stocks within one infeed are; not under position control, nor of a cycle of too many passes"""
     @property
     def holds(self) -> Optional[bool]:
-        """whether every requirement holds for every one of these stocks"""
+        """whether every requirement is met for each of these stocks"""
     @property
     def stock_mm(self) -> Optional[tuple[float, float]]:
         """range of stocks per side [mm]"""

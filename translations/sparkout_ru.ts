@@ -4506,10 +4506,6 @@ With another name both versions stay as they are.</source>
             <translation>Непрерывная радиальная подача</translation>
         </message>
         <message>
-            <source>Cont. infeed</source>
-            <translation>Непр. подача</translation>
-        </message>
-        <message>
             <source>Radial infeed that continues while the table travels and dwells, in addition to the radial feed at the reversals, which may then be 0.</source>
             <translation>Радиальная подача, которая идёт всё время, при ходах стола и на выстоях, дополнительно к подаче на реверсах, которая тогда может быть равна 0.</translation>
         </message>
@@ -4532,10 +4528,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Spark-out</source>
             <translation>Выхаживание</translation>
-        </message>
-        <message>
-            <source>Sparked out</source>
-            <translation>Выхаж.</translation>
         </message>
         <message>
             <source>an ordinary stage</source>
@@ -5310,16 +5302,8 @@ With another name both versions stay as they are.</source>
             <translation>Припуск ступени на сторону</translation>
         </message>
         <message>
-            <source>Length</source>
-            <translation>Длина</translation>
-        </message>
-        <message>
             <source>Position</source>
             <translation>Положение</translation>
-        </message>
-        <message>
-            <source>Stiffness</source>
-            <translation>Жёсткость</translation>
         </message>
         <message>
             <source>Name to search by.</source>
@@ -5916,10 +5900,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Gap width</source>
             <translation>Ширина паза</translation>
-        </message>
-        <message>
-            <source>Width</source>
-            <translation>Ширина</translation>
         </message>
         <message>
             <source>Angle from edge to edge; of a keyway of width w about 115°·w/d. The radii within are not ground.</source>
@@ -7167,6 +7147,49 @@ With another name both versions stay as they are.</source>
         </message>
     </context>
     <context>
+        <name>InputBrief</name>
+        <message>
+            <source>Radial feed</source>
+            <translation>Радиальная подача</translation>
+        </message>
+        <message>
+            <source>Cont. infeed</source>
+            <translation>Непр. подача</translation>
+        </message>
+        <message>
+            <source>Stock per side</source>
+            <translation>Припуск на сторону</translation>
+        </message>
+        <message>
+            <source>Spark-out</source>
+            <translation>Выхаж.</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>Длина</translation>
+        </message>
+        <message>
+            <source>Diameter</source>
+            <translation>Диаметр</translation>
+        </message>
+        <message>
+            <source>Position</source>
+            <translation>Положение</translation>
+        </message>
+        <message>
+            <source>Stiffness</source>
+            <translation>Жёсткость</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>От</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Ширина</translation>
+        </message>
+    </context>
+    <context>
         <name>Issue</name>
         <message>
             <source>%1 (stock on diameter)</source>
@@ -8056,6 +8079,10 @@ With another name both versions stay as they are.</source>
             <translation>дальше нельзя.</translation>
         </message>
         <message>
+            <source>No margin is left for: %1. For a cycle with a margin, set “%2” in the search.</source>
+            <translation>Нет запаса: %1. Чтобы найти цикл с запасом, задайте в поиске «%2».</translation>
+        </message>
+        <message>
             <source>The rotation ratio of wheel and work is near a whole number, %1: waviness.</source>
             <translation>Отношение частот вращения круга и детали близко к целому числу, %1: волнистость.</translation>
         </message>
@@ -8108,8 +8135,8 @@ With another name both versions stay as they are.</source>
             <translation>Найдено до %1; у более длинных циклов запас может быть больше.</translation>
         </message>
         <message>
-            <source>The margin is the least over all that the search must hold for.</source>
-            <translation>Запас — наименьший по всему, что должен выдержать поиск.</translation>
+            <source>The margin is the least over all cases for which the cycle must be fit.</source>
+            <translation>Запас — наименьший по всем случаям, для которых цикл должен быть годен.</translation>
         </message>
         <message>
             <source>%1 min</source>
@@ -8131,7 +8158,7 @@ With another name both versions stay as they are.</source>
             <translation>Для каждой ступени: радиальная подача, мм/мин; припуск на сторону, мм</translation>
         </message>
         <message>
-            <source>The batch that the cycle is to hold for cannot be run:</source>
+            <source>The batch that the cycle must be fit for cannot be run:</source>
             <translation>Партию, для которой цикл должен быть годен, рассчитать нельзя:</translation>
         </message>
         <message>
@@ -8151,11 +8178,11 @@ With another name both versions stay as they are.</source>
             <translation>выстой %1 и %2 с</translation>
         </message>
         <message>
-            <source>“Search” finds the cycle of the grid with the minimum cost of a part, together with the parts between dressings: it holds for all of them.</source>
+            <source>“Search” finds the cycle of the grid with the minimum cost of a part, together with the parts between dressings: it is fit for all of them.</source>
             <translation>«Найти» ищет цикл сетки с наименьшей стоимостью детали вместе с числом деталей между правками: он годен для каждой из них.</translation>
         </message>
         <message>
-            <source>“Search” finds the cycle of the grid that holds for the most parts from one dressing to the next, the quickest of these.</source>
+            <source>“Search” finds the cycle of the grid that is fit for the most parts from one dressing to the next, the quickest of these.</source>
             <translation>«Найти» ищет цикл сетки, который годен для наибольшего числа деталей от правки до правки, из таких самый быстрый.</translation>
         </message>
         <message>
@@ -8179,7 +8206,7 @@ With another name both versions stay as they are.</source>
             <translation>Метод меток</translation>
         </message>
         <message>
-            <source>Proves from few runs that no cycle of the grid is better: what cannot hold or be quicker is not run</source>
+            <source>Proves from few runs that no cycle of the grid is better: what cannot be fit or quicker is not run</source>
             <translation>Доказывает немногими расчётами, что лучшего цикла в сетке нет: то, что не может выдержать требования или быть быстрее, не рассчитывается</translation>
         </message>
         <message>
@@ -13500,10 +13527,6 @@ With another name both versions stay as they are.</source>
             <translation>Ступени</translation>
         </message>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
-        </message>
-        <message>
             <source>Against yours, %</source>
             <translation>К исходному, %</translation>
         </message>
@@ -13584,7 +13607,7 @@ With another name both versions stay as they are.</source>
             <translation>Стоимость</translation>
         </message>
         <message>
-            <source>Parts from one dressing to the next that it holds for</source>
+            <source>Parts from one dressing to the next that it is fit for</source>
             <translation>Для скольких деталей от правки до правки он годен</translation>
         </message>
         <message>
@@ -14979,7 +15002,7 @@ target, µm</source>
             <translation>Для всех припусков</translation>
         </message>
         <message>
-            <source>The cycle must hold for stocks spread over one feed step of every stage too: where the last step falls decides on the size</source>
+            <source>The cycle must be fit for stocks spread over one feed step of every stage too: where the last step falls decides on the size</source>
             <translation>Цикл должен быть годен для всех припусков в пределах подачи на шаг каждой ступени: размер зависит от того, куда пришёлся последний шаг</translation>
         </message>
         <message>

@@ -32,7 +32,7 @@ constexpr Output<StocksDecision> stocksRows[] = {
       .hint = "whether the stocks within one infeed are; not under position control, nor of a "
               "cycle of too many passes"},
      [](const StocksDecision& s) { return s.has_value(); }},
-    {{.key = "holds", .hint = "whether every requirement holds for every one of these stocks"},
+    {{.key = "holds", .hint = "whether every requirement is met for each of these stocks"},
      [](const StocksDecision& s) { return s ? std::optional(s->holds) : std::nullopt; }},
     {{.key = "stock_mm", .unit = "mm", .hint = "range of stocks per side"},
      [](const StocksDecision& s) {

@@ -28,7 +28,7 @@ double rounded(double value, int digits) {
     return std::round(value * scale) / scale;
 }
 
-/// Why a setting with which all holds is not offered.
+/// Why a setting with which all requirements are met is not offered.
 const char* notOffered(bool room, RemedyConflict::Kind kind) {
     if (kind == RemedyConflict::Kind::warned) {
         return room ? SPARKOUT_NOOP(

@@ -471,19 +471,20 @@ void SearchWording::addLimit(const SearchOutcome& outcome, std::vector<std::stri
     if (outcome.searched.operation->travels) {
         lines.push_back(
             cycles.continuousFeed_mm_min > 0
-                ? filled("The limit holds for cycles with a continuous infeed of up to %1 mm/min.",
-                         {number(cycles.continuousFeed_mm_min)})
-                : std::string("The limit holds for cycles without a continuous infeed."));
+                ? filled(
+                    "The limit is valid for cycles with a continuous infeed of up to %1 mm/min.",
+                    {number(cycles.continuousFeed_mm_min)})
+                : std::string("The limit is valid for cycles without a continuous infeed."));
     }
     if (outcome.searched.operation->mayRetract) {
         lines.push_back(cycles.drawBack
-                            ? "The limit also holds for cycles that draw the wheel head back."
-                            : "The limit holds for cycles that never draw the wheel head back.");
+                            ? "The limit is also valid for cycles that draw the wheel head back."
+                            : "The limit is valid for cycles that never draw the wheel head back.");
     }
     lines.push_back(
         cycles.sparkOut
-            ? "The limit holds for cycles that end at size or by a count of steps without feed."
-            : "The limit holds for cycles that end at size.");
+            ? "The limit is valid for cycles that end at size or by a count of steps without feed."
+            : "The limit is valid for cycles that end at size.");
 }
 
 void SearchWording::addBinding(const SearchOutcome& outcome,
@@ -559,6 +560,13 @@ void SearchWording::addSettingEdges(const SearchOutcome& outcome,
 
 void SearchWording::addRemarks(const SearchOutcome& outcome,
                                std::vector<std::string>& lines) const {
+    if (!outcome.remarks.noMargin.empty()) {
+        lines.push_back(filled(
+            SPARKOUT_NOOP(
+                "Search",
+                "No margin is left for: %1. For a cycle with a margin, set “%2” in the search."),
+            {names(outcome.remarks.noMargin), setting("margin_within_min")}));
+    }
     if (const std::optional<double>& ratio = outcome.remarks.ratioNearInteger) {
         lines.push_back(filled(SPARKOUT_NOOP("Search", "The rotation ratio of wheel and work is "
                                                        "near a whole number, %1: waviness."),
@@ -646,8 +654,8 @@ std::string SearchWording::front(const SearchOutcome& outcome) const {
                      {time(points.back()->time_s)});
     return outcome.robust
                ? all + ' '
-                     + translated(SPARKOUT_NOOP("Search", "The margin is the least over all that "
-                                                          "the search must hold for."))
+                     + translated(SPARKOUT_NOOP("Search", "The margin is the least over all "
+                                                          "cases for which the cycle must be fit."))
                : all;
 }
 

@@ -55,11 +55,11 @@ int checkWorkFile(const std::string& file, const std::string& content, bool json
     const Work& work = *read.work;
     const auto broken = brokenSeal(work);
     if (broken) {
-        print(stderr, printable(file) + ": "
-                          + (*broken == 0 ? std::string("the seal of the work does not hold")
-                                          : "the seal of entry " + std::to_string(*broken)
-                                                + " does not hold")
-                          + ": it was edited outside the program\n");
+        print(stderr,
+              printable(file) + ": "
+                  + (*broken == 0 ? std::string("the seal of the work is broken")
+                                  : "the seal of entry " + std::to_string(*broken) + " is broken")
+                  + ": it was edited outside the program\n");
     }
     const CheckedSteps checked = checkedAnswers(work);
     printSteps(checked, json ? std::optional(workCheckJson(work, checked)) : std::nullopt);

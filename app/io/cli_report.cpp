@@ -81,26 +81,28 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
            + " µm\n";
 }
 
+std::string metText(bool isMet) {
+    return isMet ? "met" : "not met";
+}
+
 std::string constraintLine(const ConstraintResult& constraint) {
     const Requirement& row = requirementOf(constraint.kind);
     const int decimals = row.digits.printed;
     const std::string unit = row.unit, name = padded(std::string("  ") + row.key);
     if (!constraint.isWhole) {
         return name + "not known: strips uncut, " + fixed(constraint.limit, decimals) + " " + unit
-               + "  FAILS in " + whereText(constraint) + '\n';
+               + "  " + metText(false) + " in " + whereText(constraint) + '\n';
     }
     if (constraint.mostValue) {
         return name + fixed(constraint.value, decimals) + "…"
                + fixed(*constraint.mostValue, decimals) + " estimated, "
                + fixed(constraint.limit, decimals) + " " + unit + "  "
-               + (isOpen(constraint) ? "not decided"
-                  : constraint.holds ? "holds"
-                                     : "FAILS")
-               + " in " + whereText(constraint) + '\n';
+               + (isOpen(constraint) ? "not decided" : metText(constraint.holds)) + " in "
+               + whereText(constraint) + '\n';
     }
     return name + fixed(constraint.value, decimals) + ", " + fixed(constraint.limit, decimals)
            + ", " + fixed(constraint.margin, decimals) + (unit.empty() ? "" : " ") + unit + "  "
-           + (constraint.holds ? "holds" : "FAILS") + " in " + whereText(constraint)
+           + metText(constraint.holds) + " in " + whereText(constraint)
            + (constraint.knowsMachine ? "" : ", machine not known") + '\n';
 }
 
@@ -131,6 +133,10 @@ std::string issueLine(const std::string& file, const Issue& issue) {
     }
     line += issueSentence(issue);
     return printable(line); // one line a fault, whatever a key or a file name may hold
+}
+
+std::string fitForStocks(bool isFit, const std::string& stocks) {
+    return (isFit ? "fit for every stock of " : "unfit for stocks of ") + stocks;
 }
 
 std::string setupText(const Setup& setup, const SetupRun& run) {

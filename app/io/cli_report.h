@@ -21,7 +21,10 @@ namespace sparkout::cli {
                                      const std::vector<ConstraintResult>& constraints,
                                      const std::string& headline);
 
-/// The times of the part after the cycles of its surfaces, and whether all of them hold.
+/// "fit for every stock of 0.1480…0.1520 mm", "unfit for stocks of 0.1500…0.1510 mm".
+[[nodiscard]] std::string fitForStocks(bool isFit, const std::string& stocks);
+
+/// The times of the part after the cycles of its surfaces, and whether all of these are fit.
 [[nodiscard]] std::string setupText(const Setup& setup, const SetupRun& run);
 
 /// Why a run that is not completed ended, with the size reached.

@@ -443,7 +443,7 @@ Command measuredCommand() {
     return {
         "measured",
         Kind::project,
-        {"holds what was measured, in the file's section measured, against the predicted batch: "
+        {"compares what was measured, in the file's section measured, with the predicted batch: "
          "for each zone or section and quantity the mean with its 95 % interval, the predicted "
          "range, Fisher's ratio of the variances, the share of the parts inside",
          "сравнивает измеренное (раздел файла measured) с партией, которую прогнозирует модель: "
@@ -528,7 +528,7 @@ Command newCommand() {
          "field, as 35k6 or for a bore 60H7, and what is said of it below. Work speed, feeds, "
          "stocks and spark-out follow from diameter, stock, tolerance, material, wheel and "
          "machine, in steps of the machine; what bounds the rough depth is printed, and for which "
-         "stocks the cycle holds; the project has a usual search about it",
+         "stocks the cycle is fit; the project has a usual search about it",
          "записывает проект с исходным циклом для поверхности чертежа: размер с полем, например "
          "35k6, для отверстия 60H7, и то, что о нём сказано ниже. Частота вращения заготовки, "
          "подачи, "
@@ -646,7 +646,7 @@ const Program& commandLineProgram() {
           "remedies, optimize, batch, sweep, phases and measured take each in its order, or the "
           "one "
           "that --surface names; the wheel comes to it as the surfaces before have left it. A time "
-          "limit holds for each surface.",
+          "limit applies to each surface.",
           "Файл может содержать несколько поверхностей детали, шлифуемых за один установ. "
           "simulate, "
           "remedies, optimize, batch, sweep, phases и measured берут их все по порядку или ту, что "

@@ -187,7 +187,7 @@ const Program& windowProgram() {
          "--export PART -o OUT.xlsx|OUT.csv|OUT.json [--lang en|ru] [--surface NAME|N] FILE"},
         {"Opens the workbench, with FILE or with an example. It computes a cylindrical grinding "
          "cycle "
-         "pass by pass and holds the part against its drawing. The help of the window says the "
+         "pass by pass and compares the part with its drawing. The help of the window says the "
          "rest.",
          "Открывает окно с файлом FILE или с примером. Программа рассчитывает цикл круглого "
          "шлифования по проходам и сравнивает деталь с чертежом. Остальное — в справке окна."},
@@ -208,7 +208,8 @@ const Program& windowProgram() {
           {"no cycle of the search is feasible (nothing is written)",
            "подходящего цикла в сетке нет (ничего не записано)"}},
          {"6",
-          {"the search found no cycle for all scenarios, but one may hold (nothing is written)",
+          {"the search found no cycle for all scenarios, but a fit one may exist (nothing is "
+           "written)",
            "поиск не нашёл цикла для всех сценариев, но он может существовать (ничего не "
            "записано)"}},
          {"130",

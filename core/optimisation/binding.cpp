@@ -140,6 +140,18 @@ Project withoutLists(Project project) {
     return project;
 }
 
+using KindMask = std::array<bool, constraintKinds>;
+
+std::vector<ConstraintKind> kindsOf(const KindMask& mask) {
+    std::vector<ConstraintKind> kinds;
+    for (const Requirement& row : requirementRows) {
+        if (mask[static_cast<std::size_t>(row.kind)]) {
+            kinds.push_back(row.kind);
+        }
+    }
+    return kinds;
+}
+
 /// The kinds of the least relative margin of what is added.
 class LeastMargins {
 public:
@@ -151,20 +163,39 @@ public:
         m_least_of[static_cast<std::size_t>(each.kind)] |= each.relativeMargin == m_least;
     }
 
-    [[nodiscard]] std::vector<ConstraintKind> kinds() const {
-        std::vector<ConstraintKind> kinds;
-        for (const Requirement& row : requirementRows) {
-            if (m_least_of[static_cast<std::size_t>(row.kind)]) {
-                kinds.push_back(row.kind);
-            }
-        }
-        return kinds;
-    }
+    [[nodiscard]] std::vector<ConstraintKind> kinds() const { return kindsOf(m_least_of); }
 
 private:
     double m_least = std::numeric_limits<double>::infinity();
-    std::array<bool, constraintKinds> m_least_of{};
+    KindMask m_least_of{};
 };
+
+/// Runs the cycle on the part, on those drawn for it in a robust search, and in the scenarios, and
+/// gives `take` each requirement. Returns false when stopped.
+template <typename Take>
+bool runCases(const Project& best, bool isRobust, const std::vector<Project>& scenarios,
+              const std::stop_token& stop, Take take) {
+    std::vector<Project> parts{best};
+    if (isRobust) {
+        for (Project& drawn : scenariosAskedFor(best, stop)(best, 0)) {
+            parts.push_back(std::move(drawn));
+        }
+    }
+    parts.insert(parts.end(), scenarios.begin(), scenarios.end());
+    for (Project& part : parts) {
+        part.runs.clear();
+        setMachine(part, machineSettings(best));
+        *part.cycle = *best.cycle;
+        const SimulationResult result = simulateUnchecked(part, nullptr, stop);
+        if (result.status == RunStatus::stopped || stop.stop_requested()) {
+            return false;
+        }
+        for (const ConstraintResult& each : evaluateConstraints(result)) {
+            take(each);
+        }
+    }
+    return true;
+}
 
 /// What breaks in those that are quicker than so long; nothing: stopped before all were run.
 std::optional<std::vector<ConstraintKind>> brokenIn(const std::vector<Neighbour>& others,
@@ -181,7 +212,7 @@ std::optional<std::vector<ConstraintKind>> brokenIn(const std::vector<Neighbour>
         }
         parts.push_back(scenario);
     }
-    std::array<bool, constraintKinds> binds{};
+    KindMask binds{};
     for (const auto& [cycle, machine] : others) {
         for (Project& part : parts) {
             setMachine(part, machine);
@@ -198,13 +229,7 @@ std::optional<std::vector<ConstraintKind>> brokenIn(const std::vector<Neighbour>
             }
         }
     }
-    std::vector<ConstraintKind> kinds;
-    for (const Requirement& row : requirementRows) {
-        if (binds[static_cast<std::size_t>(row.kind)]) {
-            kinds.push_back(row.kind);
-        }
-    }
-    return kinds;
+    return kindsOf(binds);
 }
 
 } // namespace
@@ -229,23 +254,10 @@ bindingRequirements(const Project& project, const Cycle& cycle, std::int64_t tim
 
 std::optional<std::vector<ConstraintKind>>
 leastMarginRequirements(const Project& best, bool isRobust, const std::stop_token& stop) {
-    std::vector<Project> parts{best};
-    if (isRobust) {
-        for (Project& drawn : scenariosAskedFor(best, stop)(best, 0)) {
-            parts.push_back(std::move(drawn));
-        }
-    }
     LeastMargins margins;
-    for (Project& part : parts) {
-        part.runs.clear();
-        *part.cycle = *best.cycle;
-        const SimulationResult result = simulateUnchecked(part, nullptr, stop);
-        if (result.status == RunStatus::stopped || stop.stop_requested()) {
-            return std::nullopt;
-        }
-        for (const ConstraintResult& each : evaluateConstraints(result)) {
-            margins.add(each);
-        }
+    const auto add = [&margins](const ConstraintResult& each) { margins.add(each); };
+    if (!runCases(best, isRobust, {}, stop, add)) {
+        return std::nullopt;
     }
     if (isRobust && canDecidePhases(best)) {
         constexpr double any = -std::numeric_limits<double>::infinity();
@@ -256,6 +268,19 @@ leastMarginRequirements(const Project& best, bool isRobust, const std::stop_toke
         margins.add(*worst);
     }
     return margins.kinds();
+}
+
+std::optional<std::vector<ConstraintKind>>
+requirementsBelowMargin(const Project& best, double margin, bool isRobust,
+                        const std::vector<Project>& scenarios, const std::stop_token& stop) {
+    KindMask below{};
+    const auto take = [&](const ConstraintResult& each) {
+        below[static_cast<std::size_t>(each.kind)] |= each.relativeMargin < margin;
+    };
+    if (!runCases(best, isRobust, scenarios, stop, take)) {
+        return std::nullopt;
+    }
+    return kindsOf(below);
 }
 
 } // namespace sparkout

@@ -63,7 +63,7 @@ const StructInfo& tableOf<Stage>() {
             .exempt = feedsAllTheTime, .page = Page::cycle, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Programmed infeed at the reversals of each double "
                                            "stroke."),
-            .formula = "t_П ← t_П + S_t", .column = SPARKOUT_NOOP("Input", "Radial feed"),
+            .formula = "t_П ← t_П + S_t", .column = SPARKOUT_NOOP("InputBrief", "Radial feed"),
             .source = "MODEL-5"),
         SPARKOUT_FIELD(Stage, axial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Axial feed"),
                        .symbol = "S_ax", .unit = "mm/min", .hard = {0.01, 1e5}, .soft = {50, 6000},
@@ -96,15 +96,15 @@ const StructInfo& tableOf<Stage>() {
                            "Radial infeed that continues while the table travels and dwells, in "
                            "addition to the radial feed at the reversals, which may then be 0."),
                        .formula = "t_П ← t_П + S_c·Δt",
-                       .column = SPARKOUT_NOOP("Input", "Cont. infeed"), .source = "MODEL-5"),
-        SPARKOUT_FIELD(Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stage stock per side"),
-                       .symbol = "Π_z", .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6},
-                       .required = feeds, .slider = true, .page = Page::cycle, .usual = true,
-                       .hint =
-                           SPARKOUT_NOOP("Input", "Radial stock of the stage. The stage ends when "
-                                                  "only the stock of the later stages remains."),
-                       .formula = "Π_rem ≤ Σ Π_j, j > z",
-                       .column = SPARKOUT_NOOP("Input", "Stock per side"), .source = "MODEL-7"),
+                       .column = SPARKOUT_NOOP("InputBrief", "Cont. infeed"), .source = "MODEL-5"),
+        SPARKOUT_FIELD(
+            Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stage stock per side"),
+            .symbol = "Π_z", .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6}, .required = feeds,
+            .slider = true, .page = Page::cycle, .usual = true,
+            .hint = SPARKOUT_NOOP("Input", "Radial stock of the stage. The stage ends when "
+                                           "only the stock of the later stages remains."),
+            .formula = "Π_rem ≤ Σ Π_j, j > z",
+            .column = SPARKOUT_NOOP("InputBrief", "Stock per side"), .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Stage, spark_out, .label = SPARKOUT_NOOP("Input", "Spark-out"), .hard = {1, 100000},
             .nullMeaning = SPARKOUT_NOOP("Input", "an ordinary stage"), .page = Page::cycle,
@@ -112,7 +112,7 @@ const StructInfo& tableOf<Stage>() {
             .hint = SPARKOUT_NOOP("Input",
                                   "The last stage may feed nothing: a number of double strokes or "
                                   "revolutions, or until size."),
-            .column = SPARKOUT_NOOP("Input", "Sparked out"), .source = "MODEL-7"),
+            .column = SPARKOUT_NOOP("InputBrief", "Spark-out"), .source = "MODEL-7"),
     };
     static const StructInfo info = makeTable<Stage>(SPARKOUT_NOOP("Struct", "Stage"), rows);
     return info;

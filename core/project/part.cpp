@@ -159,13 +159,13 @@ const StructInfo& tableOf<ShaftSegment>() {
                        .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Length of one step of the shaft, from the headstock on."),
-                       .column = SPARKOUT_NOOP("Input", "Length"), .source = "MODEL-6"),
+                       .column = SPARKOUT_NOOP("InputBrief", "Length"), .source = "MODEL-6"),
         SPARKOUT_FIELD(ShaftSegment, diameter_mm,
                        .label = SPARKOUT_NOOP("Input", "Segment diameter"), .symbol = "d",
                        .unit = "mm", .hard = {0.1, 3000}, .soft = {3, 500},
                        .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Diameter of one step of the shaft."),
-                       .formula = "I = π·d⁴/64", .column = SPARKOUT_NOOP("Input", "Diameter"),
+                       .formula = "I = π·d⁴/64", .column = SPARKOUT_NOOP("InputBrief", "Diameter"),
                        .source = "MODEL-6"),
     };
     static const StructInfo info =
@@ -181,14 +181,14 @@ const StructInfo& tableOf<SteadyRest>() {
             .symbol = "x", .unit = "mm", .hard = {0, 20000}, .required = conditions::always,
             .page = Page::part,
             .hint = SPARKOUT_NOOP("Input", "Distance from the headstock end of the shaft."),
-            .column = SPARKOUT_NOOP("Input", "Position"), .source = "MODEL-6"),
+            .column = SPARKOUT_NOOP("InputBrief", "Position"), .source = "MODEL-6"),
         SPARKOUT_FIELD(SteadyRest, stiffness_n_um,
                        .label = SPARKOUT_NOOP("Input", "Stiffness of the steady rest"),
                        .symbol = "j", .unit = "N/µm", .hard = {1e-3, 1e5}, .soft = {5, 500},
                        .required = conditions::always, .page = Page::part,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Force at the rest for one micrometre of deflection there."),
-                       .column = SPARKOUT_NOOP("Input", "Stiffness"), .source = "MODEL-6"),
+                       .column = SPARKOUT_NOOP("InputBrief", "Stiffness"), .source = "MODEL-6"),
     };
     static const StructInfo info =
         makeTable<SteadyRest>(SPARKOUT_NOOP("Struct", "Steady rest"), rows);
@@ -203,14 +203,14 @@ const StructInfo& tableOf<SurfaceGap>() {
                        .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Angle of the gap's first edge, counted as "
                                                       "the radii are, from radius 0 on."),
-                       .column = SPARKOUT_NOOP("Input", "From"), .source = "MODEL-4"),
+                       .column = SPARKOUT_NOOP("InputBrief", "From"), .source = "MODEL-4"),
         SPARKOUT_FIELD(
             SurfaceGap, width_deg, .label = SPARKOUT_NOOP("Input", "Gap width"), .symbol = "Δφ",
             .unit = "°", .hard = {0, 350}, .soft = {0, 120}, .required = conditions::always,
             .page = Page::part, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Angle from edge to edge; of a keyway of width w about "
                                            "115°·w/d. The radii within are not ground."),
-            .formula = "φ_0 ≤ φ_k < φ_0 + Δφ", .column = SPARKOUT_NOOP("Input", "Width"),
+            .formula = "φ_0 ≤ φ_k < φ_0 + Δφ", .column = SPARKOUT_NOOP("InputBrief", "Width"),
             .source = "MODEL-4"),
     };
     static const StructInfo info =

@@ -268,6 +268,18 @@ private:
         m_outcome->given = givenCycle(m_outcome->project, grace.token());
     }
 
+    /// Where a margin is searched for, the binding requirements are those with the least one.
+    void remarkNoMargin(const FoundCycle& answer, const std::stop_token& stop) {
+        constexpr double least = 5e-4; // stated as 0.0 %
+        if (m_outcome->marginWithin_us || m_outcome->wear || answer.leastRelativeMargin >= least) {
+            return;
+        }
+        m_outcome->remarks.noMargin =
+            requirementsBelowMargin(withFound(m_now.searched, answer), least, m_robust,
+                                    scenariosAdded(), stop)
+                .value_or(std::vector<ConstraintKind>());
+    }
+
     /// What simulating the answer would remark.
     void remark() {
         const FoundCycle* const answer = m_outcome->answer();
@@ -275,6 +287,7 @@ private:
             return;
         }
         const GraceStop grace(m_stop);
+        remarkNoMargin(*answer, grace.token());
         const SimulationResult result =
             simulateUnchecked(withFound(m_outcome->project, *answer), nullptr, grace.token());
         if (result.status != RunStatus::completed) {

@@ -93,6 +93,8 @@ struct GivenCycle {
 
 /// Warnings that a simulation of the answer gives.
 struct AnswerRemarks {
+    /// Requirements at whose limits the quickest cycle stands: their margin is 0.0 %.
+    std::vector<ConstraintKind> noMargin;
     Issues issues; ///< warnings of remarksOn()
     /// Ratio of the wheel's revolutions to the work's, where it is near a whole number: waviness.
     std::optional<double> ratioNearInteger;

@@ -97,13 +97,14 @@ ordered_json settingEdgesJson(const SearchOutcome& outcome) {
     return edges;
 }
 
-/// The inputs that simulating the answer would remark on.
+/// What the answer stands at the limit of, and the inputs that simulating it would remark on.
 ordered_json remarksJson(const SearchOutcome& outcome) {
     ordered_json paths = ordered_json::array();
     for (const Issue& issue : outcome.remarks.issues) {
         paths.push_back(issue.path);
     }
-    return {{"inputs", std::move(paths)},
+    return {{"no_margin", keysJson(outcome.remarks.noMargin)},
+            {"inputs", std::move(paths)},
             {"rotation_ratio_near_integer", orNull(outcome.remarks.ratioNearInteger)}};
 }
 

@@ -39,7 +39,7 @@ string(REPLACE ";" ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${CPACK_DEBIAN_PRO
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "qt6-wayland, shared-mime-info")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "workbench for cylindrical grinding cycles
 Sparkout computes cylindrical grinding cycles on CNC machines pass by pass
-and holds the ground part against its drawing. The machine, the shaft and
+and compares the ground part with its drawing. The machine, the shaft and
 the centres yield, so the wheel removes less than it is fed; the blank is out
 of round; the gauge watches one section only.
 .
@@ -53,7 +53,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libnlopt-dev")
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "engine of a workbench for grinding cycles (library)
 Sparkout computes cylindrical grinding cycles on CNC machines pass by pass
-and holds the ground part against its drawing.
+and compares the ground part with its drawing.
 .
 Static libraries, headers and the CMake package of its engine in C++20, which
 needs no Qt: reading projects, simulating cycles and batches, searching for
@@ -70,7 +70,7 @@ if(TARGET sparkout_python)
 endif()
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "engine of a workbench for grinding cycles (Python 3 module)
 Sparkout computes cylindrical grinding cycles on CNC machines pass by pass
-and holds the ground part against its drawing.
+and compares the ground part with its drawing.
 .
 The module gives its engine to Python, with type hints: projects, cycles,
 batches, sweeps and searches, profiles as NumPy arrays.")

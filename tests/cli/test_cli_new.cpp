@@ -31,7 +31,7 @@ private slots:
                                      "0.8", "--machine", "3М153", "-o", file});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         QVERIFY(has(outcome.out, "rough depth bound by"));
-        QVERIFY(has(outcome.out, "every stock of "));
+        QVERIFY(has(outcome.out, "fit for every stock of "));
 
         auto drawing = *drawingOf(*parseSizeDesignation("35k6"));
         drawing.name = "35k6 × 28";

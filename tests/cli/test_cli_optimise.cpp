@@ -13,6 +13,7 @@
 #include "tests/ready_made.h"
 #include "tests/registry.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace test_cli_optimise {
@@ -145,6 +146,34 @@ private slots:
         Project alone = project;
         *alone.cycle = found.cycle;
         QVERIFY(sameProject(projectOf(file), alone));
+    }
+
+    /// The limit is moved to the answer, which stays the quickest.
+    void anAnswerWithoutAMarginNamesItsRequirement() {
+        const json free = json::parse(optimize({m_shaft, "--json"}).out);
+        QCOMPARE(free.at("remarks").at("no_margin").empty(),
+                 free.at("least_relative_margin").get<double>() >= 5e-4);
+        json file = shaft();
+        file["cycle"] = free.at("cycle");
+        double runout_um = 0;
+        for (const ConstraintResult& each : evaluateConstraints(simulate(projectOf(file)))) {
+            if (each.kind == ConstraintKind::radialRunout) {
+                runout_um = std::max(runout_um, each.value);
+            }
+        }
+        file["part"]["tolerance"]["radial_runout_um"] = runout_um * (1 + 1e-6);
+        const QString saved = save("at_limit.sparkout", file);
+        const json answer = json::parse(optimize({saved, "--json"}).out);
+        QVERIFY(answer.at("cycle") == free.at("cycle"));
+        const json& named = answer.at("remarks").at("no_margin");
+        QVERIFY(std::find(named.begin(), named.end(), "radial_runout") != named.end());
+        const std::string text = optimize({saved}).out;
+        QVERIFY2(text.find("No margin is left for: ") != std::string::npos
+                     && text.find("set “margin_within_min” in the search.") != std::string::npos,
+                 text.c_str());
+        file["optimisation"]["margin_within_min"] = 60;
+        const json widest = json::parse(optimize({save("wide.sparkout", file), "--json"}).out);
+        QVERIFY(widest.at("remarks").at("no_margin").empty());
     }
 
     void theWrittenCycleHoldsAndTakesTheTimeStated() {

@@ -78,7 +78,7 @@ private slots:
     void peopleReadALineForEach() {
         const Outcome outcome = run({"remedies", examplePath("wheel-dull")});
         QCOMPARE(outcome.status, 0);
-        QVERIFY2(outcome.out.starts_with("diameter_min fails in "), outcome.out.c_str());
+        QVERIFY2(outcome.out.starts_with("diameter_min is not met in "), outcome.out.c_str());
         QVERIFY2(has(outcome.out, " of stage "), outcome.out.c_str());
         QVERIFY2(has(outcome.out, "all requirements are met; the cycle takes "),
                  outcome.out.c_str());

@@ -126,7 +126,7 @@ private slots:
         for (const std::string& word : samples::listOf(
                  "status|machining time|double strokes|diameter_min|diameter_max|radial_runout|"
                  "rz1|nz|rz2|cylindricity, µm|total runout, µm|taper|roundness|roughness|burn|"
-                 "nearest to burning|wheel_power|kW  holds|gauge_commands|overlap")) {
+                 "nearest to burning|wheel_power|kW  met in |gauge_commands|overlap")) {
             QVERIFY2(has(outcome.out, word), word.c_str());
         }
     }

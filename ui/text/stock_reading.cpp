@@ -5,6 +5,8 @@
 #include "core/project/part.h"
 #include "ui/text/texts.h"
 
+#include <QCoreApplication>
+
 namespace sparkout {
 
 namespace {
@@ -48,8 +50,9 @@ QString StockReading::column(const Field& field) {
 }
 
 QString StockReading::column(const Field& field, bool onDiameter) {
-    return onDiameter ? tr("Stock on diameter")
-                      : inputText(*field.column ? field.column : field.label);
+    return onDiameter       ? tr("Stock on diameter")
+           : !*field.column ? inputText(field.label)
+                            : QCoreApplication::translate("InputBrief", field.column);
 }
 
 QString StockReading::symbol(const Field& field) {

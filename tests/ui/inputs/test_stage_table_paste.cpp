@@ -95,9 +95,9 @@ private slots:
         line("empty", 0, 1, "1500\t0.1\n\t0.05",
              "Stage 2, Axial feed: a number is missing; allowed: 0.01 to 100000\u00a0mm/min");
         line("wide", 0, 3, "1\t2\t3", "1 column");
-        line("sparks", 0, 3, "3", "Stage 1, Sparked out: “3”: only the last stage may spark out");
+        line("sparks", 0, 3, "3", "Stage 1, Spark-out: “3”: only the last stage may spark out");
         line("spark-out", 1, 3, "soon",
-             "Stage 2, Sparked out: spark-out “soon” is invalid; allowed: 1 to 100000, “none”, "
+             "Stage 2, Spark-out: spark-out “soon” is invalid; allowed: 1 to 100000, “none”, "
              "“until size”");
         line("feed", 1, 0, "0.002\t900\t0.04\t5",
              "Stage 2, Radial feed: “0.002” cannot be entered: this row does not use the column");

@@ -307,7 +307,7 @@ private slots:
     void aPlungeCycleShowsItsOwnColumns() {
         Bench bench(Operation::plunge);
         QCOMPARE(heads(bench.table.view()),
-                 words({"Radial feed, mm/min", "Stock per side, mm", "Sparked out", "Time, s"}));
+                 words({"Radial feed, mm/min", "Stock per side, mm", "Spark-out", "Time, s"}));
         bench.select(0, 0);
         bench.typeOver(QStringLiteral("0.8"));
         QCOMPARE(bench.stages()[0].radial_feed_mm_min.value(), 0.8);
@@ -333,7 +333,7 @@ private slots:
         QCOMPARE(lines.size(), 3);
         QCOMPARE(lines[0].split(u'\t'),
                  words({"Stage", "Radial feed, mm/dbl stroke", "Axial feed, mm/min",
-                        "Stock per side, mm", "Sparked out", "Time, s"}));
+                        "Stock per side, mm", "Spark-out", "Time, s"}));
         const QStringList first = lines[1].split(u'\t');
         QCOMPARE(first.mid(0, 5),
                  QStringList({QStringLiteral("1"), QLocale().toString(0.004),

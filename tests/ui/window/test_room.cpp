@@ -310,6 +310,32 @@ private slots:
         }
     }
 
+    /// Rather than the curves the answer is scrolled.
+    void theCurvesOfASearchAreShownWithTheirAxesInALowWindow_data() { addLongerLanguages(); }
+    void theCurvesOfASearchAreShownWithTheirAxesInALowWindow() {
+        QFETCH(QString, language);
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
+        QVERIFY(bench.window->showView(QStringLiteral("optimise")));
+        wait(bench);
+        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("optimiseRun")),
+                          Qt::LeftButton);
+        const auto* answer = bench.window->findChild<QTableView*>(QStringLiteral("optimiseAnswer"));
+        QTRY_VERIFY_WITH_TIMEOUT(answer->isVisible(), 60'000);
+        constexpr QSize low(1366, 740);
+        bench.window->resize(low);
+        wait(bench);
+        QCOMPARE(bench.window->size(), low);
+        const View* const view = bench.window->viewTabs().currentView();
+        int seen = 0;
+        for (const auto* area : view->findChildren<QScrollArea*>()) {
+            if (area->isVisible()) {
+                ++seen;
+                QTRY_COMPARE(area->verticalScrollBar()->maximum(), 0);
+            }
+        }
+        QCOMPARE(seen, 1);
+    }
+
     /// Also when the program starts so.
     void theToolsAreAllShownWhateverTheType_data() { addLongerLanguages(); }
     void theToolsAreAllShownWhateverTheType() {

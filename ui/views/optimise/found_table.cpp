@@ -3,9 +3,9 @@
 
 #include "core/optimisation/limit.h"
 #include "core/project/optimisation.h"
-#include "core/units.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
+#include "ui/text/time_unit.h"
 #include "ui/views/optimise/optimise_text.h"
 
 #include <QLocale>
@@ -23,9 +23,17 @@ struct FoundTable {
     Q_DECLARE_TR_FUNCTIONS(FoundTable)
 };
 
-ValueHead timeHead() {
-    return {.text = FoundTable::tr("Time"),
-            .name = FoundTable::tr("Time, min"),
+/// The one unit of both tables.
+TimeUnit timeUnit(const SearchOutcome& outcome, const std::optional<double>& before_s) {
+    double longest_s = before_s.value_or(0);
+    for (const FoundCycle& found : outcome.found) {
+        longest_s = std::max(longest_s, found.time_s);
+    }
+    return TimeUnit(longest_s);
+}
+
+ValueHead timeHead(const TimeUnit& unit) {
+    return {.text = unit.titled(FoundTable::tr("Time")),
             .tip = FoundTable::tr("Machining time"),
             .key = "time"};
 }
@@ -46,17 +54,18 @@ ValueHead marginHead() {
 }
 
 void addWearHeads(std::vector<ValueHead>& heads) {
-    heads.push_back({.text = FoundTable::tr("Parts"),
-                     .tip = FoundTable::tr("Parts from one dressing to the next that it holds for"),
-                     .key = "parts"});
+    heads.push_back(
+        {.text = FoundTable::tr("Parts"),
+         .tip = FoundTable::tr("Parts from one dressing to the next that it is fit for"),
+         .key = "parts"});
     heads.push_back({.text = FoundTable::tr("Cost"),
                      .tip = FoundTable::tr("Cost of a part with its share of the dressing"),
                      .key = "cost"});
 }
 
-std::vector<ValueHead> headsOf(const SearchOutcome& outcome) {
+std::vector<ValueHead> headsOf(const SearchOutcome& outcome, const TimeUnit& unit) {
     std::vector<ValueHead> heads{
-        timeHead(),
+        timeHead(unit),
         {.text = FoundTable::tr("Cycle"),
          .tip = OptimiseText::cycleHint(outcome.project.operation),
          .key = "cycle",
@@ -113,9 +122,10 @@ ValueCell shareCell(const std::optional<double>& share) {
                          [](double value) { return OptimiseText::percent(value / perCent); });
 }
 
-ValueCell timeCell(const std::optional<double>& time_s) {
-    return ValueCell::of(time_s ? std::optional(*time_s / units::secondsPerMinute) : std::nullopt,
-                         [&time_s](double) { return OptimiseText::time(*time_s); });
+ValueCell timeCell(const std::optional<double>& time_s, const TimeUnit& unit) {
+    constexpr int digits = 4;
+    return ValueCell::of(time_s ? std::optional(unit.of(*time_s)) : std::nullopt,
+                         [](double time) { return Names::significant(time, digits); });
 }
 
 ValueCell changeCell(const std::optional<double>& time_s, const std::optional<double>& before_s) {
@@ -131,10 +141,10 @@ void addWearCells(const std::optional<PartsHeld>& held, const std::optional<doub
 }
 
 std::vector<ValueCell> cellsOf(const SearchOutcome& outcome, const FoundCycle& found,
-                               std::optional<double> before_s) {
+                               std::optional<double> before_s, const TimeUnit& unit) {
     const auto stages = static_cast<double>(found.cycle.stages.size());
     std::vector<ValueCell> cells{
-        timeCell(found.time_s),
+        timeCell(found.time_s, unit),
         {.text = OptimiseText::found(found, outcome.project)},
         {.text = QLocale().toString(qulonglong(found.cycle.stages.size())), .value = stages},
         changeCell(found.time_s, before_s),
@@ -364,13 +374,14 @@ ValueCell mostCell(const std::optional<double>& share) {
 } // namespace
 
 ValueTable foundTable(const SearchOutcome& outcome, std::optional<double> before_s) {
-    ValueTable table{.columns = headsOf(outcome), .isList = true};
+    const TimeUnit unit = timeUnit(outcome, before_s);
+    ValueTable table{.columns = headsOf(outcome, unit), .isList = true};
     for (const FoundCycle& found : outcome.found) {
         const QString text = OptimiseText::found(found, outcome.project);
         table.addRow({.text = QString::number(table.rows.size() + 1),
                       .tip = kindOf(outcome, found) + u'\n' + text,
                       .isStrong = found.isBestOfItsNumber},
-                     cellsOf(outcome, found, before_s));
+                     cellsOf(outcome, found, before_s, unit));
     }
     return table;
 }
@@ -382,8 +393,9 @@ ValueTable answerTable(const SearchOutcome& outcome, std::optional<double> befor
     }
     const bool hasStocks = outcome.mostStocksFailing().has_value(),
                hasParts = outcome.mostPartsBad().has_value();
+    const TimeUnit unit = timeUnit(outcome, before_s);
     ValueTable table{.columns = {{.text = FoundTable::tr("Cycle"), .key = "name", .isText = true},
-                                 timeHead(),
+                                 timeHead(unit),
                                  changeHead(),
                                  marginHead()},
                      .isList = true};
@@ -410,7 +422,7 @@ ValueTable answerTable(const SearchOutcome& outcome, std::optional<double> befor
     table.columns.push_back({.text = FoundTable::tr("Basis"), .key = "basis", .isText = true});
     for (const AnswerRow& row : answerRows(outcome, before_s, beforeMargin)) {
         std::vector<ValueCell> cells{{.text = row.name},
-                                     timeCell(row.time_s),
+                                     timeCell(row.time_s, unit),
                                      changeCell(row.time_s, before_s),
                                      shareCell(row.margin)};
         if (outcome.wear) {

@@ -92,8 +92,8 @@ QString OptimiseText::method(SearchMethod method) {
 QString OptimiseText::methodHint(SearchMethod method) {
     switch (method) {
     case SearchMethod::pruned:
-        return tr("Proves from few runs that no cycle of the grid is better: what cannot hold or "
-                  "be quicker is not run");
+        return tr("Proves from few runs that no cycle of the grid is better: what cannot be fit or "
+                  "quicker is not run");
     case SearchMethod::full:
         return tr("Runs every cycle of the grid, and proves the same answer without pruning. A "
                   "large grid takes hours or days; for the minimum time and the maximum margin it "
@@ -127,7 +127,7 @@ QString OptimiseText::fault(const SearchOutcome& outcome) {
     return outcome.batchIssues.empty()
                ? QString::fromStdString(SearchText().fault(outcome))
                      + (isOnPage ? u' ' + tr("See the page Search of the inputs.") : QString())
-               : tr("The batch that the cycle is to hold for cannot be run:") + u'\n'
+               : tr("The batch that the cycle must be fit for cannot be run:") + u'\n'
                      + Names::refusal(outcome.batchIssues, 2);
 }
 
@@ -143,8 +143,8 @@ QString OptimiseText::offer(SearchObjective objective) {
     return objective == SearchObjective::cost
                ? tr(
                    "“Search” finds the cycle of the grid with the minimum cost of a part, together "
-                   "with the parts between dressings: it holds for all of them.")
-               : tr("“Search” finds the cycle of the grid that holds for the most parts from one "
+                   "with the parts between dressings: it is fit for all of them.")
+               : tr("“Search” finds the cycle of the grid that is fit for the most parts from one "
                     "dressing to the next, the quickest of these.");
 }
 

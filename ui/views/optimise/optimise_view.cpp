@@ -25,6 +25,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
@@ -43,7 +44,7 @@
 namespace sparkout {
 
 namespace {
-constexpr int curvesShare = 260, foundShare = 140; ///< of the height at first
+constexpr int curvesShare = 240, foundShare = 75; ///< of the height at first
 /// As they are offered, the first at first.
 constexpr std::array methods{SearchMethod::pruned, SearchMethod::full, SearchMethod::published,
                              SearchMethod::labels};
@@ -107,7 +108,7 @@ CopyTable* OptimiseView::buildTable() {
     return m_table;
 }
 
-/// As high as its rows, whose last column wraps; in a low window it is scrolled.
+/// As high as its rows, whose last column wraps, or scrolled: see limitAnswer().
 CopyTable* OptimiseView::buildAnswer() {
     m_answerTable = addTable(*m_answer);
     m_answerTable->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
@@ -120,6 +121,20 @@ CopyTable* OptimiseView::buildAnswer() {
         header, &QHeaderView::sectionResized, m_answerTable,
         [this] { m_answerTable->resizeRowsToContents(); }, Qt::QueuedConnection);
     return m_answerTable;
+}
+
+void OptimiseView::limitAnswer() {
+    const int spare = height() - layout()->totalMinimumHeightForWidth(width());
+    const int wanted = m_curves->minimumSizeHint().height() - pages()->minimumSizeHint().height();
+    m_answerTable->setMaximumHeight(m_answerTable->minimumSizeHint().height()
+                                    + std::max(0, spare - std::max(0, wanted)));
+}
+
+bool OptimiseView::event(QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) {
+        limitAnswer();
+    }
+    return StudyView::event(event);
 }
 
 void OptimiseView::connectParts() {
@@ -640,7 +655,7 @@ void OptimiseView::nameButtons() {
     tellButton(*m_take, tr("Take this cycle"),
                tr("Put the chosen cycle in the place of the current one; undo brings yours back"));
     tellButton(*m_phases, tr("For every stock"),
-               tr("The cycle must hold for stocks spread over one feed step of every stage too: "
+               tr("The cycle must be fit for stocks spread over one feed step of every stage too: "
                   "where the last step falls decides on the size"));
     tellButton(*m_refine, tr("Between levels"),
                tr("Go on from the quickest cycle between the levels of the grid, in the machine's "

@@ -67,11 +67,13 @@ protected:
     [[nodiscard]] QString remark() const override;
     [[nodiscard]] QStringList subheading() const override;
     [[nodiscard]] const Project* shownProject() const override;
+    bool event(QEvent* event) override;
 
 private:
     void dropStudies() override;
     CopyTable* buildTable();
     CopyTable* buildAnswer();
+    void limitAnswer(); ///< to what the curves with the names of their axes leave it
     [[nodiscard]] ValueTable tableOfFound() const;
     void listAnswer();
     void listFound();

@@ -16,6 +16,8 @@
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/inputs/inputs_panel.h"
+#include "ui/text/names.h"
+#include "ui/text/time_unit.h"
 #include "ui/views/optimise/found_table.h"
 #include "ui/views/optimise/margin_front_plot.h"
 #include "ui/views/optimise/optimise_text.h"
@@ -58,6 +60,16 @@ QString cellOf(const ValueTable& table, const char* row, const char* column) {
     const std::size_t line = placeOf(table.rows, row), at = placeOf(table.columns, column);
     return line < table.rows.size() && at < table.columns.size() ? table.cells[line][at].text
                                                                  : QString();
+}
+
+/// The head of the column of times.
+QString timeHead(const ValueTable& table) {
+    return table.columns[placeOf(table.columns, "time")].text;
+}
+
+/// A time as a table writes it whose longest time is the other one.
+QString timeBeside(double time_s, double longest_s) {
+    return Names::significant(TimeUnit(longest_s).of(time_s), 4);
 }
 
 /// A window with the view in sight.
@@ -109,6 +121,14 @@ struct Desk {
             qobject_cast<const ValueModel*>(part<CopyTable>("optimiseAnswer").model());
         return cellOf(model->table(), row, column);
     }
+    /// Of the cycle compared with and those found.
+    [[nodiscard]] double longest_s() const {
+        double longest_s = view->before_s().value_or(0);
+        for (const FoundCycle& found : view->search()->found) {
+            longest_s = std::max(longest_s, found.time_s);
+        }
+        return longest_s;
+    }
     [[nodiscard]] QString told() const { return part<QLabel>("optimiseNotice").text(); }
     [[nodiscard]] const Project& project() const { return bench.window->document().project(); }
     /// Types a text into a line of the page "Search" and leaves it.
@@ -144,17 +164,17 @@ private slots:
         const SearchSummary engine = optimise(project);
         const Desk desk(project);
         QVERIFY(desk.searched());
-        QCOMPARE(desk.cell(0, FoundColumn::time), OptimiseText::time(engine.best->time_s));
+        const auto text = [&desk](double time_s) { return timeBeside(time_s, desk.longest_s()); };
+        QCOMPARE(desk.cell(0, FoundColumn::time), text(engine.best->time_s));
         QCOMPARE(desk.cell(0, FoundColumn::cycle), OptimiseText::cycle(engine.cycle));
         QCOMPARE(desk.answered("best", "time"), desk.cell(0, FoundColumn::time));
         QCOMPARE(desk.answered("best", "change"), desk.cell(0, FoundColumn::change));
         QCOMPARE(desk.answered("best", "margin"), desk.cell(0, FoundColumn::margin));
         QVERIFY2(desk.answered("best", "basis").contains(QStringLiteral("none is quicker, proved")),
                  qPrintable(desk.answered("best", "basis")));
-        QCOMPARE(desk.answered("yours", "time"), OptimiseText::time(desk.view->before_s().value()));
-        QCOMPARE(desk.answered("limit", "time"),
-                 OptimiseText::time(desk.view->search()->limit.time_s));
-        QVERIFY(!desk.told().contains(desk.cell(0, FoundColumn::time))); // it stands there once
+        QCOMPARE(desk.answered("yours", "time"), text(desk.view->before_s().value()));
+        QCOMPARE(desk.answered("limit", "time"), text(desk.view->search()->limit.time_s));
+        QVERIFY(!desk.told().contains(OptimiseText::time(engine.best->time_s))); // only there
         const ComparedFeeds& found = desk.view->curves()->runs().back();
         QVERIFY(std::abs(found.feeds->end_s - engine.best->time_s) < 1e-5);
         const BarChart& times = desk.view->times()->chart();
@@ -539,7 +559,7 @@ private slots:
         QVERIFY(!outcome.unresolved() && !outcome.proved());
         const ValueTable some = answerTable(outcome, {});
         QVERIFY(cellOf(some, "best", "basis").startsWith(QStringLiteral("the best so far")));
-        QCOMPARE(cellOf(some, "bound", "time"), OptimiseText::time(60));
+        QCOMPARE(cellOf(some, "bound", "time"), timeBeside(60, 50));
         outcome.search.status = SearchStatus::proved;
         QVERIFY(outcome.proved());
         robust.nominalTime_s = 40;
@@ -547,7 +567,7 @@ private slots:
         const ValueTable proved = answerTable(outcome, 100, 0.25);
         QCOMPARE(cellOf(proved, "bound", "time"), QString());
         QCOMPARE(cellOf(proved, "yours", "margin"), OptimiseText::percent(0.25));
-        QCOMPARE(cellOf(proved, "nominal", "time"), OptimiseText::time(40));
+        QCOMPARE(cellOf(proved, "nominal", "time"), timeBeside(40, 100));
         QCOMPARE(cellOf(proved, "nominal", "change"), OptimiseText::percent(-0.6));
         QVERIFY(cellOf(proved, "nominal", "basis").contains(QStringLiteral("25.0 % of time")));
         QCOMPARE(cellOf(proved, "nominal", "stocks"), QStringLiteral("–"));
@@ -602,12 +622,43 @@ private slots:
         refined.time_s = 45;
         outcome.found.insert(outcome.found.begin(), refined);
         const ValueTable with = answerTable(outcome, 100);
-        QCOMPARE(cellOf(with, "best", "time"), OptimiseText::time(50));
-        QCOMPARE(cellOf(with, "refined", "time"), OptimiseText::time(45));
+        QCOMPARE(cellOf(with, "best", "time"), timeBeside(50, 100));
+        QCOMPARE(cellOf(with, "refined", "time"), timeBeside(45, 100));
         QCOMPARE(cellOf(with, "refined", "change"), OptimiseText::percent(-0.55));
         QVERIFY(cellOf(with, "refined", "basis").contains(QStringLiteral("not proved")));
         QVERIFY(!with.rows[placeOf(with.rows, "best")].isStrong);
         QVERIFY(with.rows[placeOf(with.rows, "refined")].isStrong);
+    }
+
+    /// On the screen and in a copy; seconds below two minutes.
+    void aColumnOfTimesHasTheUnitOfTheLongest() {
+        SearchOutcome outcome;
+        outcome.project = outcome.searched = fixtures::searchedShaft();
+        outcome.search.status = SearchStatus::proved;
+        FoundCycle& best = outcome.found.emplace_back();
+        best.time_s = 90;
+        best.isBest = true;
+        struct Case {
+            double before_s;
+            const char *head, *best, *yours;
+            double copied;
+        };
+        for (const Case& each : {Case{119, "Time, s", "90.00", "119.0", 90},
+                                 Case{120, "Time, min", "1.500", "2.000", 1.5}}) {
+            const QString head = QString::fromLatin1(each.head);
+            const ValueTable answer = answerTable(outcome, each.before_s);
+            QCOMPARE(timeHead(answer), head);
+            QCOMPARE(cellOf(answer, "best", "time"), QString::fromLatin1(each.best));
+            QCOMPARE(cellOf(answer, "yours", "time"), QString::fromLatin1(each.yours));
+            const CsvTable copy = answer.asTable();
+            QCOMPARE(copy.header[1], head);
+            QCOMPARE(std::get<double>(copy.rows[1][1]), each.copied);
+            const ValueTable found = foundTable(outcome, each.before_s);
+            QCOMPARE(timeHead(found), head);
+            QCOMPARE(found.cells[0][0].text, QString::fromLatin1(each.best));
+            QCOMPARE(found.asTable().header[0], head);
+            QCOMPARE(std::get<double>(found.asTable().rows[0][0]), each.copied);
+        }
     }
 
     /// With its heads and all digits, under a name that a screen reader speaks.
@@ -617,14 +668,15 @@ private slots:
         QVERIFY(desk.searched());
         auto& table = desk.part<CopyTable>("optimiseAnswer");
         QVERIFY(table.isVisible() && !table.accessibleName().isEmpty());
+        const QString head = TimeUnit(desk.longest_s()).titled(QStringLiteral("Time"));
         QCOMPARE(table.model()->index(1, 1).data(Qt::AccessibleTextRole).toString(),
-                 QStringLiteral("Time, min, Quickest cycle: ") + desk.answered("best", "time"));
+                 head + QStringLiteral(", Quickest cycle: ") + desk.answered("best", "time"));
         table.setFocus();
         QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
         const QStringList lines =
             QGuiApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), 1 + table.model()->rowCount());
-        QVERIFY2(lines[0].startsWith(QStringLiteral("Cycle\tTime, min\tAgainst yours, %\t")),
+        QVERIFY2(lines[0].startsWith(QStringLiteral("Cycle\t%1\tAgainst yours, %\t").arg(head)),
                  qPrintable(lines[0]));
         QVERIFY2(lines[2].startsWith(QStringLiteral("Quickest cycle\t")), qPrintable(lines[2]));
     }
@@ -648,6 +700,24 @@ private slots:
         QVERIFY(!says("not known") && !says("No cycle of the grid that differs"));
         outcome.binding->push_back(ConstraintKind::wheelPower);
         QVERIFY(!says("not known") && says("Limited by: "));
+    }
+
+    void anAnswerWithoutAMarginNamesItsRequirementAndTheInputThatAsksForOne() {
+        SearchOutcome outcome;
+        outcome.project = outcome.searched = fixtures::searchedShaft();
+        FoundCycle& found = outcome.found.emplace_back();
+        found.time_s = 50;
+        found.isBest = true;
+        outcome.search.status = SearchStatus::proved;
+        QVERIFY(!OptimiseText::notes(outcome).contains(QStringLiteral("No margin")));
+        outcome.remarks.noMargin = {ConstraintKind::diameterMin, ConstraintKind::wheelPower};
+        const QString text = OptimiseText::notes(outcome);
+        QVERIFY2(text.contains(
+                     QStringLiteral("No margin is left for: %1, %2. For a cycle with a margin, set "
+                                    "“Maximum margin within a time” in the search.")
+                         .arg(Names::inSentence(Names::constraint(ConstraintKind::diameterMin)),
+                              Names::inSentence(Names::constraint(ConstraintKind::wheelPower)))),
+                 qPrintable(text));
     }
 
     /// Where the answer stands at the edge of its grid, the line below it says so.
