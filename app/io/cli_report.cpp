@@ -98,8 +98,14 @@ std::string constraintLine(const ConstraintResult& constraint) {
                                      : "FAILS")
                + " in " + whereText(constraint) + '\n';
     }
-    return name + fixed(constraint.value, decimals) + ", " + fixed(constraint.limit, decimals)
-           + ", " + fixed(constraint.margin, decimals) + (unit.empty() ? "" : " ") + unit + "  "
+    const std::string value = fixed(constraint.value, decimals);
+    const std::string limit = fixed(constraint.limit, decimals);
+    const std::string margin = fixed(constraint.margin, decimals);
+    if (isLowerBound(constraint)) {
+        return name + "≥ " + value + ", " + limit + ", ≤ " + margin + ' ' + unit
+               + "  not decided in " + whereText(constraint) + ", machine not known\n";
+    }
+    return name + value + ", " + limit + ", " + margin + (unit.empty() ? "" : " ") + unit + "  "
            + (constraint.holds ? "holds" : "FAILS") + " in " + whereText(constraint)
            + (constraint.knowsMachine ? "" : ", machine not known") + '\n';
 }
