@@ -102,7 +102,8 @@ private slots:
         const auto isOfAll = [&setup](double factor) {
             const Setup dressed = dressedSetup(setup);
             for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
-                if (wornProject(setup, i).project.wheel->roughness_factor != factor
+                const WornProject worn = wornProject(setup, i);
+                if (worn.project.wheel->roughness_factor != factor
                     || dressed.surfaces[i].project.wheel->roughness_factor != factor) {
                     return false;
                 }
