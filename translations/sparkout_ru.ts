@@ -18212,8 +18212,8 @@ good</source>
             <translation>наименьший запас</translation>
         </message>
         <message>
-            <source>Margin: that of the requirement nearest to its limit, below 0 where one fails.</source>
-            <translation>Запас — у требования, ближайшего к пределу; ниже 0, если требование не выполнено.</translation>
+            <source>Margin: that of the requirement nearest to its limit of those that are decided, below 0 where one fails.</source>
+            <translation>Запас — у ближайшего к пределу из определённых требований; ниже 0, если требование не выполнено.</translation>
         </message>
         <message>
             <source>The current run and the newest %1 of the %2 kept runs.</source>
@@ -18622,8 +18622,8 @@ good</source>
             <translation>наименьший запас</translation>
         </message>
         <message>
-            <source>Margin: that of the requirement nearest to its limit, below 0 where one fails.</source>
-            <translation>Запас — у требования, ближайшего к пределу; ниже 0, если требование не выполнено.</translation>
+            <source>Margin: that of the requirement nearest to its limit of those that are decided, below 0 where one fails.</source>
+            <translation>Запас — у ближайшего к пределу из определённых требований; ниже 0, если требование не выполнено.</translation>
         </message>
         <message>
             <source>The surfaces compared, as bars</source>

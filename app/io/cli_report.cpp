@@ -100,8 +100,14 @@ std::string constraintLine(const ConstraintResult& constraint) {
                + (isOpen(constraint) ? "not decided" : metText(constraint.holds)) + " in "
                + whereText(constraint) + '\n';
     }
-    return name + fixed(constraint.value, decimals) + ", " + fixed(constraint.limit, decimals)
-           + ", " + fixed(constraint.margin, decimals) + (unit.empty() ? "" : " ") + unit + "  "
+    const std::string value = fixed(constraint.value, decimals);
+    const std::string limit = fixed(constraint.limit, decimals);
+    const std::string margin = fixed(constraint.margin, decimals);
+    if (isLowerBound(constraint)) {
+        return name + "≥ " + value + ", " + limit + ", ≤ " + margin + ' ' + unit
+               + "  not decided in " + whereText(constraint) + ", machine not known\n";
+    }
+    return name + value + ", " + limit + ", " + margin + (unit.empty() ? "" : " ") + unit + "  "
            + metText(constraint.holds) + " in " + whereText(constraint)
            + (constraint.knowsMachine ? "" : ", machine not known") + '\n';
 }

@@ -120,8 +120,8 @@ void evaluateRoughness(ConstraintKind kind, const Judged& of, ConstraintResults&
         const double Ra = RoughnessModel(of.result.project, factor.least).roughness(*last);
         addTolerance(kind, of, *limit, Ra, found);
         found.back().at = last->at;
-        if (!factor.isMeasured()) {
-            found.back().mostValue = Ra * factor.most / factor.least * umPerMm;
+        if (const std::optional<double> most = factor.greatestOf(Ra)) {
+            found.back().mostValue = *most * umPerMm;
         }
     }
 }

@@ -2,6 +2,7 @@
 #include "core/quality/light.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace sparkout {
@@ -13,6 +14,22 @@ bool isClose(const ConstraintResult& constraint) {
 
 bool isOpen(const ConstraintResult& constraint) {
     return constraint.holds && constraint.mostValue && *constraint.mostValue > constraint.limit;
+}
+
+bool isLowerBound(const ConstraintResult& constraint) {
+    return constraint.holds && !constraint.knowsMachine;
+}
+
+MarginKnown marginKnown(const ConstraintResult& constraint) {
+    if (!constraint.isWhole || isOpen(constraint)) {
+        return MarginKnown::no;
+    }
+    if (!isLowerBound(constraint)) {
+        return MarginKnown::exactly;
+    }
+    const int decimals = requirementOf(constraint.kind).digits.shown;
+    return constraint.value < 0.5 * std::pow(10.0, -decimals) ? MarginKnown::no
+                                                              : MarginKnown::atMost;
 }
 
 bool isWorse(const ConstraintResult& first, const ConstraintResult& second) {
@@ -32,7 +49,9 @@ Light lightOf(const ConstraintResult& constraint) {
     if (!constraint.holds) {
         return Light::fails;
     }
-    return isOpen(constraint) || isClose(constraint) ? Light::close : Light::holds;
+    return isOpen(constraint) || isLowerBound(constraint) ? Light::undecided
+           : isClose(constraint)                          ? Light::close
+                                                          : Light::holds;
 }
 
 Light verdictOf(RunStatus status, const std::vector<ConstraintResult>& constraints) {

@@ -8,9 +8,8 @@
 
 namespace sparkout {
 
-/// How a requirement stands; close: it holds with a margin below a tenth of the field or limit, or
-/// is not decided. A setting of the machine holds up to the end of its range.
-enum class Light { holds, close, fails };
+/// How a requirement stands; close: it holds with a margin below a tenth of the field or limit.
+enum class Light { holds, close, undecided, fails };
 
 inline constexpr double closeMargin = 0.1;
 
@@ -20,6 +19,18 @@ inline constexpr double closeMargin = 0.1;
 
 /// Whether it is an estimate that holds by its least value and not by its greatest: not decided.
 [[nodiscard]] bool isOpen(const ConstraintResult& constraint);
+
+/// Whether it holds by a value that does not include the machine's own form: the value is a lower
+/// bound, and the requirement is not decided.
+[[nodiscard]] bool isLowerBound(const ConstraintResult& constraint);
+
+/// How far a margin is known.
+enum class MarginKnown {
+    exactly,
+    atMost, ///< the value is a lower bound
+    no      ///< of a part of the surface, of an open estimate, or of a value that rounds to 0
+};
+[[nodiscard]] MarginKnown marginKnown(const ConstraintResult& constraint);
 
 /// Whether the first is to be spoken of before the second: what fails before what holds, of that
 /// the overlap, on which the others wait where strips stay uncut; then what is close; then by the

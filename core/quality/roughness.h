@@ -16,6 +16,10 @@ inline constexpr double roughnessSpread = std::numbers::sqrt3;
 struct RoughnessFactor {
     double least = 1, most = 1;
     [[nodiscard]] bool isMeasured() const { return least == most; }
+    /// The greatest Ra of an estimate by its least one; nothing where the factor is measured.
+    [[nodiscard]] std::optional<double> greatestOf(double leastRa) const {
+        return isMeasured() ? std::nullopt : std::optional(leastRa * most / least);
+    }
 };
 /// The factor that is given or follows from a measured Ra; else, while it stands at 1, the range
 /// that usual wheels lie in.

@@ -10,6 +10,7 @@
 #include "core/project/part.h"
 #include "core/project/project.h"
 #include "core/project/wheel.h"
+#include "core/quality/roughness.h"
 #include "core/setup/setup.h"
 
 #include <algorithm>
@@ -106,6 +107,26 @@ std::vector<Calibration> sharedCalibrations(const Project& project) {
 }
 
 } // namespace
+
+std::optional<double> factorOfMeasuredRa(const Setup& setup) {
+    for (const GroundSurface& surface : setup.surfaces) {
+        if (surface.project.wheel->roughness_factor != 1) {
+            return std::nullopt;
+        }
+        if (const std::optional<double> factor = factorOfMeasuredRa(surface.project)) {
+            return factor;
+        }
+    }
+    return std::nullopt;
+}
+
+void shareMeasuredRa(Setup& setup) {
+    if (const std::optional<double> factor = factorOfMeasuredRa(setup)) {
+        for (GroundSurface& surface : setup.surfaces) {
+            surface.project.wheel->roughness_factor = *factor;
+        }
+    }
+}
 
 void shareCalibrations(Setup& setup) {
     for (GroundSurface& to : setup.surfaces) {

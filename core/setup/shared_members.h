@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -24,6 +25,13 @@ void copyShared(const Project& from, Project& to);
 
 /// Whether the records of shared inputs are the same.
 [[nodiscard]] bool haveSameSharedCalibrations(const Project& a, const Project& b);
+
+/// Returns the factor of Ra that follows from the measured Ra of the wheel, which all surfaces
+/// share: by the cycle of the first surface from which it follows. Nothing: it has a factor
+/// already, or none follows.
+[[nodiscard]] std::optional<double> factorOfMeasuredRa(const Setup& setup);
+/// Gives the wheel of every surface this factor.
+void shareMeasuredRa(Setup& setup);
 
 /// Gives every surface the records of shared inputs that hold in one of them.
 void shareCalibrations(Setup& setup);

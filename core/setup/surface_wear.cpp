@@ -6,6 +6,7 @@
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
+#include "core/setup/shared_members.h"
 #include "core/simulation/simulate.h"
 
 #include <numbers>
@@ -20,6 +21,7 @@ double nominalVolume_mm3(const Project& project) {
 }
 
 Setup dressedSetup(Setup setup) {
+    shareMeasuredRa(setup); // it stays while the wheel dulls
     for (GroundSurface& each : setup.surfaces) {
         each.project.wheel->radius_wear_um = 0;
     }

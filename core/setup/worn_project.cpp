@@ -3,8 +3,8 @@
 
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
-#include "core/quality/roughness.h"
 #include "core/setup/removed_volumes.h"
+#include "core/setup/shared_members.h"
 #include "core/setup/surface_run.h"
 
 #include <algorithm>
@@ -25,8 +25,13 @@ Issues errorsOf(const Project& project) {
 
 WornProject wornProject(const Setup& setup, std::size_t surface, const RemovedMetal& removed) {
     WornProject made{surface, setup.surfaces[surface].project, {}};
-    if (removed.volume_mm3 > 0 && setup.wear.isGiven()) {
-        made.project = withMeasuredRa(std::move(made.project));
+    const bool isWorn = removed.volume_mm3 > 0 && setup.wear.isGiven();
+    if (isWorn || setup.surfaces.size() > 1) { // one wheel, as it was measured
+        if (const std::optional<double> factor = factorOfMeasuredRa(setup)) {
+            made.project.wheel->roughness_factor = *factor;
+        }
+    }
+    if (isWorn) {
         wearWheel(made.project, setup.wear, removed);
         made.issues = errorsOf(made.project);
     }

@@ -2,8 +2,10 @@
 #include "core/study/run_comparison.h"
 
 #include "core/digits.h"
+#include "core/judgement/judgement.h"
 #include "core/project/part.h"
 #include "core/quality/result_names.h"
+#include "core/quality/roughness.h"
 
 #include <algorithm>
 #include <charconv>
@@ -46,11 +48,12 @@ std::optional<int> numberBehind(std::string_view word, std::string_view text) {
 }
 
 /// The requirements that are known, without those of a surface that was ground in part.
-std::vector<ConstraintResult> wholeOf(const RunSummary& summary) {
+std::vector<ConstraintResult> wholeOf(const RunSummary& summary, const Project* inputs) {
     const bool isWhole = !leftStrips(summary);
     std::vector<ConstraintResult> known;
     for (const RequirementSummary& requirement : summary.requirements) {
-        const std::optional<ConstraintResult> constraint = constraintOf(requirement, isWhole);
+        const std::optional<ConstraintResult> constraint =
+            constraintOf(requirement, isWhole, inputs);
         if (constraint && constraint->isWhole) {
             known.push_back(*constraint);
         }
@@ -58,16 +61,16 @@ std::vector<ConstraintResult> wholeOf(const RunSummary& summary) {
     return known;
 }
 
-void addRequirements(const RunSummary& summary, RunValues& values) {
-    for (const ConstraintResult& constraint : wholeOf(summary)) {
+void addRequirements(const RunSummary& summary, const Project* inputs, RunValues& values) {
+    for (const ConstraintResult& constraint : wholeOf(summary, inputs)) {
         values.push_back(
             {"/requirements/" + std::string(requirementOf(constraint.kind).key) + "/margin",
              RequirementMargin{constraint}});
     }
-    if (const std::optional<ConstraintResult> worst = leastMargin(summary)) {
+    if (const std::optional<ConstraintResult> worst = leastMargin(summary, inputs)) {
         values.push_back({"/worst", WorstMargin{*worst}});
     }
-    if (const std::optional<Light> light = verdictOf(summary)) {
+    if (const std::optional<Light> light = verdictOf(summary, inputs)) {
         values.push_back({"/verdict", *light});
     }
 }
@@ -105,7 +108,8 @@ bool same(const StageCount& a, const StageCount& b, bool) {
 
 bool same(const RequirementMargin& a, const RequirementMargin& b, bool) {
     const int decimals = requirementOf(a.requirement.kind).digits.shown;
-    return sameDigits(a.requirement.margin, b.requirement.margin, {decimals});
+    return marginKnown(a.requirement) == marginKnown(b.requirement)
+           && sameDigits(a.requirement.margin, b.requirement.margin, {decimals});
 }
 
 bool same(const WorstMargin& a, const WorstMargin& b, bool) {
@@ -197,7 +201,7 @@ std::vector<RunValue> inputsRead(const Project& project) {
     return values;
 }
 
-std::vector<RunValue> resultsStated(const ReadSummary& summary) {
+std::vector<RunValue> resultsStated(const ReadSummary& summary, const Project* inputs) {
     RunValues values;
     const bool strips = leftStrips(summary.summary);
     for (const Leaf& leaf : leavesOf(tableOf<RunSummary>(), &summary.summary)) {
@@ -216,7 +220,7 @@ std::vector<RunValue> resultsStated(const ReadSummary& summary) {
             values.push_back({leaf.path, leaf});
         }
     }
-    addRequirements(summary.summary, values);
+    addRequirements(summary.summary, inputs, values);
     return values;
 }
 
@@ -224,7 +228,7 @@ std::vector<ComparedRow> compareRuns(const std::vector<ComparedRun>& runs) {
     std::vector<RunValues> inputs, results;
     for (const ComparedRun& run : runs) {
         inputs.push_back(run.inputs ? inputsRead(*run.inputs) : RunValues());
-        results.push_back(run.summary ? resultsStated(*run.summary) : RunValues());
+        results.push_back(run.summary ? resultsStated(*run.summary, run.inputs) : RunValues());
     }
     std::vector<ComparedRow> rows;
     addDiffering(inputs, false, rows);
@@ -232,7 +236,8 @@ std::vector<ComparedRow> compareRuns(const std::vector<ComparedRun>& runs) {
     return rows;
 }
 
-std::optional<ConstraintResult> constraintOf(const RequirementSummary& requirement, bool isWhole) {
+std::optional<ConstraintResult> constraintOf(const RequirementSummary& requirement, bool isWhole,
+                                             const Project* inputs) {
     const Requirement* const row = requirementNamed(requirement.name);
     if (!row) {
         return std::nullopt;
@@ -253,17 +258,23 @@ std::optional<ConstraintResult> constraintOf(const RequirementSummary& requireme
     constraint.relativeMargin = requirement.relative_margin;
     constraint.holds = requirement.ok;
     constraint.isWhole = isWhole || !row->isOfSurface();
+    if (inputs) {
+        constraint.knowsMachine = knowsMachine(row->kind, *inputs);
+        if (row->kind == ConstraintKind::roughness) {
+            constraint.mostValue = roughnessFactor(*inputs).greatestOf(requirement.value);
+        }
+    }
     return constraint;
 }
 
-std::optional<ConstraintResult> leastMargin(const RunSummary& summary) {
-    return leastMargin(wholeOf(summary));
+std::optional<ConstraintResult> leastMargin(const RunSummary& summary, const Project* inputs) {
+    return leastMargin(wholeOf(summary, inputs));
 }
 
 std::optional<ConstraintResult> leastMargin(std::span<const ConstraintResult> constraints) {
     std::optional<ConstraintResult> least;
     for (const ConstraintResult& constraint : constraints) {
-        if (!constraint.isWhole) {
+        if (marginKnown(constraint) != MarginKnown::exactly) {
             continue;
         }
         // the end of a range, or the least number of steps, is nothing to keep away from
@@ -277,17 +288,19 @@ std::optional<ConstraintResult> leastMargin(std::span<const ConstraintResult> co
     return least;
 }
 
-std::optional<Light> verdictOf(const RunSummary& summary) {
+std::optional<Light> verdictOf(const RunSummary& summary, const Project* inputs) {
     if (summary.requirements.empty()) {
         return std::nullopt;
     }
     std::vector<ConstraintResult> constraints;
     for (const RequirementSummary& requirement : summary.requirements) {
-        if (const auto constraint = constraintOf(requirement)) {
+        if (const auto constraint = constraintOf(requirement, true, inputs)) {
             constraints.push_back(*constraint);
         }
     }
-    return verdictOf(summary.status, constraints);
+    const Light light = verdictOf(summary.status, constraints);
+    const bool isOpen = inputs && !undecided(*inputs, constraints).empty();
+    return isOpen ? std::max(light, Light::undecided) : light;
 }
 
 std::optional<double> largestDifference(const std::vector<double>& a,

@@ -67,9 +67,10 @@ std::vector<RunValue> inputsRead(Project&&) = delete; // its leaves would be gon
 
 /// Returns the results in a summary in the order of its table, then its margins, the worst margin
 /// and the verdict. Missing values are left out; where strips stay uncut, so are all values of the
-/// surface.
-[[nodiscard]] std::vector<RunValue> resultsStated(const ReadSummary& summary);
-std::vector<RunValue> resultsStated(ReadSummary&&) = delete;
+/// surface. By the inputs of the run, where they are given, it is known what is not decided.
+[[nodiscard]] std::vector<RunValue> resultsStated(const ReadSummary& summary,
+                                                  const Project* inputs = nullptr);
+std::vector<RunValue> resultsStated(ReadSummary&&, const Project* inputs = nullptr) = delete;
 
 /// Returns the inputs, then the results, in which the runs differ, in the order of the tables:
 /// inputs in any digit, results in those to which they are stated. A value that only some runs have
@@ -77,19 +78,23 @@ std::vector<RunValue> resultsStated(ReadSummary&&) = delete;
 [[nodiscard]] std::vector<ComparedRow> compareRuns(const std::vector<ComparedRun>& runs);
 
 /// Converts a requirement of a summary to that of the verdict; nothing: this version does not know
-/// it.
+/// it. The summary has no bounds of the value: they follow from the inputs, where they are given.
 [[nodiscard]] std::optional<ConstraintResult> constraintOf(const RequirementSummary& requirement,
-                                                           bool isWhole = true);
+                                                           bool isWhole = true,
+                                                           const Project* inputs = nullptr);
 
-/// Returns the requirement with the least relative margin; machine ranges and the least number of
-/// steps, which may be used up to their ends, count only where they fail, and where strips stay
-/// uncut requirements on the surface do not count. Nothing: no requirement is known.
-[[nodiscard]] std::optional<ConstraintResult> leastMargin(const RunSummary& summary);
+/// Returns the requirement with the least relative margin of those whose margin is known; machine
+/// ranges and the least number of steps, which may be used up to their ends, count only where they
+/// fail. Nothing: no margin is known.
+[[nodiscard]] std::optional<ConstraintResult> leastMargin(const RunSummary& summary,
+                                                          const Project* inputs = nullptr);
 [[nodiscard]] std::optional<ConstraintResult>
 leastMargin(std::span<const ConstraintResult> constraints);
 
-/// Returns the verdict by a summary alone; nothing: it contains no requirement.
-[[nodiscard]] std::optional<Light> verdictOf(const RunSummary& summary);
+/// Returns the verdict by a summary and, where they are given, the inputs of the run; nothing: the
+/// summary contains no requirement.
+[[nodiscard]] std::optional<Light> verdictOf(const RunSummary& summary,
+                                             const Project* inputs = nullptr);
 
 /// Returns the largest difference of two lists of numbers; nothing: their lengths differ.
 [[nodiscard]] std::optional<double> largestDifference(const std::vector<double>& a,

@@ -84,6 +84,20 @@ void BarChart::fitTimeUnit() {
     }
 }
 
+QString BarChart::valueText(std::size_t of, std::size_t category) const {
+    const QString text = numberText(value(of, category), series[of].onSecond);
+    return series[of].atLeast ? QStringLiteral("≥\u00a0") + text : text;
+}
+
+bool BarChart::isLowerBound(std::size_t category) const {
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        if (series[i].atLeast && std::isfinite(value(i, category))) {
+            return true;
+        }
+    }
+    return false;
+}
+
 const BarColour& BarChart::colourOfBox(std::size_t category) const {
     return boxKinds.empty() ? boxColour : boxKinds.at(boxes[category].kind).colour;
 }
@@ -124,7 +138,7 @@ QString BarChart::described(std::size_t of, std::size_t category) const {
                         : part.isEmpty()     ? name
                                              : QStringLiteral("%1, %2").arg(name, part);
     return QStringLiteral("%1: %2\u00a0%3")
-        .arg(who, numberText(value(of, category), bars.onSecond), bars.onSecond ? secondUnit : unit)
+        .arg(who, valueText(of, category), bars.onSecond ? secondUnit : unit)
         .trimmed();
 }
 

@@ -31,6 +31,7 @@ struct BarSeries {
     Hatch hatch = Hatch::none;
     std::vector<double> values; ///< no number: no bar
     bool onSecond = false;      ///< of the second axis, of grouped standing bars alone
+    bool atLeast = false;       ///< its values are lower bounds: "≥ 54"
 };
 
 /// Five values of a distribution, from the least to the greatest.
@@ -100,6 +101,9 @@ struct BarChart {
     [[nodiscard]] QString axisText() const;       ///< "Time, min"
     [[nodiscard]] QString secondAxisText() const; ///< likewise
     [[nodiscard]] QString numberText(double value, bool onSecond = false) const;
+    /// Of a series, "≥ 54" where it is a lower bound.
+    [[nodiscard]] QString valueText(std::size_t series, std::size_t category) const;
+    [[nodiscard]] bool isLowerBound(std::size_t category) const; ///< some part of the stack
     [[nodiscard]] double value(std::size_t series, std::size_t category) const; ///< no number: none
     [[nodiscard]] double total(std::size_t category) const;                     ///< of all series
     /// "Stage 1, working stroke: 0.42 min".

@@ -405,9 +405,10 @@ QString BarDrawing::totalText(std::size_t category) const {
     if (!m_drawn.hasTotals && m_drawn.sums.empty() && !isBoxes) {
         return {};
     }
-    return m_drawn.numberText(!m_drawn.sums.empty() ? m_drawn.sums[category]
-                              : isBoxes             ? m_drawn.boxes[category].median
-                                                    : shownTotal(category));
+    const QString text = m_drawn.numberText(!m_drawn.sums.empty() ? m_drawn.sums[category]
+                                            : isBoxes             ? m_drawn.boxes[category].median
+                                                                  : shownTotal(category));
+    return m_drawn.isLowerBound(category) ? QStringLiteral("≥\u00a0") + text : text;
 }
 
 /// A number's place, farther on where the line of a limit would run through it.
@@ -543,12 +544,11 @@ void BarDrawing::paintNumbers(QPainter& painter, const Layout& layout) {
         if (m_drawn.shape == Shape::boxes) {
             return;
         }
-        const BarSeries& of = m_chart.series[part.series];
         const double value = m_chart.value(part.series, part.category);
         if (value == 0 && (isStack || m_drawn.hasTotals)) {
             continue;
         }
-        const QString text = m_chart.numberText(value, of.onSecond);
+        const QString text = m_chart.valueText(part.series, part.category);
         if (isStack && text == totalText(part.category)) { // the whole stack: said beside it
             continue;
         }

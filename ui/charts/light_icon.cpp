@@ -17,7 +17,8 @@ namespace sparkout {
 QColor lightColour(Light light, const QPalette& palette) {
     switch (light) {
     case Light::holds: return style::colour(style::Drawn::holds, palette);
-    case Light::close: return style::colour(style::Drawn::close, palette);
+    case Light::close:
+    case Light::undecided: return style::colour(style::Drawn::close, palette);
     case Light::fails: break;
     }
     return style::colour(style::Drawn::fails, palette);
@@ -29,6 +30,7 @@ void paintLight(QPainter& painter, Light light, const QRectF& box) {
     switch (light) {
     case Light::holds: painter.drawEllipse(box); break;
     case Light::close:
+    case Light::undecided:
         painter.drawPolygon(
             QPolygonF({QPointF(box.center().x(), box.top()), box.bottomRight(), box.bottomLeft()}));
         break;
@@ -81,7 +83,7 @@ QPixmap judgedPixmap(JudgedState state, int size, qreal ratio, bool grey) {
     const bool isRing = state == JudgedState::notComputed || state == JudgedState::nominal;
     if (!isRing) {
         return lightPixmap(isFailure(state)                  ? Light::fails
-                           : state == JudgedState::undecided ? Light::close
+                           : state == JudgedState::undecided ? Light::undecided
                            : state == JudgedState::close     ? Light::close
                                                              : Light::holds,
                            size, ratio, grey);
@@ -127,12 +129,12 @@ QPixmap lightOnLine(Light light, int size, int line, qreal ratio, bool grey) {
 
 } // namespace
 
-std::array<QIcon, 3> lightIcons(QAbstractItemView& table, bool grey) {
+LightIcons lightIcons(QAbstractItemView& table, bool grey) {
     constexpr int size = metrics::iconSmall;
     const int line = std::max(size, table.fontMetrics().height());
     table.setIconSize({size, line});
-    std::array<QIcon, 3> icons;
-    for (const Light light : {Light::holds, Light::close, Light::fails}) {
+    LightIcons icons;
+    for (const Light light : {Light::holds, Light::close, Light::undecided, Light::fails}) {
         icons[static_cast<std::size_t>(light)] =
             QIcon(lightOnLine(light, size, line, table.devicePixelRatioF(), grey));
     }

@@ -15,6 +15,9 @@ class QAbstractItemView;
 
 namespace sparkout {
 
+/// By light.
+using LightIcons = std::array<QIcon, 4>;
+
 [[nodiscard]] QColor lightColour(Light light, const QPalette& palette);
 
 /// Circle, triangle or square in the light's colour of the present theme, distinct without
@@ -25,6 +28,6 @@ namespace sparkout {
 [[nodiscard]] QPixmap judgedPixmap(JudgedState state, int size, qreal ratio, bool grey);
 /// For the cells of a table, light by light, each in the middle of a line of text: in a cell of
 /// several lines, at its top, it stands on the first. Sets the table's size of icons.
-[[nodiscard]] std::array<QIcon, 3> lightIcons(QAbstractItemView& table, bool grey);
+[[nodiscard]] LightIcons lightIcons(QAbstractItemView& table, bool grey);
 
 } // namespace sparkout

@@ -2,7 +2,6 @@
 #include "ui/charts/margin_model.h"
 
 #include "core/quality/light.h"
-#include "ui/charts/light_icon.h"
 #include "ui/charts/result_tables.h"
 #include "ui/charts/verdict_table.h"
 #include "ui/kit/theme.h"
@@ -29,6 +28,17 @@ QString onLines(QString valueAndLimit) {
 constexpr int leastBarWidth = 76;
 constexpr int air = 4;
 constexpr double scaleHeight = 4, pointerWidth = 5; ///< of a range [px]
+
+/// The share of the limit; where the value is a lower bound, so is the share.
+QString usageText(const ConstraintResult& c) {
+    const QString share = LimitNames::percent(usageOf(c));
+    switch (marginKnown(c)) {
+    case MarginKnown::exactly: return share;
+    case MarginKnown::atMost: return QStringLiteral("≥ ") + share;
+    case MarginKnown::no: break;
+    }
+    return QStringLiteral("–");
+}
 
 /// What fails first; settings of the machine last, which hold up to the ends of their ranges.
 std::tuple<bool, bool, double> rankOf(const ConstraintResult& c) {
@@ -57,7 +67,7 @@ void MarginModel::setAllPlaces(bool all) {
     fill();
 }
 
-void MarginModel::setIcons(const std::array<QIcon, 3>& icons) {
+void MarginModel::setIcons(const LightIcons& icons) {
     m_icons = icons;
     retranslate();
 }
@@ -96,10 +106,7 @@ QString MarginModel::text(const ConstraintResult& c, int column) {
     case requirement:
         return QStringLiteral("%1, %2").arg(Names::constraint(c.kind),
                                             Names::within(Names::where(c)));
-    case usage:
-        return Names::isRange(c.kind) ? Names::inRange(c, true)
-               : c.isWhole            ? LimitNames::percent(usageOf(c))
-                                      : QStringLiteral("–");
+    case usage: return Names::isRange(c.kind) ? Names::inRange(c, true) : usageText(c);
     case value:
         return QStringLiteral("%1 / %2 %3")
             .arg(Names::value(c), Names::limit(c), unitText(requirementOf(c.kind).unit))
@@ -161,11 +168,12 @@ QString MarginModel::asTsv() const {
     for (const ConstraintResult& c : m_rows) {
         const auto number = [&c](double v) { return Names::amount(c.kind, v, false); };
         const bool range = Names::isRange(c.kind);
+        const bool isKnown = marginKnown(c) == MarginKnown::exactly;
         lines << QStringList{text(c, requirement),
-                             range || !c.isWhole ? QString() : Names::significant(100 * usageOf(c)),
+                             range || !isKnown ? QString() : Names::significant(100 * usageOf(c)),
                              c.isWhole ? number(c.value) : QString(),
                              Names::limit(c),
-                             c.isWhole ? number(c.margin) : QString(),
+                             isKnown ? number(c.margin) : QString(),
                              unitText(requirementOf(c.kind).unit),
                              range && c.limit > 0 ? Names::significant(c.value / c.limit)
                                                   : QString(),

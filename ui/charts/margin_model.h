@@ -3,13 +3,12 @@
 
 #include "core/quality/usage.h"
 #include "core/study/outcome.h"
+#include "ui/charts/light_icon.h"
 #include "ui/tables/csv_table.h"
 #include "ui/tables/table_model.h"
 
-#include <QIcon>
 #include <QStyledItemDelegate>
 
-#include <array>
 #include <vector>
 
 namespace sparkout {
@@ -31,7 +30,7 @@ public:
 
     void setOutcome(OutcomePtr outcome);
     void setAllPlaces(bool all);
-    void setIcons(const std::array<QIcon, 3>& icons);
+    void setIcons(const LightIcons& icons);
     void setStacked(bool stacked); ///< a limit is below its value, for a narrow table
 
     [[nodiscard]] const ConstraintResult& at(int row) const {
@@ -53,7 +52,7 @@ private:
 
     OutcomePtr m_outcome;
     std::vector<ConstraintResult> m_rows;
-    std::array<QIcon, 3> m_icons;
+    LightIcons m_icons;
     bool m_all = false, m_stacked = false;
 };
 

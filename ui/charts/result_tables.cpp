@@ -4,6 +4,7 @@
 #include "core/project/machine.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/form_outputs.h"
+#include "core/quality/light.h"
 #include "core/quality/roughness.h"
 #include "core/units.h"
 #include "ui/charts/margin_model.h"
@@ -57,11 +58,14 @@ CsvTable requirementTable(const std::vector<ConstraintResult>& requirements, Ope
                  << ResultTables::tr("Setting / nearer end of the range")
                  << ResultTables::tr("Verdict") << ResultTables::tr("Worst place");
     for (const ConstraintResult& c : requirements) {
-        const auto known = [&c](double value) { return c.isWhole ? CsvCell(value) : CsvCell(); };
+        const auto known = [isKnown = marginKnown(c) == MarginKnown::exactly](double value) {
+            return isKnown ? CsvCell(value) : CsvCell();
+        };
         const bool range = Names::isRange(c.kind);
         table.rows.push_back(
-            {Names::constraint(c.kind), Names::where(c), known(c.value), c.limit, known(c.margin),
-             unitText(requirementOf(c.kind).unit), range ? CsvCell() : known(100 * usageOf(c)),
+            {Names::constraint(c.kind), Names::where(c), c.isWhole ? CsvCell(c.value) : CsvCell(),
+             c.limit, known(c.margin), unitText(requirementOf(c.kind).unit),
+             range ? CsvCell() : known(100 * usageOf(c)),
              range && c.limit > 0 ? CsvCell(c.value / c.limit) : CsvCell(), lightName(c),
              c.at ? CsvCell(Names::place(*c.at, operation)) : CsvCell()});
     }

@@ -125,10 +125,11 @@ struct ResultShown {
                 of.count};
     }
     ShownValue operator()(const RequirementMargin& of) const {
-        const ConstraintKind kind = of.requirement.kind;
-        const double margin = of.requirement.margin;
-        return {RunTable::tr("Margin › %1").arg(Names::constraint(kind)),
-                unitText(requirementOf(kind).unit), Names::amount(kind, margin, true), margin};
+        const ConstraintResult& c = of.requirement;
+        return {RunTable::tr("Margin › %1").arg(Names::constraint(c.kind)),
+                unitText(requirementOf(c.kind).unit),
+                Names::isRange(c.kind) ? Names::amount(c.kind, c.margin, true) : Names::margin(c),
+                marginKnown(c) == MarginKnown::exactly ? CsvCell(c.margin) : CsvCell()};
     }
     ShownValue operator()(const WorstMargin& of) const {
         const ConstraintResult& worst = of.requirement;
@@ -291,12 +292,12 @@ CsvTable inputTable(const Project& project) {
     return table;
 }
 
-CsvTable cycleTable(const RunSummary& summary) {
+CsvTable cycleTable(const RunSummary& summary, const Project& inputs) {
     CsvTable table;
     table.ownUnits = true;
     table.header << RunTable::tr("Quantity") << RunTable::tr("Unit") << RunTable::tr("Value");
     const ReadSummary whole{summary, {}};
-    for (const RunValue& value : resultsStated(whole)) {
+    for (const RunValue& value : resultsStated(whole, &inputs)) {
         const bool elsewhere = value.path.starts_with("/requirements")
                                || value.path.starts_with("/zones")
                                || value.path.starts_with("/counts_by_stage");

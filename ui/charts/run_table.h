@@ -37,6 +37,6 @@ struct RunRow {
 [[nodiscard]] CsvTable inputTable(const Project& project);
 
 /// What the cycle as a whole comes to, a row a number or verdict.
-[[nodiscard]] CsvTable cycleTable(const RunSummary& summary);
+[[nodiscard]] CsvTable cycleTable(const RunSummary& summary, const Project& inputs);
 
 } // namespace sparkout

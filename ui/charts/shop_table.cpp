@@ -6,9 +6,11 @@
 #include "ui/tables/output_cells.h"
 #include "ui/text/names.h"
 #include "ui/text/output_text.h"
+#include "ui/text/time_unit.h"
 
 #include <QCoreApplication>
 
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -30,9 +32,24 @@ std::vector<const ShopColumn*> columnsOf(const ShopNumbers& shop) {
     return columns;
 }
 
-ValueHead headOf(const OutputRow& row, Operation operation) {
+bool isTime(const OutputRow& row) {
+    return std::string_view(row.unitShown()) == "min";
+}
+
+ValueHead headOf(const OutputRow& row, Operation operation, const TimeUnit& unit) {
     const bool revolutions = !operation->countsStrokes;
+    if (isTime(row)) {
+        const QString name = unit.titled(outputLabel(row));
+        return {name, name, outputHint(row), row.key};
+    }
     return {outputBrief(row, revolutions), outputName(row, revolutions), outputHint(row), row.key};
+}
+
+QString textOf(const OutputRow& row, const OutputValue& value, const TimeUnit& unit) {
+    const std::optional<double> time_min =
+        isTime(row) ? outputNumber(row, value) : std::optional<double>();
+    return time_min ? threeDigits(unit.of(*time_min * units::secondsPerMinute))
+                    : outputText(row, value);
 }
 
 /// Where a peak was, or what a number is made of; empty for most.
@@ -97,17 +114,18 @@ ValueTable shopTable(const Outcome& outcome) {
     }
     table.columns.push_back({ShopText::tr("Cycle"), ShopText::tr("Whole cycle"), {}});
     const std::vector<const ShopColumn*> columns = columnsOf(shop);
+    const TimeUnit unit(shop.cycle.time_s);
     for (const Output<ShopColumn>& row : shopColumnOutputs()) {
         std::vector<ValueCell> cells;
         bool hasValue = false;
         for (const ShopColumn* column : columns) {
             const OutputValue value = row.of(*column);
             hasValue = hasValue || value.index() != 0;
-            cells.push_back({outputText(row, value), sideText(row.bandOf(*column)),
+            cells.push_back({textOf(row, value, unit), sideText(row.bandOf(*column)),
                              detailOf(row.key, *column, operation)});
         }
         if (!row.detail && (hasValue || !row.sparse)) {
-            table.rows.push_back(headOf(row, operation));
+            table.rows.push_back(headOf(row, operation, unit));
             table.cells.push_back(std::move(cells));
         }
     }
@@ -119,7 +137,7 @@ ValueTable shopTable(const Outcome& outcome) {
                                 ? ShopText::tr("near a whole number")
                                 : QString(),
                             {}};
-            table.rows.push_back(headOf(row, operation));
+            table.rows.push_back(headOf(row, operation, unit));
             table.cells.push_back(std::move(cells));
         }
     }

@@ -29,6 +29,7 @@ QString lightName(Light light) {
     switch (light) {
     case Light::holds: return VerdictTable::tr("met");
     case Light::close: return VerdictTable::tr("close to the limit");
+    case Light::undecided: return VerdictTable::tr("not decided");
     case Light::fails: return VerdictTable::tr("not met");
     }
     return {};
@@ -38,12 +39,8 @@ QString lightName(const ConstraintResult& constraint) {
     if (!constraint.isWhole) {
         return VerdictTable::tr("not known: strips uncut");
     }
-    if (isOpen(constraint)) {
-        return VerdictTable::tr("not decided");
-    }
-    const Light light = lightOf(constraint); // what fails even so does fail
-    return constraint.knowsMachine || light == Light::fails ? lightName(light)
-                                                            : VerdictTable::tr("machine not known");
+    return isLowerBound(constraint) ? VerdictTable::tr("machine not known")
+                                    : lightName(lightOf(constraint));
 }
 
 namespace {
@@ -115,30 +112,19 @@ ValueHead headOf(const ConstraintResult& c, const Project& project) {
                           QStringLiteral("\n"))};
 }
 
-/// Without the machine's form a value is what the process alone leaves: never a bare 0.00.
-QString shownValue(const ConstraintResult& c) {
-    if (c.knowsMachine || lightOf(c) == Light::fails) {
-        return Names::value(c);
-    }
-    constexpr double rounded = 0.005; // to nothing
-    return c.value < rounded ? QStringLiteral("—") : QStringLiteral("≥ ") + Names::value(c);
-}
-
-/// The name, in words where it needs attention; else the mark is enough.
-ValueCell nameCell(const ConstraintResult& c, const Project& project,
-                   const std::array<QIcon, 3>& icons) {
+/// The name, in words where it needs attention; else the mark is enough. The panel says above which
+/// machine is not known.
+ValueCell nameCell(const ConstraintResult& c, const Project& project, const LightIcons& icons) {
     const bool guessed = LimitNames::isGuess(c.kind, project);
     const QString name = requirementName(
         c, guessed ? VerdictTable::tr("Ra, estimate") : Names::constraintBrief(c.kind),
         VerdictTable::tr("stage %1").arg(c.stage));
     const Light light = lightOf(c);
-    // Without the machine's form it is not known to hold; the panel says above what is missing.
-    const Light shown = c.knowsMachine ? light : std::max(light, Light::close);
-    const bool isPlain = light == Light::holds;
+    const bool isPlain = light == Light::holds || isLowerBound(c);
     return {.text = isPlain ? name : name + u'\n' + lightName(c),
-            .tip = c.knowsMachine ? QString() : lightName(c),
+            .tip = isLowerBound(c) ? lightName(c) : QString(),
             .said = lightName(c),
-            .icon = icons[static_cast<std::size_t>(shown)]};
+            .icon = icons[static_cast<std::size_t>(light)]};
 }
 
 } // namespace
@@ -161,7 +147,7 @@ std::vector<const ConstraintResult*> verdictRows(const Outcome& outcome) {
     return rows;
 }
 
-ValueTable verdictTable(const Outcome* outcome, const std::array<QIcon, 3>& icons) {
+ValueTable verdictTable(const Outcome* outcome, const LightIcons& icons) {
     ValueTable table{.columns = heads(), .isList = true, .atTop = true};
     table.sheet.header << VerdictTable::tr("Zone or section");
     for (const ValueHead& column : table.columns) {
@@ -181,7 +167,7 @@ ValueTable verdictTable(const Outcome* outcome, const std::array<QIcon, 3>& icon
         table.sheet.rows.push_back(copiedCells(c));
         table.addRow(headOf(c, outcome->result.project),
                      {nameCell(c, outcome->result.project, icons),
-                      {.text = shownValue(c)},
+                      {.text = Names::value(c)},
                       {.text = Names::limit(c)},
                       {.text = Names::besideLimit(c)}});
     }

@@ -3,17 +3,18 @@
 
 #include "core/quality/light.h"
 #include "core/study/outcome.h"
+#include "ui/charts/light_icon.h"
 #include "ui/tables/value_table.h"
 
-#include <QIcon>
+#include <QString>
 
-#include <array>
 #include <vector>
 
 namespace sparkout {
 
 [[nodiscard]] QString lightName(Light light); ///< "holds", "close to the limit", "fails"
-/// As the light has it, or that strips are left and the value is not of the whole surface.
+/// As the light has it, or why nothing is decided: strips are left and the value is not of the
+/// whole surface, or the machine is not known.
 [[nodiscard]] QString lightName(const ConstraintResult& constraint);
 
 enum class VerdictColumn { requirement, value, limit, margin };
@@ -24,6 +25,6 @@ enum class VerdictColumn { requirement, value, limit, margin };
 
 /// The same as a table with their lights. It is copied with zone and light in columns of their own.
 /// Without an outcome (null) the table has its heads only.
-[[nodiscard]] ValueTable verdictTable(const Outcome* outcome, const std::array<QIcon, 3>& icons);
+[[nodiscard]] ValueTable verdictTable(const Outcome* outcome, const LightIcons& icons);
 
 } // namespace sparkout

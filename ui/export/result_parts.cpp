@@ -31,7 +31,8 @@ struct ResultParts {
 /// Beside what a kept run says, what the gauge reads and how the part is shaped along its length.
 CsvTable wholeCycle(const Outcome& outcome) {
     const SimulationResult& result = outcome.result;
-    CsvTable table = cycleTable(summarise(result, outcome.accuracy, outcome.constraints));
+    CsvTable table =
+        cycleTable(summarise(result, outcome.accuracy, outcome.constraints), result.project);
     const auto add = [&table](const QString& name, const char* unit, double value) {
         table.rows.push_back({name, unitText(unit), value});
     };

@@ -66,8 +66,8 @@ BarChart SurfaceBars::chartOf(const SetupState& state, const std::vector<Surface
         chart.series[1].values.push_back(least ? 100 * least->relativeMargin : noNumber);
     }
     chart.fitTimeUnit();
-    chart.remark = tr("Margin: that of the requirement nearest to its limit, below 0 where one "
-                      "fails.");
+    chart.remark = tr("Margin: that of the requirement nearest to its limit of those that are "
+                      "decided, below 0 where one fails.");
     return chart;
 }
 

@@ -9,7 +9,6 @@
 #include "core/project/member.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
-#include "core/quality/roughness.h"
 #include "core/setup/shared_members.h"
 #include "core/starting/starting_project.h"
 #include "core/study/new_project.h"
@@ -59,6 +58,26 @@ Issues newErrors(const Project& before, const Project& after) {
 bool breaksRules(const Project& before, const Project& after) {
     return !newErrors(before, after).empty();
 }
+
+namespace {
+
+/// The factor of Ra follows from a measured one as when the document is opened.
+SetupState withMeasuredRa(SetupState state) {
+    const Wheel& wheel = *state.inFront().project.wheel;
+    if (!wheel.measured_ra || wheel.roughness_factor != 1) {
+        return state;
+    }
+    if (const std::optional<double> factor = factorOfMeasuredRa(state.setup())) {
+        for (SurfaceStatePtr& surface : state.surfaces) {
+            auto made = std::make_shared<SurfaceState>(*surface);
+            made->project.wheel->roughness_factor = *factor;
+            surface = std::move(made);
+        }
+    }
+    return state;
+}
+
+} // namespace
 
 /// One step of the history: the whole value before and after.
 class Document::Edit : public QUndoCommand {
@@ -112,9 +131,12 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
     }
     const Project before = m_present.inFront().project;
     if (changed.wheel->measured_ra != m_project.wheel->measured_ra) {
-        changed.wheel->roughness_factor = factorOfMeasuredRa(changed).value_or(1);
+        changed.wheel->roughness_factor = 1;
     }
-    changed = withMeasuredRa(std::move(changed)); // as when it is opened
+    if (changed.wheel->measured_ra && changed.wheel->roughness_factor == 1) {
+        changed.wheel->roughness_factor =
+            withMeasuredRa(with(changed, openInputs())).inFront().project.wheel->roughness_factor;
+    }
     std::vector<std::string> open = openIn(changed);
     if (isStarting(changed, open)) {
         if (hasPlainShaft(changed) && surfaceCount() == 1) {
@@ -161,6 +183,7 @@ bool Document::hasBatchAsMade(const Project& changed) const {
 }
 
 void Document::editSetup(SetupState changed, EditText text, const QString& mergeKey) {
+    changed = withMeasuredRa(std::move(changed));
     if (!sameState(changed, m_present)) {
         (void)push(std::move(changed), text, mergeKey);
     }
@@ -488,9 +511,8 @@ void Document::replace(SetupState state, const QString& path, const QByteArray& 
 
 SetupState Document::stateOf(Setup setup) {
     SetupState made;
-    const Project first = withMeasuredRa(setup.surfaces.front().project); // they share the wheel
+    shareMeasuredRa(setup);
     for (GroundSurface& surface : setup.surfaces) {
-        surface.project.wheel->roughness_factor = first.wheel->roughness_factor;
         made.surfaces.push_back(std::make_shared<const SurfaceState>(
             surfaceState(newSurfaceId(), std::move(surface.name), std::move(surface.project))));
     }

@@ -196,8 +196,10 @@ QString Names::limit(const ConstraintResult& c) {
 }
 
 QString Names::margin(const ConstraintResult& c) {
-    if (!c.isWhole || isOpen(c)) {
-        return QStringLiteral("–");
+    switch (marginKnown(c)) {
+    case MarginKnown::exactly: break;
+    case MarginKnown::atMost: return QStringLiteral("≤ ") + amount(c.kind, c.margin, false);
+    case MarginKnown::no: return QStringLiteral("–");
     }
     const double left = c.holds && c.mostValue ? c.limit - *c.mostValue : c.margin;
     const bool none = std::abs(left) < roundOff * std::abs(c.limit);
@@ -230,6 +232,11 @@ QString Names::value(const ConstraintResult& c) {
     }
     if (c.mostValue) {
         return estimate(c.value, *c.mostValue);
+    }
+    if (isLowerBound(c)) { // what the process alone leaves: never a bare 0.00
+        return marginKnown(c) == MarginKnown::atMost
+                   ? QStringLiteral("≥ ") + amount(c.kind, c.value, false)
+                   : QStringLiteral("–");
     }
     const Requirement& row = requirementOf(c.kind);
     return row.isDeviation || row.digits.shown <= 0 ? amount(c.kind, c.value, row.isDeviation)

@@ -48,9 +48,12 @@ public:
     static QString inRange(const ConstraintResult& c, bool brief);
     /// "0.3…0.9": what an estimate lies between.
     static QString estimate(double least, double most);
-    /// Of a result; a dash where it is not of the whole surface.
+    /// Of a result: "0.54", "≥ 0.54" where the machine's own form is not known; a dash where it is
+    /// not of the whole surface.
     static QString value(const ConstraintResult& c);
-    static QString margin(const ConstraintResult& c); ///< "+1.25", of a range as inRange()
+    /// "+1.25", "≤ 5.46" beside a lower bound, of a range as inRange(); a dash where it is not
+    /// known.
+    static QString margin(const ConstraintResult& c);
     /// The margin in a column next to that of the limit, which says the end of a range: "2×",
     /// as many times a lower limit, or as far from an upper one.
     static QString besideLimit(const ConstraintResult& c);

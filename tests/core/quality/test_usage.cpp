@@ -2,6 +2,7 @@
 // How much of a limit is used up, and the least margin of a summary.
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
+#include "core/quality/light.h"
 #include "core/quality/usage.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_samples.h"
@@ -35,6 +36,26 @@ private slots:
         QCOMPARE(of(Side::atLeast, 0, 2), 0.0);
         QVERIFY(std::isfinite(of(Side::atLeast, 1, 0)));
         QVERIFY(of(Side::atMost, 0, 0.1) > 1); // of a machine that cannot do it at all
+    }
+
+    /// The machine's own form comes on top of what is known: what holds may still fail.
+    void aMarginBesideALowerBoundIsAnUpperBound() {
+        ConstraintResult round = held(ConstraintKind::roundness, Side::atMost, 6, 0.54, 6);
+        QVERIFY(marginKnown(round) == MarginKnown::exactly && lightOf(round) == Light::holds);
+        round.knowsMachine = false;
+        QVERIFY(marginKnown(round) == MarginKnown::atMost && lightOf(round) == Light::undecided);
+        round.value = 0.004; // 0.00: the limit itself would be the bound
+        QVERIFY(marginKnown(round) == MarginKnown::no && lightOf(round) == Light::undecided);
+        round = held(ConstraintKind::roundness, Side::atMost, 6, 6.5, 6);
+        round.knowsMachine = false; // fails even so
+        QVERIFY(marginKnown(round) == MarginKnown::exactly && lightOf(round) == Light::fails);
+        ConstraintResult rough = held(ConstraintKind::roughness, Side::atMost, 0.8, 0.3, 0.8);
+        rough.mostValue = 0.9;
+        QVERIFY(marginKnown(rough) == MarginKnown::no && lightOf(rough) == Light::undecided);
+        rough.mostValue = 0.5;
+        QVERIFY(marginKnown(rough) == MarginKnown::exactly && lightOf(rough) == Light::holds);
+        rough.isWhole = false;
+        QVERIFY(marginKnown(rough) == MarginKnown::no);
     }
 
     void inEveryExampleWhatUsesUpMoreThanItsLimitFails() {

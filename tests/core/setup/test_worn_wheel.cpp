@@ -3,9 +3,13 @@
 // 12].
 #include "core/batch/scenario_source.h"
 #include "core/dressing/dressing_interval.h"
+#include "core/project/wheel.h"
+#include "core/quality/roughness.h"
 #include "core/quality/shop_numbers.h"
 #include "core/setup/setup_run.h"
+#include "core/setup/shared_members.h"
 #include "core/setup/surface_wear.h"
+#include "core/setup/worn_project.h"
 #include "core/study/sweep_edits.h"
 #include "core/sweep/sweep_run.h"
 #include "tests/core/setup/setup_samples.h"
@@ -87,6 +91,37 @@ class TestWornWheel : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Whichever surface is run: that of the first cycle by which it follows from what is measured.
+    void oneWheelHasOneFactorOfRa() {
+        Project first = fixtures::plunge();
+        first.wheel->roughness_factor = 1;
+        first.wheel->measured_ra = MeasuredRa{0.6, {}, {}};
+        Project second = first;
+        second.part->diameter_mm += 10;
+        Setup setup{{{"first", first}, {"second", second}}, {}, {}};
+        const auto isOfAll = [&setup](double factor) {
+            const Setup dressed = dressedSetup(setup);
+            for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
+                const WornProject worn = wornProject(setup, i);
+                if (worn.project.wheel->roughness_factor != factor
+                    || dressed.surfaces[i].project.wheel->roughness_factor != factor) {
+                    return false;
+                }
+            }
+            return true;
+        };
+        const double ofFirst = factorOfMeasuredRa(first).value();
+        const double ofSecond = factorOfMeasuredRa(second).value();
+        QVERIFY(ofFirst != ofSecond && ofFirst != 1);
+        QVERIFY(isOfAll(ofFirst));
+        setup.surfaces[0].project.cycle->stages.clear();
+        QVERIFY(isOfAll(ofSecond));
+        for (GroundSurface& each : setup.surfaces) {
+            each.project.wheel->roughness_factor = 2;
+        }
+        QVERIFY(isOfAll(2)); // as it is given
+    }
+
     // --- the radius under position control ----------------------------------------------------
 
     /// The head stands where it would with a new wheel: every radius is left larger by w, in a bore

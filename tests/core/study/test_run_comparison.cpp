@@ -3,7 +3,11 @@
 #include "core/study/run_comparison.h"
 
 #include "core/digits.h"
+#include "core/judgement/judgement.h"
+#include "core/project/machine.h"
 #include "core/project/member.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/evaluate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
@@ -207,10 +211,11 @@ private slots:
 
     void marginsWorstAndVerdictAreThoseOfTheRun() {
         const Ran ran(traverse());
-        const std::vector<RunValue> results = resultsStated(ran.summary);
+        const std::vector<RunValue> results = resultsStated(ran.summary, &ran.project);
         std::vector<ConstraintResult> counted = ran.constraints;
         std::erase_if(counted, [](const ConstraintResult& of) {
-            return requirementOf(of.kind).source == LimitSource::range && of.holds;
+            return marginKnown(of) != MarginKnown::exactly
+                   || (requirementOf(of.kind).source == LimitSource::range && of.holds);
         });
         QVERIFY(!counted.empty());
         const auto worst = std::ranges::min_element(counted, {}, &ConstraintResult::relativeMargin);
@@ -225,13 +230,56 @@ private slots:
             QCOMPARE(std::get<RequirementMargin>(margin->value).requirement.margin,
                      requirement.margin);
         }
-        const Light light = verdictOf(RunStatus::completed, ran.constraints);
+        Light light = verdictOf(RunStatus::completed, ran.constraints);
+        if (!undecided(ran.project, ran.constraints).empty()) {
+            light = std::max(light, Light::undecided);
+        }
         QCOMPARE(std::get<Light>(find(results, "/verdict")->value), light);
-        QVERIFY(verdictOf(ran.summary.summary) == light);
+        QVERIFY(verdictOf(ran.summary.summary, &ran.project) == light);
         QVERIFY(!verdictOf(RunSummary{}));
         RunSummary tooLong = ran.summary.summary;
         tooLong.status = RunStatus::tooLong;
         QVERIFY(verdictOf(tooLong) == Light::fails);
+    }
+
+    /// A summary has one value of Ra and none of the machine: what is not decided follows from the
+    /// inputs that are kept with it, and is not known without them.
+    void whatIsNotDecidedFollowsFromTheInputs() {
+        Project project = traverse();
+        project.part->upper_deviation_um = 200;
+        project.part->lower_deviation_um = -200;
+        project.part->tolerance = {};
+        project.wheel->roughness_factor = 1;
+        project.wheel->measured_ra.reset();
+        project.measured.reset();
+        const auto lightWith = [](const Project& of) {
+            const Ran ran(of);
+            return std::pair(verdictOf(ran.summary.summary, &ran.project),
+                             verdictOf(ran.summary.summary));
+        };
+        QVERIFY(lightWith(project).first < Light::undecided);
+        Project rough = project;
+        rough.part->tolerance.roughness_ra_um = 100;
+        const Ran first(rough);
+        const auto of = std::ranges::find(first.constraints, ConstraintKind::roughness,
+                                          &ConstraintResult::kind);
+        rough.part->tolerance.roughness_ra_um = (of->value + of->mostValue.value()) / 2;
+        QVERIFY(lightWith(rough).first == Light::undecided);
+        QVERIFY(lightWith(rough).second < Light::undecided);
+        Project round = project;
+        round.machine->form.reset();
+        round.part->tolerance.roundness_um = 1000;
+        const Ran unknown(round);
+        QVERIFY(lightWith(round).first == Light::undecided);
+        const std::vector<RunValue> results = resultsStated(unknown.summary, &unknown.project);
+        const RunValue* const margin = find(results, "/requirements/roundness/margin");
+        QVERIFY(margin);
+        QVERIFY(marginKnown(std::get<RequirementMargin>(margin->value).requirement)
+                != MarginKnown::exactly);
+        const auto worst = leastMargin(unknown.summary.summary, &unknown.project);
+        QVERIFY(worst && worst->kind != ConstraintKind::roundness);
+        round.machine->form.emplace().roundness_um = std::vector<double>(3, 0.5);
+        QVERIFY(verdictOf(unknown.summary.summary, &round) < Light::undecided);
     }
 
     /// The places of a requirement are read as they are written.
@@ -239,7 +287,8 @@ private slots:
         for (const char* name : {"smallest-traverse", "smallest-plunge"}) {
             const Ran ran(samples::project(name));
             for (const RequirementSummary& requirement : ran.summary.summary.requirements) {
-                const std::optional<ConstraintResult> read = constraintOf(requirement);
+                const std::optional<ConstraintResult> read =
+                    constraintOf(requirement, true, &ran.project);
                 QVERIFY(read);
                 const auto same = [&read](const ConstraintResult& of) {
                     const int section = of.at ? of.at->section : of.section;

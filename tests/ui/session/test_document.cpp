@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/format/difference.h"
 #include "core/measured/calibrated_inputs.h"
+#include "core/project/wheel.h"
+#include "core/quality/roughness.h"
 #include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
@@ -355,6 +357,30 @@ private slots:
         document.undo();
         for (const GroundSurface& surface : document.setup().surfaces) {
             QVERIFY(surface.project.wheel->width_mm != 55.0);
+        }
+    }
+
+    /// Whatever surface is in front when Ra is typed: as when a file with that Ra is opened.
+    void aMeasuredRaGivesTheSharedWheelOneFactor() {
+        Setup setup = threeSurfaces();
+        for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
+            setup.surfaces[i].project.part->diameter_mm = 30 + 10 * static_cast<double>(i);
+            setup.surfaces[i].project.wheel->roughness_factor = 1;
+        }
+        Untitled edited(setup);
+        edited.showSurface(2);
+        Project project = edited.project();
+        project.wheel->measured_ra = MeasuredRa{0.6, {}, {}};
+        edited.edit(project, editText);
+        for (GroundSurface& surface : setup.surfaces) {
+            surface.project.wheel->measured_ra = MeasuredRa{0.6, {}, {}};
+        }
+        Untitled opened(setup);
+        const double factor = factorOfMeasuredRa(setup.surfaces[0].project).value();
+        QVERIFY(factor != factorOfMeasuredRa(setup.surfaces[2].project).value());
+        for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
+            QCOMPARE(edited.setup().surfaces[i].project.wheel->roughness_factor, factor);
+            QCOMPARE(opened.setup().surfaces[i].project.wheel->roughness_factor, factor);
         }
     }
 

@@ -3,6 +3,7 @@
 #include "ui/text/number_text.h"
 
 #include "core/project/validate.h"
+#include "core/quality/constraints.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 
@@ -94,6 +95,21 @@ private slots:
                                      QStringLiteral("2.5·10²⁰")}));
         QVERIFY2(!margin.contains(u'·') && !margin.contains(QStringLiteral("10")),
                  qPrintable(margin));
+    }
+
+    void aLowerBoundAndTheMarginBesideItSaySo() {
+        const QLocale before;
+        QLocale::setDefault(locales[0]);
+        ConstraintResult round = held(ConstraintKind::roundness, Side::atMost, 6, 0.54, 6);
+        round.knowsMachine = false;
+        const QStringList bounds{Names::value(round), Names::margin(round),
+                                 Names::besideLimit(round)};
+        round.value = 0.001;
+        const QStringList none{Names::value(round), Names::margin(round)};
+        QLocale::setDefault(before);
+        QCOMPARE(bounds, QStringList({QStringLiteral("≥ 0.54"), QStringLiteral("≤ 5.46"),
+                                      QStringLiteral("≤ 5.46")}));
+        QCOMPARE(none, QStringList({QStringLiteral("–"), QStringLiteral("–")}));
     }
 
     void sizesOfFilesAreInThousands() {

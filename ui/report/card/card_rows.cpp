@@ -21,6 +21,8 @@ namespace sparkout::report {
 
 namespace {
 
+// The form asks for minutes, also of a cycle of seconds: hundredths tell one of 9 s from one of 12
+// s.
 constexpr int timeDecimals = 2;
 constexpr double hundredths = 100;
 

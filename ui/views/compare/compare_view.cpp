@@ -357,7 +357,8 @@ bool CompareView::drawn() const {
 }
 
 void CompareView::showState() {
-    m_runs->setRuns(m_present ? &*m_present : nullptr);
+    m_runs->setRuns(m_present ? &*m_present : nullptr,
+                    m_present ? &good()->result.project : nullptr);
     showJudged();
     showCurves();
     showTable();

@@ -132,8 +132,9 @@ void RunsPanel::enableActions() {
     m_delete->setEnabled(isOwn);
 }
 
-void RunsPanel::setRuns(const ReadSummary* present) {
+void RunsPanel::setRuns(const ReadSummary* present, const Project* inputs) {
     m_present = present;
+    m_presentLight = present ? verdictOf(present->summary, inputs) : std::nullopt;
     const int kept = selected();
     std::vector<RunsModel::Run> rows{presentRow()};
     int number = 0;
@@ -187,8 +188,12 @@ QString RunsPanel::detailOf(int run) const {
 }
 
 std::optional<Light> RunsPanel::lightOf(int run) const {
-    const ReadSummary* const read = summaryOf(run);
-    return read && !read->missing.contains("/status") ? verdictOf(read->summary) : std::nullopt;
+    if (run < 0) {
+        return m_presentLight;
+    }
+    const ReadSummary* const read = m_kept.summary(run);
+    return read && !read->missing.contains("/status") ? verdictOf(read->summary, m_kept.inputs(run))
+                                                      : std::nullopt;
 }
 
 QString RunsPanel::descriptionOf(int run) const {

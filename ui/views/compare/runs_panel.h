@@ -20,7 +20,8 @@ class RunsPanel : public QWidget {
 public:
     explicit RunsPanel(KeptRuns& kept, QWidget* parent = nullptr);
 
-    void setRuns(const ReadSummary* present); ///< the kept ones of now; null: none is computed
+    /// The kept ones of now and the present one; null: none is computed.
+    void setRuns(const ReadSummary* present, const Project* inputs);
     /// Of the present run, whose mark and words stand in place of the light by its summary; null:
     /// it is not known.
     void setJudgement(const Judgement* judgement);
@@ -45,6 +46,7 @@ private:
 
     KeptRuns& m_kept;
     const ReadSummary* m_present = nullptr;
+    std::optional<Light> m_presentLight;
     const Judgement* m_judgement = nullptr;
     QListView* m_list;
     RunsModel* m_runs;

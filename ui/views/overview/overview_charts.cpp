@@ -290,11 +290,12 @@ BarChart OverviewCharts::requirements(const Outcome& outcome) {
     chart.hasTotals = true;
     chart.limits = {{100, tr("limit")}};
     const std::vector<ConstraintResult> shown = requirementsShown(outcome);
-    constexpr std::array lights{Light::fails, Light::close, Light::holds};
-    constexpr std::array drawn{Drawn::fails, Drawn::close, Drawn::holds};
-    constexpr std::array hatches{Hatch::crossed, Hatch::rising, Hatch::none};
+    constexpr std::array lights{Light::fails, Light::undecided, Light::close, Light::holds};
+    constexpr std::array drawn{Drawn::fails, Drawn::close, Drawn::close, Drawn::holds};
+    constexpr std::array hatches{Hatch::crossed, Hatch::falling, Hatch::rising, Hatch::none};
     for (std::size_t i = 0; i < lights.size(); ++i) {
         BarSeries series{lightName(lights[i]), barColour(drawn[i]), hatches[i], {}};
+        series.atLeast = lights[i] == Light::undecided; // what is not known comes on top
         for (const ConstraintResult& of : shown) {
             series.values.push_back(of.isWhole && lightOf(of) == lights[i] ? 100 * usageOf(of)
                                                                            : noNumber);
@@ -432,8 +433,8 @@ BarChart OverviewCharts::runs(const std::vector<RunBars>& runs, int kept) {
     }
     chart.fitTimeUnit();
     const int shown = static_cast<int>(runs.size()) - 1;
-    QStringList remarks{tr("Margin: that of the requirement nearest to its limit, below 0 where "
-                           "one fails.")};
+    QStringList remarks{tr("Margin: that of the requirement nearest to its limit of those that are "
+                           "decided, below 0 where one fails.")};
     if (shown < kept) {
         remarks
             << tr("The current run and the newest %1 of the %2 kept runs.").arg(shown).arg(kept);

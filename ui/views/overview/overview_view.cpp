@@ -39,8 +39,8 @@ constexpr std::array tileNames{"overviewTimes",        "overviewStock", "overvie
                                "overviewRuns"};
 static_assert(tileNames.size() == allOverviewCharts.size());
 
-std::optional<double> marginOf(const RunSummary& summary) {
-    const std::optional<ConstraintResult> least = leastMargin(summary);
+std::optional<double> marginOf(const RunSummary& summary, const Project* inputs) {
+    const std::optional<ConstraintResult> least = leastMargin(summary, inputs);
     return least ? std::optional(least->relativeMargin) : std::nullopt;
 }
 
@@ -235,19 +235,18 @@ void OverviewView::showBatch() {
 
 /// The present run, then the newest kept ones.
 std::vector<RunBars> OverviewView::shownRuns() const {
-    const auto barsOf = [](const QString& name, const RunSummary& summary) {
-        return RunBars{name, summary.cycle_time_min, marginOf(summary)};
-    };
-    std::vector<RunBars> shown{barsOf(
-        tr("current", "run"), summarise(good()->result, good()->accuracy, good()->constraints))};
+    const RunSummary present = summarise(good()->result, good()->accuracy, good()->constraints);
+    std::vector<RunBars> shown{
+        {tr("current", "run"), present.cycle_time_min, marginOf(present, &good()->result.project)}};
     for (int run = std::max(m_kept.count() - OverviewCharts::mostRuns, 0); run < m_kept.count();
          ++run) {
         const KeptRun& kept = m_kept.all()[static_cast<std::size_t>(run)];
         RunBars bars{printableText(runName(kept.name)), {}, {}};
         if (const ReadSummary* const read = m_kept.summary(run)) {
-            const bool hasTime = !read->missing.contains("/cycle_time_min");
-            bars = hasTime ? barsOf(bars.name, read->summary)
-                           : RunBars{bars.name, std::nullopt, marginOf(read->summary)};
+            bars.margin = marginOf(read->summary, m_kept.inputs(run));
+            if (!read->missing.contains("/cycle_time_min")) {
+                bars.time_min = read->summary.cycle_time_min;
+            }
         }
         shown.push_back(std::move(bars));
     }

@@ -3,11 +3,13 @@
 // The view "Compare": the table holds what differs and nothing else, and the list keeps, restores,
 // renames and deletes.
 #include "core/format/project_file.h"
+#include "core/quality/roughness.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/views/compare/compare_bench.h"
 #include "ui/charts/light_icon.h"
 #include "ui/charts/runs_model.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/session/project_io.h"
@@ -26,6 +28,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <variant>
 
 namespace sparkout::test_compare_view {
@@ -336,10 +339,40 @@ private slots:
         };
         QVERIFY(!isBlank(light(0)));
         QVERIFY(isBlank(light(1)));
-        for (const Light each : {Light::holds, Light::close, Light::fails}) {
+        for (const Light each : {Light::holds, Light::close, Light::undecided, Light::fails}) {
             QVERIFY2(!told(1).split(u'\n').contains(lightName(each)), qPrintable(told(1)));
         }
         QVERIFY2(!told(1).contains(QStringLiteral("0 min")), qPrintable(told(1)));
+    }
+
+    /// A kept run stores one Ra and whether it holds: its inputs tell that the wheel's is not
+    /// known.
+    void aKeptRunWithAnOpenRaIsNotDecided() {
+        Project project = fixtures::traverseProject();
+        project.part->upper_deviation_um = 200;
+        project.part->lower_deviation_um = -200;
+        project.part->tolerance.radial_runout_um.reset();
+        project.part->tolerance.roughness_ra_um = 1;
+        const OutcomePtr first = fixtures::run(project);
+        const auto rough = std::ranges::find(first->constraints, ConstraintKind::roughness,
+                                             &ConstraintResult::kind);
+        project.part->tolerance.roughness_ra_um = (rough->value + rough->mostValue.value()) / 2;
+        const auto keep = [&project](const char* name) {
+            const OutcomePtr outcome = fixtures::run(project);
+            return keptRun(outcome->result,
+                           summarise(outcome->result, outcome->accuracy, outcome->constraints),
+                           name, "2026-03-04T05:06:07Z");
+        };
+        const KeptRun before = keep("before");
+        project.wheel->roughness_factor = roughnessFactor(project).least; // as if measured
+        const KeptRun after = keep("after");
+        project.runs = {before, after};
+        Desk desk(project);
+        const auto told = [&](int run) {
+            return desk.row(run).data(Qt::ToolTipRole).toString().split(u'\n');
+        };
+        QVERIFY2(told(0).contains(lightName(Light::undecided)), qPrintable(told(0).join(u';')));
+        QVERIFY2(!told(1).contains(lightName(Light::undecided)), qPrintable(told(1).join(u';')));
     }
 
     void reopeningSaysPlainlyWhatComesOutDifferently() {

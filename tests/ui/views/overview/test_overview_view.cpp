@@ -3,6 +3,7 @@
 // says what will be there.
 #include "core/batch/batch_summary.h"
 #include "core/quality/diameter_shares.h"
+#include "core/quality/light.h"
 #include "core/quality/run_summary.h"
 #include "core/quality/usage.h"
 #include "core/study/run_comparison.h"
@@ -13,6 +14,7 @@
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/bars/bar_plot.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/plot/view.h"
@@ -179,6 +181,27 @@ private slots:
         }
     }
 
+    /// Neither as met nor as close to the limit, and its bar as the least that is used up.
+    void whatIsNotDecidedIsDrawnAsThat() {
+        Project project = fixtures::traverseProject(); // whose machine's runout is not known
+        project.part->tolerance.radial_runout_um = 100;
+        const Desk desk(project);
+        const BarChart& chart = desk.plot(requirements).chart();
+        const auto shown = OverviewCharts::requirementsShown(desk.outcome());
+        int undecided = 0;
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            for (const BarSeries& series : chart.series) {
+                const bool isHere = std::isfinite(series.values[i]);
+                QVERIFY(!isHere || series.name == lightName(lightOf(shown[i])));
+                QVERIFY(!isHere || series.atLeast == (lightOf(shown[i]) == Light::undecided));
+            }
+            undecided += chart.isLowerBound(i) ? 1 : 0;
+            QCOMPARE(chart.isLowerBound(i), lightOf(shown[i]) == Light::undecided);
+        }
+        QVERIFY(undecided > 0);
+        QVERIFY(chart.description().contains(QStringLiteral("≥")));
+    }
+
     void theBatchIsThatOfTheEngine() {
         const Desk desk(batchProject());
         QVERIFY(runBatch(desk));
@@ -218,7 +241,8 @@ private slots:
         QCOMPARE(chart.value(0, 1), chart.value(0, 0));
         const RunSummary present =
             summarise(desk.outcome().result, desk.outcome().accuracy, desk.outcome().constraints);
-        QCOMPARE(chart.value(1, 0), 100 * leastMargin(present)->relativeMargin);
+        const Project& inputs = desk.outcome().result.project;
+        QCOMPARE(chart.value(1, 0), 100 * leastMargin(present, &inputs)->relativeMargin);
     }
 
     void theRunsOfAnExampleAreNamedInTheWindowsLanguage() {

@@ -8,6 +8,7 @@
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
 #include "ui/text/output_text.h"
+#include "ui/text/time_unit.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -53,10 +54,11 @@ private slots:
             return bench.model().headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
         };
         QCOMPARE(head(0) + head(1) + head(2), QStringLiteral("12Cycle"));
+        const TimeUnit unit(shop.cycle.time_s);
         for (int column = 0; column < 3; ++column) {
             const ShopColumn& c = column < 2 ? shop.stages[std::size_t(column)] : shop.cycle;
             const std::pair<const char*, double> numbers[] = {
-                {"grinding_time_min", c.time_s / 60},
+                {"grinding_time_min", unit.of(c.time_s)},
                 {"removal_rate_mm3_mm_s", c.removalRate_mm2_s},
                 {"mean_removal_rate_mm3_mm_s", c.meanRemovalRate_mm2_s},
                 {"equivalent_chip_um", c.equivalentChip_um},
@@ -75,6 +77,23 @@ private slots:
         }
         QCOMPARE(bench.cell("rotation_ratio", 0), QString());
         QCOMPARE(bench.cell("rotation_ratio", 2).toDouble(), 6.37);
+    }
+
+    /// Below two minutes a stage's time is in seconds, by the whole cycle for all of a row.
+    void timesAreInTheUnitOfTheCycle() {
+        for (const auto& [outcome, name] :
+             {std::pair(m_traverse, "traverse"), std::pair(m_plunge, "plunge")}) {
+            Bench bench(outcome);
+            const int row = bench.row("grinding_time_min");
+            const QString head =
+                bench.model().headerData(row, Qt::Vertical, Qt::DisplayRole).toString();
+            const double cycle_s = outcome->shop.cycle.time_s;
+            QVERIFY2(head.endsWith(cycle_s < 120 ? QStringLiteral(", s") : QStringLiteral(", min")),
+                     name);
+            const double shown = bench.cell("grinding_time_min", 2).toDouble();
+            QVERIFY2(std::abs(shown - (cycle_s < 120 ? cycle_s : cycle_s / 60)) < 0.005 * shown,
+                     name);
+        }
     }
 
     void plungeHasNoOverlap() {
