@@ -120,7 +120,7 @@ struct Row {
     const char* label = "";
     const char* symbol = "";
     const char* unit = "";
-    Range hard = {};              ///< refused outside
+    Range hard = {};              ///< refused outside; of a text, how many letters it has
     Range soft = {};              ///< warned outside
     const char* nullMeaning = ""; ///< what null (not given) means, for members that may be null
     Condition required = nullptr; ///< must stand in the file when it holds; null: never
@@ -162,6 +162,8 @@ struct Field : Row {
     std::size_t (*size)(const void* owner) = nullptr;       ///< objectList
     void* (*at)(void* owner, std::size_t index) = nullptr;  ///< objectList
     void (*resize)(void* owner, std::size_t size) = nullptr;
+    void (*erase)(void* owner, std::size_t index) = nullptr;
+    void (*swap)(void* owner, std::size_t one, std::size_t other) = nullptr; ///< two of its items
 
     template <class T>
     [[nodiscard]] T& as(void* owner) const {
@@ -279,6 +281,14 @@ void fillList(Field& f) {
         return &(static_cast<S*>(owner)->*Member)[i];
     };
     f.resize = [](void* owner, std::size_t n) { (static_cast<S*>(owner)->*Member).resize(n); };
+    f.erase = [](void* owner, std::size_t i) {
+        auto& list = static_cast<S*>(owner)->*Member;
+        list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
+    };
+    f.swap = [](void* owner, std::size_t i, std::size_t j) {
+        auto& list = static_cast<S*>(owner)->*Member;
+        std::swap(list[i], list[j]);
+    };
 }
 
 template <auto Member, class S, class T>

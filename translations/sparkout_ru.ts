@@ -789,61 +789,6 @@
         </message>
 </context>
     <context>
-        <name>Company</name>
-        <message>
-            <source>Company</source>
-            <translation>Предприятие</translation>
-        </message>
-        <message>
-            <source>Department</source>
-            <translation>Подразделение</translation>
-        </message>
-        <message>
-            <source>Prepared by</source>
-            <translation>Разработал</translation>
-        </message>
-        <message>
-            <source>Checked by</source>
-            <translation>Проверил</translation>
-        </message>
-        <message>
-            <source>Agreed by</source>
-            <translation>Согласовал</translation>
-        </message>
-        <message>
-            <source>Standards checked by</source>
-            <translation>Нормоконтролёр</translation>
-        </message>
-        <message>
-            <source>Approved by</source>
-            <translation>Утвердил</translation>
-        </message>
-        <message>
-            <source>Document number</source>
-            <translation>Обозначение документа</translation>
-        </message>
-        <message>
-            <source>Part designation</source>
-            <translation>Обозначение изделия</translation>
-        </message>
-        <message>
-            <source>Shop</source>
-            <translation>Цех</translation>
-        </message>
-        <message>
-            <source>Shop area</source>
-            <translation>Участок</translation>
-        </message>
-        <message>
-            <source>Work place</source>
-            <translation>Рабочее место</translation>
-        </message>
-        <message>
-            <source>Operation number</source>
-            <translation>Номер операции</translation>
-        </message>
-    </context>
-    <context>
         <name>CompareChart</name>
         <message>
             <source>Time</source>
@@ -7145,6 +7090,78 @@ With another name both versions stay as they are.</source>
             <source>Uniform from 0 to 360° where parts are clamped at random angles.</source>
             <translation>Равномерно от 0 до 360°, если детали устанавливают как придётся.</translation>
         </message>
+        <message>
+            <source>Company</source>
+            <translation>Предприятие</translation>
+        </message>
+        <message>
+            <source>Department</source>
+            <translation>Подразделение</translation>
+        </message>
+        <message>
+            <source>Prepared by</source>
+            <translation>Разработал</translation>
+        </message>
+        <message>
+            <source>Checked by</source>
+            <translation>Проверил</translation>
+        </message>
+        <message>
+            <source>Agreed by</source>
+            <translation>Согласовал</translation>
+        </message>
+        <message>
+            <source>Standards checked by</source>
+            <translation>Нормоконтролёр</translation>
+        </message>
+        <message>
+            <source>Approved by</source>
+            <translation>Утвердил</translation>
+        </message>
+        <message>
+            <source>Part designation</source>
+            <translation>Обозначение изделия</translation>
+        </message>
+        <message>
+            <source>Shop</source>
+            <translation>Цех</translation>
+        </message>
+        <message>
+            <source>Shop area</source>
+            <translation>Участок</translation>
+        </message>
+        <message>
+            <source>Work place</source>
+            <translation>Рабочее место</translation>
+        </message>
+        <message>
+            <source>Ministry</source>
+            <translation>Министерство</translation>
+        </message>
+        <message>
+            <source>University</source>
+            <translation>Университет</translation>
+        </message>
+        <message>
+            <source>Faculty or institute</source>
+            <translation>Факультет или институт</translation>
+        </message>
+        <message>
+            <source>University department</source>
+            <translation>Кафедра</translation>
+        </message>
+        <message>
+            <source>Discipline</source>
+            <translation>Дисциплина</translation>
+        </message>
+        <message>
+            <source>Accepted by (post and name)</source>
+            <translation>Принял (должность, фамилия)</translation>
+        </message>
+        <message>
+            <source>Town</source>
+            <translation>Город</translation>
+        </message>
     </context>
     <context>
         <name>InputBrief</name>
@@ -10283,6 +10300,14 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Machine&apos;s form</source>
             <translation>Форма от станка</translation>
+        </message>
+        <message>
+            <source>Company and signatures</source>
+            <translation>Предприятие и подписи</translation>
+        </message>
+        <message>
+            <source>Title page</source>
+            <translation>Титульный лист</translation>
         </message>
     </context>
     <context>
@@ -18817,10 +18842,6 @@ good</source>
             <source>&amp;Cancel</source>
             <translation>Отмена</translation>
         </message>
-        <message>
-            <source>%1, %2</source>
-            <translation>%1, %2</translation>
-        </message>
     </context>
     <context>
         <name>PieceTimeText</name>
@@ -21541,37 +21562,6 @@ s</source>
         </message>
     </context>
     <context>
-        <name>Institution</name>
-        <message>
-            <source>Ministry</source>
-            <translation>Министерство</translation>
-        </message>
-        <message>
-            <source>University</source>
-            <translation>Университет</translation>
-        </message>
-        <message>
-            <source>Faculty or institute</source>
-            <translation>Факультет или институт</translation>
-        </message>
-        <message>
-            <source>Department</source>
-            <translation>Кафедра</translation>
-        </message>
-        <message>
-            <source>Discipline</source>
-            <translation>Дисциплина</translation>
-        </message>
-        <message>
-            <source>Accepted by (post and name)</source>
-            <translation>Принял (должность, фамилия)</translation>
-        </message>
-        <message>
-            <source>Town</source>
-            <translation>Город</translation>
-        </message>
-    </context>
-    <context>
         <name>GoalWords</name>
         <message>
             <source>double stroke %1</source>
@@ -22932,10 +22922,6 @@ s</source>
     <context>
         <name>sparkout::StructForm</name>
         <message>
-            <source>Kind of goal</source>
-            <translation>Вид цели</translation>
-        </message>
-        <message>
             <source>Add: %1</source>
             <translation>Добавить: %1</translation>
         </message>
@@ -22948,29 +22934,48 @@ s</source>
             <translation>Удалить</translation>
         </message>
         <message>
-        <source>Varied over</source>
-        <translation>Варьируется</translation>
-    </message>
-    <message>
-        <source>a range in steps</source>
-        <translation>по диапазону с шагом</translation>
-    </message>
-    <message>
-        <source>a list of values</source>
-        <translation>по списку значений</translation>
-    </message>
-    <message>
-        <source>named sets of values</source>
-        <translation>по именованным наборам</translation>
-    </message>
-    <message>
-        <source>Variants in all: %1</source>
-        <translation>Всего вариантов: %1</translation>
-    </message>
-    <message>
-        <source>Levels: %1</source>
-        <translation>Уровней: %1</translation>
-    </message>
+            <source>numbers separated by spaces</source>
+            <translation>здесь нужны числа через пробел</translation>
+        </message>
+        <message>
+            <source>out of range; allowed: %1</source>
+            <translation>вне допустимых значений; допускается: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::LessonForm</name>
+        <message>
+            <source>Kind of goal</source>
+            <translation>Вид цели</translation>
+        </message>
+        <message>
+            <source>Varied over</source>
+            <translation>Варьируется</translation>
+        </message>
+        <message>
+            <source>a range in steps</source>
+            <translation>по диапазону с шагом</translation>
+        </message>
+        <message>
+            <source>a list of values</source>
+            <translation>по списку значений</translation>
+        </message>
+        <message>
+            <source>named sets of values</source>
+            <translation>по именованным наборам</translation>
+        </message>
+        <message>
+            <source>Variants in all: %1</source>
+            <translation>Всего вариантов: %1</translation>
+        </message>
+        <message>
+            <source>Levels: %1</source>
+            <translation>Уровней: %1</translation>
+        </message>
+        <message>
+            <source>the one in front</source>
+            <translation>открытый</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::AccessPage</name>
@@ -22993,10 +22998,6 @@ s</source>
         <message>
             <source>For the student</source>
             <translation>Для студента</translation>
-        </message>
-        <message>
-            <source>Inputs that are not named</source>
-            <translation>Неназванные исходные данные</translation>
         </message>
         <message>
             <source>Selected inputs</source>
@@ -23352,21 +23353,6 @@ s</source>
             <source>Methodical &amp;guide</source>
             <translation>&amp;Методические указания</translation>
         </message>
-    </context>
-    <context>
-        <name>sparkout::ValueWidgets</name>
-    <message>
-        <source>the one in front</source>
-        <translation>открытый</translation>
-    </message>
-    <message>
-        <source>numbers separated by spaces</source>
-        <translation>здесь нужны числа через пробел</translation>
-    </message>
-    <message>
-        <source>out of range; allowed: %1</source>
-        <translation>вне допустимых значений; допускается: %1</translation>
-    </message>
     </context>
     <context>
         <name>sparkout::VariantCheckDialog</name>

@@ -21,14 +21,16 @@ std::string_view takeKey(std::string_view& path) {
     return key;
 }
 
-enum class Missing { stop, create, defaults };
+/// What becomes of a struct that is not given; the last two are only read from.
+enum class Missing { stop, create, defaults, none };
 
 /// The struct a path goes on in below an object row; null when there is none. What is only read
-/// from (`defaults`) stays shared with other projects.
+/// from stays shared with other projects.
 void* descend(const Field& field, void* owner, std::string_view& path, Missing missing) {
     if (field.kind == Kind::object || field.kind == Kind::optionalObject) {
-        return missing == Missing::defaults ? const_cast<void*>(field.objectIn(owner))
-                                            : field.object(owner, missing == Missing::create);
+        return missing == Missing::defaults || missing == Missing::none
+                   ? const_cast<void*>(field.objectIn(owner))
+                   : field.object(owner, missing == Missing::create);
     }
     if (field.kind != Kind::objectList) {
         return nullptr;
@@ -40,9 +42,8 @@ void* descend(const Field& field, void* owner, std::string_view& path, Missing m
     return read && index < field.size(owner) ? field.at(owner, index) : nullptr;
 }
 
-Member walk(Project& project, std::string_view path, Missing missing, const Field** nearest) {
-    const StructInfo* table = &tableOf<Project>();
-    void* owner = &project;
+Member walk(const StructInfo* table, void* owner, std::string_view path, Missing missing,
+            const Field** nearest = nullptr) {
     while (true) {
         const Field* const field = table->find(takeKey(path));
         if (!field) {
@@ -74,12 +75,21 @@ Member walk(Project& project, std::string_view path, Missing missing, const Fiel
 } // namespace
 
 Member findMember(Project& project, std::string_view path, bool create) {
-    return walk(project, path, create ? Missing::create : Missing::stop, nullptr);
+    return walk(&tableOf<Project>(), &project, path, create ? Missing::create : Missing::stop);
 }
 
 ConstMember findMember(const Project& project, std::string_view path) {
-    const Member member =
-        walk(const_cast<Project&>(project), path, Missing::defaults, nullptr); // only read from
+    const Member member = walk(&tableOf<Project>(), const_cast<Project*>(&project), path,
+                               Missing::defaults); // only read from
+    return {member.field, member.owner};
+}
+
+Member memberIn(const StructInfo& table, void* root, std::string_view path) {
+    return walk(&table, root, path, Missing::stop);
+}
+
+ConstMember memberIn(const StructInfo& table, const void* root, std::string_view path) {
+    const Member member = walk(&table, const_cast<void*>(root), path, Missing::none); // only read
     return {member.field, member.owner};
 }
 
@@ -111,7 +121,8 @@ void setNumberIn(const Field& field, void* owner, std::optional<double> value) {
 
 const Field* nearestField(const Project& project, std::string_view path) {
     const Field* nearest = nullptr;
-    walk(const_cast<Project&>(project), path, Missing::defaults, &nearest); // only read from
+    walk(&tableOf<Project>(), const_cast<Project*>(&project), path, Missing::defaults,
+         &nearest); // only read from
     return nearest;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-/// Finding a member of a project by its JSON pointer, through the tables.
+/// Finding a member of a project, or of any struct that has a table, by its JSON pointer.
 namespace sparkout {
 
 /// A member: its row and the struct that holds it; both null when there is none.
@@ -32,6 +32,12 @@ struct ConstMember {
 
 /// The same for reading; optional structs that are not given answer with their defaults.
 [[nodiscard]] ConstMember findMember(const Project& project, std::string_view path);
+
+/// The same in any struct; nothing is created, and what is below an optional struct that is not
+/// given has no owner.
+[[nodiscard]] Member memberIn(const StructInfo& table, void* root, std::string_view path);
+[[nodiscard]] ConstMember memberIn(const StructInfo& table, const void* root,
+                                   std::string_view path);
 
 /// The number of a row whose kind is one; empty when not given.
 [[nodiscard]] std::optional<double> numberIn(const Field& field, const void* owner);

@@ -77,10 +77,7 @@ void ParameterChoice::addRow(QGridLayout& grid, const Project& project,
         connect(number, &NumberField::remarkChanged, this, &ParameterChoice::changed);
         return number;
     };
-    Range positive;
-    positive.low = 0;
-    positive.lowOpen = true;
-    Range any;
+    const Range positive{.low = 0, .lowOpen = true}, any;
     auto* box = new QCheckBox(name, this);
     box->setObjectName(key);
     Row row{parameter, box,

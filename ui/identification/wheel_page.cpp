@@ -40,8 +40,7 @@ QString refusalOf(const Project& made) {
 
 NumberField* positiveField(const char* unit, const char* name, QWidget* parent) {
     NumberSpec spec;
-    spec.hard.low = 0;
-    spec.hard.lowOpen = true;
+    spec.hard = {.low = 0, .lowOpen = true};
     spec.unit = unit;
     spec.optional = true;
     auto* field = new NumberField(spec, parent);
@@ -128,12 +127,11 @@ QWidget* WheelPage::buildStrengths() {
     m_width->setValue(std::min(m_project.wheel->width_mm, m_project.part->length_mm));
     m_found->setObjectName(QStringLiteral("strengthsFound"));
     m_take->setObjectName(QStringLiteral("strengthsTake"));
-    const auto line = [box](QWidget* field, QWidget* unit) {
+    const auto line = [](QWidget* field, QWidget* unit) {
         auto* row = new QHBoxLayout;
         row->addWidget(field);
         row->addWidget(unit);
         row->addStretch(1);
-        (void)box;
         return row;
     };
     auto* form = new QFormLayout;

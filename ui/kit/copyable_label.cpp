@@ -5,10 +5,15 @@
 
 namespace sparkout {
 
-QLabel* copyableLabel(QWidget* parent, const QString& text) {
+QLabel* plainLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
+    return label;
+}
+
+QLabel* copyableLabel(QWidget* parent, const QString& text) {
+    QLabel* const label = plainLabel(text, parent);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     return label;
 }

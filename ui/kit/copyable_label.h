@@ -8,7 +8,9 @@ class QWidget;
 
 namespace sparkout {
 
-/// A plain text that wraps and can be copied.
+/// A plain text that wraps.
+[[nodiscard]] QLabel* plainLabel(const QString& text, QWidget* parent);
+/// The same, that can be copied.
 [[nodiscard]] QLabel* copyableLabel(QWidget* parent, const QString& text = {});
 
 } // namespace sparkout

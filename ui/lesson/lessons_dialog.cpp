@@ -4,15 +4,14 @@
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
 #include "ui/files/own_lessons.h"
+#include "ui/kit/answer_buttons.h"
 #include "ui/kit/help_topic.h"
 #include "ui/lesson/lesson_text.h"
 
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFile>
 #include <QHBoxLayout>
 #include <QListWidget>
-#include <QPushButton>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -39,12 +38,6 @@ LessonsDialog::LessonsDialog(const QString& settingsFolder, QWidget* parent)
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_about->setAccessibleName(tr("About the laboratory work"));
     m_about->setOpenLinks(false);
-    auto* buttons = new QDialogButtonBox(this);
-    auto* begin = buttons->addButton(tr("&Begin…"), QDialogButtonBox::AcceptRole);
-    buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
-    begin->setDefault(true);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_list, &QListWidget::itemActivated, this, &QDialog::accept);
     connect(m_list, &QListWidget::currentRowChanged, this, &LessonsDialog::showChosen);
     auto* body = new QHBoxLayout;
@@ -52,6 +45,7 @@ LessonsDialog::LessonsDialog(const QString& settingsFolder, QWidget* parent)
     body->addWidget(m_about, 1);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(body, 1);
+    auto* buttons = new AnswerButtons(tr("&Begin…"), tr("&Cancel"), this);
     layout->addWidget(buttons);
     resize(860, 480);
     for (const QString& path : paths() + ownLessons(settingsFolder)) {
@@ -66,7 +60,7 @@ LessonsDialog::LessonsDialog(const QString& settingsFolder, QWidget* parent)
         }
     }
     m_list->setCurrentRow(0);
-    begin->setEnabled(!m_entries.empty());
+    buttons->acceptButton()->setEnabled(!m_entries.empty());
 }
 
 void LessonsDialog::showChosen() {

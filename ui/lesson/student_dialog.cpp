@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/student_dialog.h"
 
+#include "ui/kit/answer_buttons.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/lesson/lesson_text.h"
 
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -55,12 +54,8 @@ StudentDialog::StudentDialog(const Lesson& lesson, const QString& name, const QS
     if (lesson.variants) {
         form->addRow(tr("&Variant"), m_variant);
     }
-    auto* buttons = new QDialogButtonBox(this);
-    m_begin = buttons->addButton(tr("&Begin…"), QDialogButtonBox::AcceptRole);
-    buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
-    m_begin->setDefault(true);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* buttons = new AnswerButtons(tr("&Begin…"), tr("&Cancel"), this);
+    m_begin = buttons->acceptButton();
     connect(m_name, &QLineEdit::textChanged, this, &StudentDialog::showWhole);
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(metrics::margin);

@@ -6,6 +6,7 @@
 #include "core/project/part.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/fields/number_field.h"
+#include "ui/kit/answer_buttons.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/tool_row.h"
@@ -17,14 +18,12 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
 #include <QLocale>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QRadioButton>
 #include <QSignalBlocker>
 #include <QTableView>
@@ -192,14 +191,10 @@ QWidget* ImportDialog::buildButtons() {
     row->addWidget(m_add);
     row->addWidget(m_replace);
     row->addStretch(1);
-    auto* buttons = new QDialogButtonBox(bar);
-    m_import = buttons->addButton(tr("&Import"), QDialogButtonBox::AcceptRole);
+    auto* buttons = new AnswerButtons(tr("&Import"), tr("C&ancel"), this);
+    m_import = buttons->acceptButton();
     m_import->setObjectName(QStringLiteral("importGo"));
-    m_import->setDefault(true);
-    buttons->addButton(tr("C&ancel"), QDialogButtonBox::RejectRole)
-        ->setObjectName(QStringLiteral("importCancel"));
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    buttons->rejectButton()->setObjectName(QStringLiteral("importCancel"));
     row->addWidget(buttons);
     return bar;
 }

@@ -6,6 +6,8 @@
 #include "core/lesson/lesson_file.h"
 #include "core/pack/pack_file.h"
 #include "ui/files/own_lessons.h"
+#include "ui/kit/answer_buttons.h"
+#include "ui/kit/copyable_label.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
@@ -17,7 +19,6 @@
 #include "ui/text/texts.h"
 
 #include <QCheckBox>
-#include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHeaderView>
@@ -56,7 +57,7 @@ PackExportDialog::PackExportDialog(Settings& settings, QWidget* parent)
     , m_forStudents(new QCheckBox(tr("Works &for students: without right answers and rules of "
                                      "variants"),
                                   this))
-    , m_state(new QLabel(this)) {
+    , m_state(plainLabel({}, this)) {
     setWindowTitle(tr("Export a pack"));
     setHelpTopic(*this, QStringLiteral("packs#export"));
     m_title->setObjectName(QStringLiteral("packTitle"));
@@ -64,8 +65,6 @@ PackExportDialog::PackExportDialog(Settings& settings, QWidget* parent)
     m_note->setTabChangesFocus(true);
     m_note->setFixedHeight(m_note->fontMetrics().lineSpacing() * 4);
     m_state->setObjectName(QStringLiteral("packState"));
-    m_state->setTextFormat(Qt::PlainText);
-    m_state->setWordWrap(true);
     m_forStudents->setObjectName(QStringLiteral("packForStudents"));
     auto* form = new QFormLayout;
     form->addRow(tr("&Title:"), m_title);
@@ -73,11 +72,10 @@ PackExportDialog::PackExportDialog(Settings& settings, QWidget* parent)
     auto* add = new QPushButton(tr("&Add laboratory works…"), this);
     add->setObjectName(QStringLiteral("addLessons"));
     add->setAutoDefault(false);
-    auto* buttons = new QDialogButtonBox(this);
-    m_save = buttons->addButton(tr("&Save…"), QDialogButtonBox::AcceptRole);
+    auto* buttons = new AnswerButtons(tr("&Save…"), tr("&Cancel"), this);
+    m_save = buttons->acceptButton();
     m_save->setObjectName(QStringLiteral("savePack"));
-    m_save->setDefault(true);
-    buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole)->setAutoDefault(false);
+    buttons->rejectButton()->setAutoDefault(false);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(form);
     layout->addWidget(m_tree, 1);
@@ -88,8 +86,6 @@ PackExportDialog::PackExportDialog(Settings& settings, QWidget* parent)
     buildTree();
     connect(add, &QPushButton::clicked, this, &PackExportDialog::chooseLessons);
     connect(m_tree, &QTreeWidget::itemChanged, this, &PackExportDialog::showChosen);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     resize(atFontSize(620), atFontSize(560));
     showChosen();
 }
@@ -108,7 +104,8 @@ void PackExportDialog::buildTree() {
         }
     }
     if (const Company company = m_settings.company(); company != Company()) {
-        const QString name = company.name.isEmpty() ? tr("Heads of documents") : company.name;
+        const QString name =
+            company.name.empty() ? tr("Heads of documents") : QString::fromStdString(company.name);
         const QString fault = report::Logo::fault(company.logo);
         addItem(PackPart::company, fault.isEmpty() ? name : tr("%1, without the logo").arg(name),
                 [company](Pack& pack) { PackParts::setCompany(company, pack); });

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/packs/pack_import_dialog.h"
 
+#include "ui/kit/answer_buttons.h"
+#include "ui/kit/copyable_label.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/text/texts.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QLabel>
-#include <QPushButton>
 #include <QSplitter>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -42,13 +42,6 @@ void fitColumns(QTreeWidget& tree) {
     }
 }
 
-QLabel* plainLabel(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    return label;
-}
-
 } // namespace
 
 PackImportDialog::PackImportDialog(Pack pack, Settings& settings, QWidget* parent)
@@ -64,13 +57,10 @@ PackImportDialog::PackImportDialog(Pack pack, Settings& settings, QWidget* paren
     setHelpTopic(*this, QStringLiteral("packs#import"));
     m_state->setObjectName(QStringLiteral("packState"));
     m_state->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* buttons = new QDialogButtonBox(this);
-    m_take = buttons->addButton(tr("&Import"), QDialogButtonBox::AcceptRole);
+    auto* buttons = new AnswerButtons(tr("&Import"), tr("&Cancel"), this);
+    m_take = buttons->acceptButton();
     m_take->setObjectName(QStringLiteral("importPack"));
-    m_take->setDefault(true);
-    buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole)->setAutoDefault(false);
-    connect(buttons, &QDialogButtonBox::accepted, this, &PackImportDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    buttons->rejectButton()->setAutoDefault(false);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(buildHead());
     layout->addWidget(buildLines(), 1);

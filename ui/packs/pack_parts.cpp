@@ -2,6 +2,7 @@
 #include "ui/packs/pack_parts.h"
 
 #include "ui/report/card/logo.h"
+#include "ui/session/kept_texts.h"
 
 #include <QLocale>
 #include <QVariantMap>
@@ -67,8 +68,9 @@ QString PackParts::logoFault(const Pack& pack) {
 }
 
 void PackParts::setCompany(const Company& company, Pack& pack) {
-    for (const CompanyField& field : companyFields()) {
-        if (const QString text = (company.*field.value).simplified(); !text.isEmpty()) {
+    const CompanyTexts& texts = company;
+    for (const Field& field : tableOf<CompanyTexts>().fields) {
+        if (const QString text = textIn(field, &texts); !text.isEmpty()) {
             pack.company[field.key] = text.toStdString();
         }
     }

@@ -12,6 +12,7 @@
 #include "ui/files/own_lessons.h"
 #include "ui/report/card/logo.h"
 #include "ui/session/background.h"
+#include "ui/session/kept_texts.h"
 #include "ui/session/project_io.h"
 #include "ui/session/settings.h"
 #include "ui/text/field_text.h"
@@ -123,7 +124,8 @@ void PackPlan::addCompany() {
     const State state = m_company == Company() ? State::fresh
                         : m_company == packs   ? State::same
                                                : State::different;
-    m_lines.push_back({PackPart::company, 0, packs.name, packs.department, state,
+    m_lines.push_back({PackPart::company, 0, QString::fromStdString(packs.name),
+                       QString::fromStdString(packs.department), state,
                        state == State::fresh ? Choice::take : Choice::leave});
 }
 
@@ -169,10 +171,11 @@ std::vector<PackPlan::Difference> PackPlan::differences(std::size_t line) const 
     std::vector<Difference> found;
     if (at.part == PackPart::company) {
         const Company packs = packsCompany();
-        for (const CompanyField& field : companyFields()) {
-            if (m_company.*field.value != packs.*field.value) {
-                found.push_back({QCoreApplication::translate("Company", field.label),
-                                 m_company.*field.value, packs.*field.value});
+        const CompanyTexts &mine = m_company, &others = packs;
+        for (const Field& field : tableOf<CompanyTexts>().fields) {
+            if (!field.same(&mine, &others)) {
+                found.push_back(
+                    {inputText(field.label), textIn(field, &mine), textIn(field, &others)});
             }
         }
         if (m_company.logo != packs.logo) {

@@ -8,6 +8,7 @@
 #include "core/setup/shared_members.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
+#include "ui/kit/answer_buttons.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/part/part_drawing.h"
@@ -18,12 +19,10 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -69,7 +68,7 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     , m_gaps(new QCheckBox(m_along))
     , m_deviations(new QCheckBox(m_along))
     , m_tolerances(new QCheckBox(m_along))
-    , m_buttons(new QDialogButtonBox(this)) {
+    , m_buttons(new AnswerButtons(tr("&Add"), tr("&Cancel"), this)) {
     setWindowTitle(tr("Add a surface"));
     setHelpTopic(*this, QStringLiteral("surfaces#add"));
     m_drawing->setAccessibleName(tr("The part with its surfaces"));
@@ -93,9 +92,6 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     m_form->addRow(tr("Begins with"), m_begin);
     askWhatComesAlong();
     m_form->addRow(tr("Place"), m_places);
-    auto* add = m_buttons->addButton(tr("&Add"), QDialogButtonBox::AcceptRole);
-    m_buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
-    add->setDefault(true);
     QWidget* before = m_name; // from top to bottom, as one sees them
     for (QWidget* next :
          std::initializer_list<QWidget*>{m_begin, m_gaps, m_deviations, m_tolerances, m_places}) {
@@ -106,8 +102,6 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     layout->addWidget(m_drawing, 1);
     layout->addLayout(m_form);
     layout->addWidget(m_buttons);
-    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_name, &QLineEdit::textChanged, this, &AddSurfaceDialog::follow);
     connect(m_begin, &QComboBox::currentIndexChanged, this, &AddSurfaceDialog::follow);
     connect(m_begin, &QComboBox::activated, this, [this] { m_isBeginChosen = true; });
@@ -151,7 +145,7 @@ void AddSurfaceDialog::askWhatComesAlong() {
 
 void AddSurfaceDialog::onlyDuplicate() {
     setWindowTitle(tr("Duplicate the surface"));
-    m_buttons->buttons().front()->setText(tr("&Duplicate"));
+    m_buttons->acceptButton()->setText(tr("&Duplicate"));
     m_begin->setCurrentIndex(m_begin->findData(int(BeginWith::copy)));
     m_places->setCurrentRow(m_places->count() - 1); // where the present one is
     m_drawing->hide();
@@ -203,7 +197,7 @@ void AddSurfaceDialog::follow() {
     m_along->setEnabled(isCopy());
     m_drawing->setChosenStep(step());
     const bool isFree = m_isFree(m_name->text());
-    m_buttons->buttons().front()->setEnabled(isFree);
+    m_buttons->acceptButton()->setEnabled(isFree);
     m_name->setToolTip(isFree ? QString() : tr("Each surface has a name of its own."));
 }
 

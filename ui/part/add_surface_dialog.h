@@ -12,13 +12,13 @@
 
 class QCheckBox;
 class QComboBox;
-class QDialogButtonBox;
 class QFormLayout;
 class QLineEdit;
 class QListWidget;
 
 namespace sparkout {
 
+class AnswerButtons;
 class PartDrawing;
 
 /// Asks where on the part a further surface is, which cycle it begins with, and its name; of a copy
@@ -63,7 +63,7 @@ private:
     QLineEdit* m_name;
     QWidget* m_along; ///< what comes along
     QCheckBox *m_gaps, *m_deviations, *m_tolerances;
-    QDialogButtonBox* m_buttons;
+    AnswerButtons* m_buttons;
 };
 
 } // namespace sparkout

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/part/name_dialog.h"
 
+#include "ui/kit/answer_buttons.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLineEdit>
-#include <QPushButton>
 
 #include <utility>
 
@@ -22,12 +21,8 @@ NameDialog::NameDialog(const QString& name, std::function<bool(const QString&)> 
     m_name->setAccessibleName(tr("Name"));
     m_name->selectAll();
     setTextMinimumWidth(*m_name, 260);
-    auto* buttons = new QDialogButtonBox(this);
-    auto* take = buttons->addButton(tr("&Rename"), QDialogButtonBox::AcceptRole);
-    buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
-    take->setDefault(true);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* buttons = new AnswerButtons(tr("&Rename"), tr("&Cancel"), this);
+    auto* take = buttons->acceptButton();
     connect(m_name, &QLineEdit::textChanged, take,
             [take, isFree = std::move(isFree)](const QString& text) {
                 take->setEnabled(isFree(text));

@@ -7,15 +7,11 @@
 #include <QDialog>
 
 #include <optional>
-#include <vector>
 
-class QDialogButtonBox;
-class QFormLayout;
 class QLabel;
+class QPushButton;
 
 namespace sparkout {
-
-class NumberField;
 
 /// The standard times of the set-up and how the wheel wears from surface to surface, with what
 /// they come to.
@@ -31,16 +27,14 @@ public:
     [[nodiscard]] const WheelWear& wear() const { return m_wear; }
 
 private:
-    void addRows(QFormLayout& form, const StructInfo& table, void* owner);
     void follow();
 
     SetupTimes m_times;
     WheelWear m_wear;
     std::size_t m_surfaces;
     std::optional<double> m_cycles_min;
-    std::vector<NumberField*> m_fields;
     QLabel* m_result;
-    QDialogButtonBox* m_buttons;
+    QPushButton* m_apply = nullptr;
 };
 
 } // namespace sparkout

@@ -2,49 +2,55 @@
 #include "ui/session/company.h"
 
 #include "core/project/card_entries.h"
-
-#include <QCoreApplication>
+#include "core/text.h"
+#include "ui/session/kept_texts.h"
 
 #include <array>
-#include <string>
 
 namespace sparkout {
 
 namespace {
 
 const QString logoKey = QStringLiteral("logo");
-constexpr qsizetype longestCompanyText = 200;
-
-constexpr std::array fields{
-    CompanyField{"name", &Company::name, QT_TRANSLATE_NOOP("Company", "Company")},
-    CompanyField{"department", &Company::department, QT_TRANSLATE_NOOP("Company", "Department")},
-    CompanyField{"developed", &Company::developed, QT_TRANSLATE_NOOP("Company", "Prepared by")},
-    CompanyField{"checked", &Company::checked, QT_TRANSLATE_NOOP("Company", "Checked by")},
-    CompanyField{"agreed", &Company::agreed, QT_TRANSLATE_NOOP("Company", "Agreed by")},
-    CompanyField{"standards", &Company::standards,
-                 QT_TRANSLATE_NOOP("Company", "Standards checked by")},
-    CompanyField{"approved", &Company::approved, QT_TRANSLATE_NOOP("Company", "Approved by")},
-    CompanyField{"designation", &Company::designation,
-                 QT_TRANSLATE_NOOP("Company", "Document number")},
-    CompanyField{"part", &Company::part, QT_TRANSLATE_NOOP("Company", "Part designation")},
-    CompanyField{"shop", &Company::shop, QT_TRANSLATE_NOOP("Company", "Shop")},
-    CompanyField{"area", &Company::area, QT_TRANSLATE_NOOP("Company", "Shop area")},
-    CompanyField{"place", &Company::place, QT_TRANSLATE_NOOP("Company", "Work place")},
-    CompanyField{"operation", &Company::operation,
-                 QT_TRANSLATE_NOOP("Company", "Operation number")},
-};
 
 } // namespace
 
-std::span<const CompanyField> companyFields() {
-    return fields;
+template <>
+const StructInfo& tableOf<CompanyTexts>() {
+    using T = CompanyTexts;
+    constexpr Range letters{0, 200};
+    static const std::array rows{
+        SPARKOUT_FIELD(T, name, .label = SPARKOUT_NOOP("Input", "Company"), .hard = letters),
+        SPARKOUT_FIELD(T, department, .label = SPARKOUT_NOOP("Input", "Department"),
+                       .hard = letters),
+        SPARKOUT_FIELD(T, developed, .label = SPARKOUT_NOOP("Input", "Prepared by"),
+                       .hard = letters),
+        SPARKOUT_FIELD(T, checked, .label = SPARKOUT_NOOP("Input", "Checked by"), .hard = letters),
+        SPARKOUT_FIELD(T, agreed, .label = SPARKOUT_NOOP("Input", "Agreed by"), .hard = letters),
+        SPARKOUT_FIELD(T, standards, .label = SPARKOUT_NOOP("Input", "Standards checked by"),
+                       .hard = letters),
+        SPARKOUT_FIELD(T, approved, .label = SPARKOUT_NOOP("Input", "Approved by"),
+                       .hard = letters),
+        SPARKOUT_FIELD(T, designation, .label = SPARKOUT_NOOP("Input", "Document number"),
+                       .hard = letters),
+        SPARKOUT_FIELD(T, part, .label = SPARKOUT_NOOP("Input", "Part designation"),
+                       .hard = letters),
+        SPARKOUT_FIELD(T, shop, .label = SPARKOUT_NOOP("Input", "Shop"), .hard = letters),
+        SPARKOUT_FIELD(T, area, .label = SPARKOUT_NOOP("Input", "Shop area"), .hard = letters),
+        SPARKOUT_FIELD(T, place, .label = SPARKOUT_NOOP("Input", "Work place"), .hard = letters),
+        SPARKOUT_FIELD(T, operation, .label = SPARKOUT_NOOP("Input", "Operation number"),
+                       .hard = letters),
+    };
+    static const StructInfo info =
+        makeTable<CompanyTexts>(SPARKOUT_NOOP("Struct", "Company and signatures"), rows);
+    return info;
 }
 
 Company Company::with(const CardEntries& entries) const {
     Company made = *this;
-    const auto take = [](QString& number, const std::string& given) {
+    const auto take = [](std::string& number, const std::string& given) {
         if (const QString text = QString::fromStdString(given).simplified(); !text.isEmpty()) {
-            number = text;
+            number = text.toStdString();
         }
     };
     take(made.part, entries.part_number);
@@ -54,12 +60,7 @@ Company Company::with(const CardEntries& entries) const {
 }
 
 QVariantMap Company::kept() const {
-    QVariantMap kept;
-    for (const CompanyField& field : fields) {
-        if (const QString text = (this->*field.value).simplified(); !text.isEmpty()) {
-            kept.insert(QString::fromLatin1(field.key), text);
-        }
-    }
+    QVariantMap kept = keptTexts(tableOf<CompanyTexts>(), static_cast<const CompanyTexts*>(this));
     if (!logo.isEmpty()) {
         kept.insert(logoKey, QString::fromLatin1(logo.toBase64()));
     }
@@ -68,12 +69,7 @@ QVariantMap Company::kept() const {
 
 Company Company::fromKept(const QVariantMap& kept) {
     Company made;
-    for (const CompanyField& field : fields) {
-        made.*field.value = kept.value(QString::fromLatin1(field.key))
-                                .toString()
-                                .simplified()
-                                .left(longestCompanyText);
-    }
+    readKeptTexts(kept, tableOf<CompanyTexts>(), static_cast<CompanyTexts*>(&made));
     made.logo = QByteArray::fromBase64(kept.value(logoKey).toString().toLatin1());
     return made;
 }

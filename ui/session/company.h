@@ -1,29 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/field.h"
+
 #include <QByteArray>
-#include <QString>
 #include <QVariantMap>
 
-#include <span>
+#include <string>
 
 namespace sparkout {
 
 struct CardEntries;
 
 /// Company data in the heads of documents, in addition to the project. All of it may be empty.
-struct Company {
-    QString name;
-    QString department;
-    QString developed; ///< names of the signatories
-    QString checked;
-    QString agreed;
-    QString standards; ///< name of the standards checker
-    QString approved;
-    QString designation;                  ///< designation of the document
-    QString part;                         ///< designation of the part
-    QString shop, area, place, operation; ///< numbers of shop, area, workplace and operation
-    QByteArray logo;                      ///< contents of a file that satisfies Logo
+struct CompanyTexts {
+    std::string name;
+    std::string department;
+    std::string developed; ///< names of the signatories
+    std::string checked;
+    std::string agreed;
+    std::string standards; ///< name of the standards checker
+    std::string approved;
+    std::string designation;                  ///< designation of the document
+    std::string part;                         ///< designation of the part
+    std::string shop, area, place, operation; ///< numbers of shop, area, workplace and operation
+
+    friend bool operator==(const CompanyTexts&, const CompanyTexts&) = default;
+};
+
+/// The same with its logo.
+struct Company : CompanyTexts {
+    QByteArray logo; ///< contents of a file that satisfies Logo
 
     friend bool operator==(const Company&, const Company&) = default;
 
@@ -34,12 +41,7 @@ struct Company {
     [[nodiscard]] static Company fromKept(const QVariantMap& kept);
 };
 
-/// A text of the company: its key in the settings and its label.
-struct CompanyField {
-    const char* key;
-    QString Company::*value;
-    const char* label; ///< in English, to be translated in the context Company
-};
-[[nodiscard]] std::span<const CompanyField> companyFields();
+template <>
+const StructInfo& tableOf<CompanyTexts>();
 
 } // namespace sparkout

@@ -29,11 +29,16 @@ QString meaning(const Field& field) {
                : hint;
 }
 
+/// Whether its range is one of values, and not of items or letters.
+bool hasLimits(const Field& field) {
+    return !field.hard.unbounded() && field.kind != Kind::objectList && field.kind != Kind::text;
+}
+
 /// The facts of a hint, each with its name.
 QStringList facts(const Field& field) {
     const ShownScale scale = ShownScale::ofInput(field);
     QStringList list;
-    if (!field.hard.unbounded() && field.kind != Kind::objectList) {
+    if (hasLimits(field)) {
         list += hintTr(QT_TRANSLATE_NOOP("Hint", "Allowed: %1"))
                     .arg(rangeShown(scale.shown(field.stated()), field.unit));
     }
@@ -101,7 +106,10 @@ QString columnMarkup(const Field& field) {
 }
 
 QString hintMarkup(const Field& field) {
-    QString html = QStringLiteral("<p>%1</p>").arg(withIndices(meaning(field)));
+    QString html;
+    if (*field.hint) {
+        html += QStringLiteral("<p>%1</p>").arg(withIndices(meaning(field)));
+    }
     if (*field.formula) {
         html += QStringLiteral("<p><i>%1</i></p>").arg(withIndices(inputText(field.formula)));
     }
@@ -123,13 +131,14 @@ QString hintPlain(const Field& field) {
     for (const QString& fact : facts(field) + moreFacts(field)) {
         parts += fact + u'.';
     }
+    parts.removeAll(QString());
     return parts.join(u' ');
 }
 
 QString limitsMarkup(const Field& field) {
     const ShownScale scale = ShownScale::ofInput(field);
     QStringList list;
-    if (!field.hard.unbounded() && field.kind != Kind::objectList) {
+    if (hasLimits(field)) {
         list += hintTr(QT_TRANSLATE_NOOP("Hint", "allowed %1"))
                     .arg(rangeBrief(scale.shown(field.stated()), field.unit));
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/format/table_reader.h"
 #include "core/format/table_writer.h"
+#include "core/project/cycle.h"
+#include "core/project/member.h"
 #include "core/project/validate.h"
 #include "core/reference/reference_page.h"
 #include "tests/core/support/project_samples.h"
@@ -108,6 +110,28 @@ private slots:
                 QCOMPARE(place.table->find("no_such_key"), nullptr);
             }
         }
+    }
+
+    void itemsOfAListAreFoundSwappedAndErased() {
+        Cycle cycle;
+        for (const double stock_mm : {0.1, 0.2, 0.3}) {
+            cycle.stages.emplace_back().stock_mm = stock_mm;
+        }
+        const Field& stages = *tableOf<Cycle>().find("stages");
+        stages.swap(&cycle, 0, 2);
+        stages.erase(&cycle, 1);
+        QCOMPARE(cycle.stages.size(), std::size_t(2));
+        QCOMPARE(cycle.stages[0].stock_mm, 0.3);
+        const void* const root = &cycle;
+        const ConstMember last = memberIn(tableOf<Cycle>(), root, "/stages/1/stock_mm");
+        QVERIFY(last.owner == &cycle.stages[1] && last.field->as<double>(last.owner) == 0.1);
+        QVERIFY(!memberIn(tableOf<Cycle>(), root, "/stages/2/stock_mm"));
+        // What is below a struct that is not given is not there, and reading does not create it.
+        Project project;
+        project.batch.reset();
+        const void* const whole = &project;
+        QVERIFY(!memberIn(tableOf<Project>(), whole, "/batch/parts") && !project.batch);
+        QVERIFY(findMember(std::as_const(project), "/batch/parts"));
     }
 
     void defaultsAreUsual() {

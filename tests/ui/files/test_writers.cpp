@@ -238,8 +238,9 @@ private slots:
         const QTemporaryDir folder;
         const QString file = folder.filePath(QStringLiteral("settings.json"));
         Company company;
-        for (const CompanyField& field : companyFields()) {
-            company.*field.value = QString(200, QChar(0x416));
+        for (const Field& field : tableOf<CompanyTexts>().fields) {
+            field.as<std::string>(static_cast<CompanyTexts*>(&company)) =
+                QString(200, QChar(0x416)).toStdString();
         }
         company.logo = QByteArray(1 << 20, '\xff'); // report::mostLogoBytes
         {

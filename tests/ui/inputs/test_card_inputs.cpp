@@ -52,12 +52,12 @@ private slots:
         QCOMPARE(entries.blank_mass_kg, 4.9);
 
         Company company;
-        company.part = QStringLiteral("another");
-        company.designation = QStringLiteral("60141.00012");
+        company.part = "another";
+        company.designation = "60141.00012";
         const Setup setup = plainSetup(window.document().project());
         const report::CardHead head =
             report::OperationCardReport::head(setup, {}, company, QDate(2026, 11, 26));
-        QCOMPARE(head.company.part, QStringLiteral("7716-03.021")); // before that of the settings
+        QCOMPARE(head.company.part, std::string("7716-03.021")); // before that of the settings
         QCOMPARE(head.company.designation, company.designation);
         QVERIFY(head.operation.contains(QStringLiteral("2.25")));
         QVERIFY(head.operation.contains(QStringLiteral("4.9")));

@@ -165,6 +165,10 @@ private slots:
         desk.find("/variants/inputs/4/path", QStringLiteral("part ground length"));
         const double length_mm = desk.lesson().base.surfaces.front().project.part->length_mm;
         QCOMPARE(desk.lesson().variants->inputs[4].from, std::optional(length_mm));
+        const QString hint =
+            desk.part<QLineEdit>(QStringLiteral("/variants/inputs/4/from"))->toolTip();
+        QVERIFY2(hint.contains(QStringLiteral("Allowed")) && hint.contains(QStringLiteral("mm")),
+                 qPrintable(hint));
         desk.type("/variants/inputs/4/from", QStringLiteral("90"));
         desk.type("/variants/inputs/4/to", QStringLiteral("100"));
         desk.type("/variants/inputs/4/step", QStringLiteral("2"));
@@ -341,6 +345,10 @@ private slots:
         desk.press("editUndo");
         QVERIFY(desk.lesson().steps[0].inputs.empty());
         desk.press("editRedo");
+        desk.choose("/steps/0/others", QStringLiteral("changed by the student"));
+        QCOMPARE(desk.lesson().steps[0].others, Access::free);
+        desk.press("editUndo");
+        QCOMPARE(desk.lesson().steps[0].others, Access::locked);
         desk.tab(hidden);
         auto* things = desk.part<QListWidget>(QStringLiteral("hiddenThings"));
         things->setFocus();

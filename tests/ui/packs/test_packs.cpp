@@ -73,8 +73,8 @@ struct Seat {
         QCOMPARE(machines->save(newProject(Operation::plunge), QStringLiteral("3М151 № 7")),
                  QString());
         Company company;
-        company.name = QStringLiteral("Кафедра");
-        company.developed = QStringLiteral("Иванов");
+        company.name = "Кафедра";
+        company.developed = "Иванов";
         company.logo = samples::picture({160, 40}, "PNG");
         settings.setCompany(company);
         write(ownLessonsFolder(settings.folder()) + u'/' + lessonName, bytesOf(shippedLesson()));
@@ -147,7 +147,7 @@ private slots:
         teacher.fill();
         student.keepWheel(QStringLiteral("Круг 1"), 600);
         Company own;
-        own.name = QStringLiteral("Завод");
+        own.name = "Завод";
         student.settings.setCompany(own);
         const QString lesson = ownLessonsFolder(student.settings.folder()) + u'/' + lessonName;
         write(lesson, "{}");
@@ -203,7 +203,7 @@ private slots:
               QByteArray("<svg><image href=\"/etc/hostname\"/></svg>"), QByteArray("GIF89a")}) {
             Seat student;
             Company own;
-            own.name = QStringLiteral("Завод");
+            own.name = "Завод";
             own.logo = samples::picture({80, 20}, "JPG");
             student.settings.setCompany(own);
             Pack pack;
@@ -216,7 +216,7 @@ private slots:
             QCOMPARE(plan.differences(0).size(), std::size_t{1}); // the name
             plan.choose(0, PackPlan::Choice::take);
             QCOMPARE(plan.carryOut(student.settings), QStringList());
-            own.name = QStringLiteral("Кафедра");
+            own.name = "Кафедра";
             QVERIFY(student.settings.company() == own);
             // Nor does it go on from settings that hold one.
             own.logo = drawing;
@@ -236,7 +236,7 @@ private slots:
         QCOMPARE(plan.logoFault(), QString());
         QCOMPARE(plan.differences(0).size(), std::size_t{2}); // the name, the logo
         QCOMPARE(plan.carryOut(student.settings).size(), 1);
-        QCOMPARE(student.settings.company().name, QStringLiteral("Кафедра"));
+        QCOMPARE(student.settings.company().name, std::string("Кафедра"));
         QVERIFY(student.settings.company().logo.isEmpty());
     }
 

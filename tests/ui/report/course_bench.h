@@ -127,12 +127,12 @@ inline Work finished(const Lesson& lesson) {
 
 inline report::PaperWish wish() {
     report::PaperWish wish;
-    wish.institution.ministry = QStringLiteral("Министерство науки и высшего образования РФ");
-    wish.institution.university = QStringLiteral("Южный университет");
-    wish.institution.department = QStringLiteral("Кафедра технологии машиностроения");
-    wish.institution.discipline = QStringLiteral("Технология шлифования");
-    wish.institution.acceptedBy = QStringLiteral("доцент Петров П. П.");
-    wish.institution.place = QStringLiteral("Челябинск");
+    wish.institution.ministry = "Министерство науки и высшего образования РФ";
+    wish.institution.university = "Южный университет";
+    wish.institution.department = "Кафедра технологии машиностроения";
+    wish.institution.discipline = "Технология шлифования";
+    wish.institution.accepted = "доцент Петров П. П.";
+    wish.institution.place = "Челябинск";
     wish.file = QStringLiteral("/tmp/work.sparkout-work");
     wish.date = QDate(2026, 11, 26);
     return wish;

@@ -55,7 +55,7 @@ private slots:
         QStringList faults;
         DialogAnswers answers({QStringLiteral("keepCompany")});
         answers.seen = [&](QDialog& dialog) {
-            auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("company-name"));
+            auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("/name"));
             name->setFocus();
             QTest::keyClicks(name, QStringLiteral("Stankomash"));
             english = englishIn(dialog.windowTitle());
@@ -78,7 +78,7 @@ private slots:
                                    .remove(QStringLiteral("Inkscape"))),
                      QString());
         }
-        QCOMPARE(bench.settings.company().name, QStringLiteral("Stankomash"));
+        QCOMPARE(bench.settings.company().name, std::string("Stankomash"));
         QCOMPARE(bench.settings.company().logo, bytes); // the refused ones left it as it was
     }
 
@@ -111,7 +111,7 @@ private slots:
         QString english;
         DialogAnswers answers({QStringLiteral("keepTitlePage")});
         answers.seen = [&](QDialog& dialog) {
-            auto* place = dialog.findChild<QLineEdit*>(QStringLiteral("title-place"));
+            auto* place = dialog.findChild<QLineEdit*>(QStringLiteral("/place"));
             place->setFocus();
             QTest::keyClicks(place, QStringLiteral("Miass "));
             english = englishIn(dialog.windowTitle());
@@ -120,8 +120,8 @@ private slots:
         QCOMPARE(answers.fault(), QString());
         QCOMPARE(english, QString());
         const auto kept = report::Institution::fromKept(bench.settings.titlePage());
-        QCOMPARE(kept.place, QStringLiteral("Miass"));
-        QCOMPARE(kept.ministry, QString());
+        QCOMPARE(kept.place, std::string("Miass"));
+        QCOMPARE(kept.ministry, std::string());
     }
 
     void theHandoutIsAWorksheetOrItsKey() {

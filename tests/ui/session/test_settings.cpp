@@ -48,8 +48,9 @@ private slots:
         const QTemporaryDir folder;
         const QString file = folder.filePath(QStringLiteral("settings.json"));
         Company company;
-        for (const CompanyField& field : companyFields()) {
-            company.*field.value = QStringLiteral("«%1»").arg(QString::fromLatin1(field.key));
+        for (const Field& field : tableOf<CompanyTexts>().fields) {
+            field.as<std::string>(static_cast<CompanyTexts*>(&company)) =
+                "«" + std::string(field.key) + "»";
         }
         company.logo = QByteArray("\x89PNG\0\xff", 6);
         {

@@ -2,6 +2,7 @@
 #include "ui/inputs/editors/factor_lines.h"
 
 #include "core/project/batch.h"
+#include "core/project/member.h"
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>
@@ -115,16 +116,13 @@ private:
         line.hint = [&row] {
             return inputText(row.hint) + u' ' + tr("Empty: %1.").arg(inputText(row.nullMeaning));
         };
-        line.get = [&field = m_field](const Project& project) -> std::optional<double> {
+        line.get = [&field = m_field, &row](const Project& project) {
             const Factor* law = lawIn(field, project);
-            return law && law->parts_between_dressings
-                       ? std::optional<double>(*law->parts_between_dressings)
-                       : std::nullopt;
+            return law ? numberIn(row, law) : std::nullopt;
         };
-        line.set = [&field = m_field](Project& project, std::optional<double> value) {
+        line.set = [&field = m_field, &row](Project& project, std::optional<double> value) {
             if (Factor* law = lawIn(field, project)) {
-                law->parts_between_dressings =
-                    value ? std::optional(static_cast<int>(*value)) : std::nullopt;
+                setNumberIn(row, law, value);
             }
         };
     }

@@ -7,6 +7,8 @@
 #include "ui/files/catalogue_changes.h"
 #include "ui/inputs/forms/entry_name_dialog.h"
 #include "ui/inputs/forms/stiffness_offer.h"
+#include "ui/kit/answer_buttons.h"
+#include "ui/kit/copyable_label.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/sealed_state.h"
@@ -17,7 +19,6 @@
 #include "ui/text/texts.h"
 
 #include <QApplication>
-#include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -87,13 +88,6 @@ void setUp(QTreeWidget& tree) {
     tree.setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
 }
 
-QLabel* plainLabel(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    return label;
-}
-
 } // namespace
 
 CatalogueDialog::CatalogueDialog(CatalogueStore& store, Project project, Settings* settings,
@@ -102,15 +96,15 @@ CatalogueDialog::CatalogueDialog(CatalogueStore& store, Project project, Setting
     , m_store(store)
     , m_project(std::move(project))
     , m_settings(settings)
-    , m_fault(plainLabel(this))
+    , m_fault(plainLabel({}, this))
     , m_aside(new QPushButton(tr("Rename it, &start a new one"), this))
     , m_search(new QLineEdit(this))
-    , m_found(plainLabel(this))
+    , m_found(plainLabel({}, this))
     , m_list(new QTreeWidget(this))
-    , m_note(plainLabel(this))
+    , m_note(plainLabel({}, this))
     , m_preview(new QTreeWidget(this))
     , m_stiffness(new StiffnessOffer(m_project, this))
-    , m_refused(plainLabel(this))
+    , m_refused(plainLabel({}, this))
     , m_rename(new QPushButton(tr("&Rename…"), this))
     , m_remove(new QPushButton(tr("&Delete…"), this)) {
     setHelpTopic(*this, QStringLiteral("editing#catalogues"));
@@ -149,11 +143,10 @@ void CatalogueDialog::build() {
     splitter->addWidget(buildPreview());
     splitter->setStretchFactor(0, 3);
     splitter->setStretchFactor(1, 2);
-    auto* buttons = new QDialogButtonBox(this);
-    m_take = buttons->addButton(tr("&Apply"), QDialogButtonBox::AcceptRole);
+    auto* buttons = new AnswerButtons(tr("&Apply"), tr("&Cancel"), this);
+    m_take = buttons->acceptButton();
     m_take->setObjectName(QStringLiteral("takeOver"));
-    m_take->setDefault(true);
-    QPushButton* cancel = buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
+    QPushButton* const cancel = buttons->rejectButton();
     cancel->setObjectName(QStringLiteral("cancel"));
     for (QPushButton* button : {m_rename, m_remove}) {
         buttons->addButton(button, QDialogButtonBox::ResetRole);
@@ -178,8 +171,6 @@ void CatalogueDialog::build() {
     m_refused->setAccessibleName(tr("Why the inputs would be refused"));
     m_refused->setMinimumHeight(m_refused->fontMetrics().lineSpacing() * 2);
     m_refused->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_search, &QLineEdit::textChanged, this, &CatalogueDialog::filter);
     connect(m_list, &QTreeWidget::currentItemChanged, this, &CatalogueDialog::showChosen);
     connect(m_stiffness, &StiffnessOffer::chosen, this, &CatalogueDialog::showPreview);

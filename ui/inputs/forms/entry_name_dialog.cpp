@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/entry_name_dialog.h"
 
-#include <QDialogButtonBox>
+#include "ui/kit/answer_buttons.h"
+#include "ui/kit/copyable_label.h"
+
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -23,7 +24,7 @@ EntryNameDialog::EntryNameDialog(const QString& title, const QString& name,
     : QDialog(parent)
     , m_judge(std::move(judge))
     , m_name(new QLineEdit(name, this))
-    , m_remark(new QLabel(this)) {
+    , m_remark(plainLabel({}, this)) {
     setWindowTitle(title);
     m_name->setObjectName(QStringLiteral("entryName"));
     m_name->setMaxLength(longestEntryName);
@@ -31,18 +32,12 @@ EntryNameDialog::EntryNameDialog(const QString& title, const QString& name,
     auto* label = new QLabel(tr("&Name in your catalogue:"), this);
     label->setBuddy(m_name);
     m_name->setAccessibleName(tr("Name in your catalogue"));
-    m_remark->setTextFormat(Qt::PlainText);
-    m_remark->setWordWrap(true);
     m_remark->setAccessibleName(tr("Action"));
     m_remark->setMinimumHeight(m_remark->fontMetrics().lineSpacing() * 2);
     m_remark->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    auto* buttons = new QDialogButtonBox(this);
-    m_keep = buttons->addButton(tr("&Keep"), QDialogButtonBox::AcceptRole);
+    auto* buttons = new AnswerButtons(tr("&Keep"), tr("&Cancel"), this);
+    m_keep = buttons->acceptButton();
     m_keep->setObjectName(QStringLiteral("keepName"));
-    m_keep->setDefault(true);
-    buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_name, &QLineEdit::textChanged, this, &EntryNameDialog::judge);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(label);

@@ -3,6 +3,7 @@
 
 #include "ui/kit/metrics.h"
 #include "ui/lesson/edit/lesson_draft.h"
+#include "ui/lesson/edit/lesson_form.h"
 #include "ui/lesson/edit/lesson_inputs.h"
 #include "ui/text/texts.h"
 
@@ -26,12 +27,6 @@ QString accessName(Access access) {
     return choiceText(choicesOf<Access>()[static_cast<std::size_t>(access)].label);
 }
 
-void addAccesses(QComboBox& combo) {
-    for (std::size_t i = 0; i < choicesOf<Access>().size(); ++i) {
-        combo.addItem(accessName(static_cast<Access>(i)), static_cast<int>(i));
-    }
-}
-
 std::string pathOf(const QTreeWidgetItem& item) {
     return item.data(inputColumn, pathRole).toString().toStdString();
 }
@@ -42,17 +37,18 @@ AccessPage::AccessPage(LessonDraft& draft, std::size_t step, QWidget* parent)
     : QWidget(parent)
     , m_draft(draft)
     , m_step(step)
-    , m_others(new QComboBox(this))
+    , m_others(new LessonForm(
+          draft, {tableOf<LessonStep>(), "/steps/" + std::to_string(step), {"others"}}, this))
     , m_search(new QLineEdit(this))
     , m_tree(new QTreeWidget(this))
     , m_access(new QComboBox(this)) {
-    m_others->setObjectName(QStringLiteral("otherInputs"));
     m_search->setObjectName(QStringLiteral("inputSearch"));
     m_tree->setObjectName(QStringLiteral("inputTree"));
     m_access->setObjectName(QStringLiteral("inputAccess"));
-    addAccesses(*m_others);
     m_access->addItem(tr("as the inputs around them"), -1);
-    addAccesses(*m_access);
+    for (std::size_t i = 0; i < choicesOf<Access>().size(); ++i) {
+        m_access->addItem(accessName(static_cast<Access>(i)), static_cast<int>(i));
+    }
     m_search->setPlaceholderText(tr("Search the inputs"));
     m_search->setAccessibleName(m_search->placeholderText());
     m_search->setClearButtonEnabled(true);
@@ -61,20 +57,15 @@ AccessPage::AccessPage(LessonDraft& draft, std::size_t step, QWidget* parent)
     m_tree->setHeaderLabels({tr("Input"), tr("For the student")});
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_tree->setUniformRowHeights(true);
-    auto* form = new QFormLayout;
-    form->addRow(tr("Inputs that are not named"), m_others);
     auto* below = new QFormLayout;
     below->addRow(tr("Selected inputs"), m_access);
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(metrics::gap);
-    layout->addLayout(form);
+    layout->addWidget(m_others);
     layout->addWidget(m_search);
     layout->addWidget(m_tree, 1);
     layout->addLayout(below);
     fill();
-    connect(m_others, &QComboBox::activated, this, [this](int index) {
-        change({}, [index](LessonStep& of) { of.others = static_cast<Access>(index); });
-    });
     connect(m_search, &QLineEdit::textChanged, this, &AccessPage::search);
     connect(m_access, &QComboBox::activated, this, [this](int index) {
         const int access = m_access->itemData(index).toInt();
@@ -120,7 +111,6 @@ void AccessPage::show() {
     if (!step) {
         return;
     }
-    m_others->setCurrentIndex(static_cast<int>(step->others));
     for (const InputAccess& each : step->inputs) { // what the project does not have, too
         addInput(each.path);
     }
@@ -174,7 +164,8 @@ void AccessPage::give(std::optional<Access> access) {
     for (const std::string& path : paths) {
         key += path;
     }
-    change(key, [&](LessonStep& step) {
+    m_draft.edit(key, [&](Lesson& lesson) {
+        LessonStep& step = lesson.steps[m_step];
         for (const std::string& path : paths) {
             const auto named = std::ranges::find(step.inputs, path, &InputAccess::path);
             if (!access) {
@@ -185,15 +176,6 @@ void AccessPage::give(std::optional<Access> access) {
             } else {
                 named->access = *access;
             }
-        }
-    });
-}
-
-void AccessPage::change(const std::string& key,
-                        const std::function<void(LessonStep& step)>& change) {
-    m_draft.edit(key, [&](Lesson& lesson) {
-        if (m_step < lesson.steps.size()) {
-            change(lesson.steps[m_step]);
         }
     });
 }

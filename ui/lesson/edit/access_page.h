@@ -5,7 +5,6 @@
 
 #include <QWidget>
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,6 +17,7 @@ class QTreeWidgetItem;
 namespace sparkout {
 
 class LessonDraft;
+class LessonForm;
 
 /// What a student may do with the inputs in a step: a tree of all of them by the names of the
 /// forms, with a search; what is chosen is given to the selected ones, and holds below them.
@@ -34,11 +34,10 @@ private:
     void show();
     void search(const QString& text);
     void give(std::optional<Access> access);
-    void change(const std::string& key, const std::function<void(LessonStep& step)>& change);
 
     LessonDraft& m_draft;
     std::size_t m_step;
-    QComboBox* m_others;
+    LessonForm* m_others; ///< what holds for the inputs that are not named
     QLineEdit* m_search;
     QTreeWidget* m_tree;
     QComboBox* m_access; ///< of the selected ones

@@ -59,7 +59,7 @@ private:
 };
 
 LessonDraft::LessonDraft(QObject* parent)
-    : QObject(parent), m_lesson(std::make_shared<const Lesson>()) {
+    : FormModel(tableOf<LessonSheet>(), parent), m_lesson(std::make_shared<const Lesson>()) {
     m_history.setUndoLimit(stepsOfHistory);
 }
 
@@ -114,6 +114,14 @@ void LessonDraft::edit(const std::string& key, const std::function<void(Lesson& 
     auto after = std::make_shared<Lesson>(*m_lesson);
     change(*after);
     m_history.push(new Edit(*this, key, std::move(after)));
+}
+
+const void* LessonDraft::root() const {
+    return static_cast<const LessonSheet*>(m_lesson.get());
+}
+
+void LessonDraft::change(const std::string& key, const Change& set) {
+    edit(key, [&set](Lesson& lesson) { set(static_cast<LessonSheet*>(&lesson)); });
 }
 
 void LessonDraft::markSaved(const QString& path) {

@@ -3,9 +3,9 @@
 
 #include "core/issue.h"
 #include "core/lesson/lesson.h"
+#include "ui/form/form_model.h"
 
 #include <QCoreApplication>
-#include <QObject>
 #include <QString>
 #include <QUndoStack>
 
@@ -19,7 +19,7 @@ namespace sparkout {
 /// A laboratory work while its teacher edits it: the whole lesson, so that what no page shows is
 /// kept as it is, its file and its history. A step of the history holds the lesson before and
 /// after.
-class LessonDraft : public QObject {
+class LessonDraft : public FormModel {
     Q_OBJECT
 
 public:
@@ -43,13 +43,15 @@ public:
 
     /// Changes it; in a row with the same key that is one step of the history.
     void edit(const std::string& key, const std::function<void(Lesson& lesson)>& change);
+    [[nodiscard]] const void* root() const override;
+    void change(const std::string& key, const Change& set) override;
+    [[nodiscard]] bool hasHistory() const override { return true; }
     void markSaved(const QString& path);
 
     /// A place of a lesson in words: "Step 2 › Goal › Choice › Option 3".
     [[nodiscard]] static QString location(const std::string& path);
 
 signals:
-    void changed();  ///< another value
     void replaced(); ///< another lesson
 
 private:

@@ -7,11 +7,11 @@
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/file_questions.h"
 #include "ui/dialogs/save_dialog.h"
+#include "ui/form/struct_form.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/lesson/edit/lesson_page.h"
-#include "ui/lesson/edit/value_widgets.h"
 #include "ui/lesson/edit/variant_check_dialog.h"
 #include "ui/lesson/lesson_text.h"
 #include "ui/lesson/lessons_dialog.h"
@@ -293,7 +293,7 @@ void LessonEditor::chooseShipped() {
 /// What cannot be opened again is not written.
 bool LessonEditor::isWhole() {
     showFaults();
-    const bool isWhole = m_draft.faults().empty() && ValueWidgets::refusals(*this).empty();
+    const bool isWhole = m_draft.faults().empty() && StructForm::refusals(*this).empty();
     if (!isWhole) {
         showFailure(this, tr("The laboratory work has faults"),
                     tr("They are listed below the pages; a double click leads to each of them."));
@@ -471,8 +471,9 @@ void LessonEditor::showState() {
 void LessonEditor::showFaults() {
     m_check.stop();
     m_faults->clear();
-    for (const QString& refused : ValueWidgets::refusals(*this)) {
-        m_faults->addItem(refused);
+    for (const Refusal& refused : StructForm::refusals(*this)) {
+        m_faults->addItem(
+            QStringLiteral("%1: %2").arg(LessonDraft::location(refused.path), refused.reason));
     }
     for (const Issue& issue : m_draft.faults()) {
         auto* item = new QListWidgetItem(

@@ -4,7 +4,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/lesson/edit/access_page.h"
 #include "ui/lesson/edit/lesson_draft.h"
-#include "ui/lesson/edit/struct_form.h"
+#include "ui/lesson/edit/lesson_form.h"
 #include "ui/lesson/edit/text_preview.h"
 #include "ui/text/texts.h"
 
@@ -22,7 +22,7 @@ namespace sparkout {
 namespace {
 
 /// A form, and the preview of its text with the room that is left.
-QWidget* formPage(StructForm* form, TextPreview* preview = nullptr) {
+QWidget* formPage(LessonForm* form, TextPreview* preview = nullptr) {
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     layout->setSpacing(metrics::margin);
@@ -48,34 +48,28 @@ QWidget* focusIn(QWidget& widget) {
     return &widget;
 }
 
-StructForm::Subject ofWork(std::vector<std::string_view> keys) {
-    return {tableOf<LessonSheet>(),
-            {},
-            [](Lesson& lesson) -> void* { return static_cast<LessonSheet*>(&lesson); },
-            std::move(keys)};
+LessonForm* formOfWork(LessonDraft& draft, std::vector<std::string_view> keys) {
+    return new LessonForm(draft, {tableOf<LessonSheet>(), {}, std::move(keys)});
 }
 
-StructForm::Subject ofStep(std::size_t step, std::vector<std::string_view> keys) {
-    return {tableOf<LessonStep>(), "/steps/" + std::to_string(step),
-            [step](Lesson& lesson) -> void* {
-                return step < lesson.steps.size() ? &lesson.steps[step] : nullptr;
-            },
-            std::move(keys)};
+LessonForm* formOfStep(LessonDraft& draft, const std::string& step,
+                       std::vector<std::string_view> keys) {
+    return new LessonForm(draft, {tableOf<LessonStep>(), step, std::move(keys)});
 }
 
 } // namespace
 
 LessonPage::LessonPage(LessonDraft& draft, QWidget* parent) : QTabWidget(parent) {
-    add(formPage(new StructForm(draft, ofWork({"title", "aim", "theory"})),
+    add(formPage(formOfWork(draft, {"title", "aim", "theory"}),
                  new TextPreview(draft, [](const Lesson& lesson) { return lesson.theory; })),
         tr("Title, aim, theory"), {"/title", "/aim", "/theory"});
     add(variants(draft), tr("Variants"), {"/variants"});
-    add(formPage(new StructForm(draft, ofWork({"guide"}))), tr("For the teacher"), {"/guide"});
+    add(formPage(formOfWork(draft, {"guide"})), tr("For the teacher"), {"/guide"});
 }
 
 LessonPage::LessonPage(LessonDraft& draft, std::size_t step, QWidget* parent) : QTabWidget(parent) {
     const std::string at = "/steps/" + std::to_string(step);
-    add(formPage(new StructForm(draft, ofStep(step, {"task", "points", "surface"})),
+    add(formPage(formOfStep(draft, at, {"task", "points", "surface"}),
                  new TextPreview(draft,
                                  [step](const Lesson& lesson) {
                                      return step < lesson.steps.size() ? lesson.steps[step].task
@@ -83,17 +77,12 @@ LessonPage::LessonPage(LessonDraft& draft, std::size_t step, QWidget* parent) : 
                                  })),
         tr("Task"), {at + "/task", at + "/points", at + "/surface"});
     add(new AccessPage(draft, step), tr("Inputs"), {at + "/inputs", at + "/others"});
-    add(formPage(new StructForm(draft, ofStep(step, {"values"}))), tr("Values"), {at + "/values"});
+    add(formPage(formOfStep(draft, at, {"values"})), tr("Values"), {at + "/values"});
     add(hiddenThings(draft, step), tr("Hidden"), {at + "/hidden"});
-    add(formPage(new StructForm(draft, {tableOf<Goal>(), at + "/goal",
-                                        [step](Lesson& lesson) -> void* {
-                                            return step < lesson.steps.size()
-                                                       ? &lesson.steps[step].goal
-                                                       : nullptr;
-                                        }})),
-        tr("Goal"), {at + "/goal"});
-    add(formPage(new StructForm(draft, ofStep(step, {"hints"}))), tr("Hints"), {at + "/hints"});
-    add(formPage(new StructForm(draft, ofStep(step, {"moment"}))), tr("Moment"), {at + "/moment"});
+    add(formPage(new LessonForm(draft, {tableOf<Goal>(), at + "/goal"})), tr("Goal"),
+        {at + "/goal"});
+    add(formPage(formOfStep(draft, at, {"hints"})), tr("Hints"), {at + "/hints"});
+    add(formPage(formOfStep(draft, at, {"moment"})), tr("Moment"), {at + "/moment"});
 }
 
 void LessonPage::add(QWidget* page, const QString& title, std::vector<std::string> shows) {
@@ -117,7 +106,7 @@ QWidget* LessonPage::variants(LessonDraft& draft) {
     const auto show = [check, &draft] { check->setEnabled(draft.lesson().variants.has_value()); };
     show();
     connect(&draft, &LessonDraft::changed, check, show);
-    QWidget* page = formPage(new StructForm(draft, ofWork({"variants"})));
+    QWidget* page = formPage(formOfWork(draft, {"variants"}));
     auto* line = new QHBoxLayout;
     line->addWidget(check);
     line->addStretch(1);

@@ -84,17 +84,38 @@ double contentWidth(bool hasCells) {
     return wide;
 }
 
+QString shown(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
 } // namespace
 
 QString CardHead::maker() const {
-    QStringList all{company.name, company.department};
+    QStringList all{shown(company.name), shown(company.department)};
     all.removeAll(QString());
     return all.join(QStringLiteral(", "));
 }
 
 QStringList CardHead::people() const {
-    return {company.developed.isEmpty() ? author : company.developed, company.checked,
-            company.agreed, company.standards, company.approved};
+    return {company.developed.empty() ? author : shown(company.developed), shown(company.checked),
+            shown(company.agreed), shown(company.standards), shown(company.approved)};
+}
+
+QStringList CardHead::designations() const {
+    return {maker(), shown(company.part), shown(company.designation)};
+}
+
+QStringList CardHead::names() const {
+    return {part,
+            letter,
+            shown(company.shop),
+            shown(company.area),
+            shown(company.place),
+            shown(company.operation)};
+}
+
+QStringList CardHead::following() const {
+    return {part, shown(company.part), shown(company.designation), shown(company.operation)};
 }
 
 std::vector<CardSheets::Line> CardSheets::wrapped(const std::vector<CardRow>& rows) {
@@ -175,10 +196,7 @@ FormSheet CardSheets::begun(const form::Kind& kind, bool isFirst, int number, in
         addSigners(sheet);
         addDesignations(sheet);
     } else {
-        captionedRow(sheet, form::continued,
-                     {m_head.part, m_head.company.part, m_head.company.designation,
-                      m_head.company.operation},
-                     form::left, signersTop);
+        captionedRow(sheet, form::continued, m_head.following(), form::left, signersTop);
     }
     addFoot(sheet, kind);
     sheet.texts.push_back(fitted({form::right - 120, form::top - 3.6, 120, 3.4},
@@ -244,15 +262,13 @@ void CardSheets::addSigners(FormSheet& sheet) const {
 }
 
 void CardSheets::addDesignations(FormSheet& sheet) const {
-    const Company& of = m_head.company;
     const double x = form::left + signersWidth;
-    captionedRow(sheet, form::designations, {QString(), of.part, of.designation}, x, signersTop,
-                 form::pitch);
+    QStringList designations = m_head.designations();
+    designations.front().clear(); // the maker stands beside the logo
+    captionedRow(sheet, form::designations, designations, x, signersTop, form::pitch);
     addCompany(sheet,
                {x, signersTop + form::pitch - 5.2, form::designations.front().width_mm, 5.2});
-    captionedRow(sheet, form::names,
-                 {m_head.part, m_head.letter, of.shop, of.area, of.place, of.operation}, x,
-                 signersTop + form::pitch);
+    captionedRow(sheet, form::names, m_head.names(), x, signersTop + form::pitch);
 }
 
 void CardSheets::addCompany(FormSheet& sheet, const QRectF& cell) const {

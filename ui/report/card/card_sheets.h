@@ -23,8 +23,11 @@ struct CardHead {
     QStringList operation; ///< values of form::operationRow
     QStringList equipment; ///< values of form::equipmentRow
 
-    [[nodiscard]] QString maker() const;      ///< company and department
-    [[nodiscard]] QStringList people() const; ///< by form::signers
+    [[nodiscard]] QString maker() const;            ///< company and department
+    [[nodiscard]] QStringList people() const;       ///< by form::signers
+    [[nodiscard]] QStringList designations() const; ///< by form::designations
+    [[nodiscard]] QStringList names() const;        ///< by form::names
+    [[nodiscard]] QStringList following() const;    ///< by form::continued
 };
 
 /// The form: its sheets with head and foot, and the rows of an operation card on them.

@@ -68,7 +68,6 @@ FormGrid HeadGrids::inventory() {
 }
 
 FormGrid HeadGrids::signers(const CardHead& head) {
-    const Company& of = head.company;
     FormGrid grid;
     grid.widths_mm.assign(form::signerWidths.begin(), form::signerWidths.end());
     // Columns as both rows beside the signers need them: designations and names.
@@ -77,8 +76,7 @@ FormGrid HeadGrids::signers(const CardHead& head) {
     constexpr std::array nameColumns{2, 1, 1, 1, 1, 1};
     constexpr std::size_t namesFrom = 2;
     const QStringList people = head.people();
-    const QStringList designations{head.maker(), of.part, of.designation};
-    const QStringList names{head.part, head.letter, of.shop, of.area, of.place, of.operation};
+    const QStringList designations = head.designations(), names = head.names();
     for (std::size_t row = 0; row < form::signers.size(); ++row) {
         std::vector<FormCell>& cells = grid.rows.emplace_back();
         cells.push_back({form::text(form::signers.at(row))});
@@ -93,7 +91,7 @@ FormGrid HeadGrids::signers(const CardHead& head) {
                              designationColumns.at(i), static_cast<int>(namesFrom)});
         }
         if (row == 0) {
-            cells.at(form::signerWidths.size()).picture = Logo::image(of.logo);
+            cells.at(form::signerWidths.size()).picture = Logo::image(head.company.logo);
         }
         for (std::size_t i = 0; row == namesFrom && i < form::names.size(); ++i) {
             cells.push_back({form::text(form::names.at(i).caption),
@@ -105,9 +103,7 @@ FormGrid HeadGrids::signers(const CardHead& head) {
 }
 
 FormGrid HeadGrids::following(const CardHead& head) {
-    FormGrid grid =
-        captionedRow(form::continued, {head.part, head.company.part, head.company.designation,
-                                       head.company.operation});
+    FormGrid grid = captionedRow(form::continued, head.following());
     constexpr double sheet_mm = 15;
     grid.widths_mm.front() -= sheet_mm;
     grid.widths_mm.push_back(sheet_mm);

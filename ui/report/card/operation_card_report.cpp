@@ -78,13 +78,12 @@ std::vector<std::pair<QString, QString>> OperationCardReport::entries(const Card
         }
     };
     add(form::names.front().caption, head.part);
-    add(form::designations[0].caption, head.maker());
-    add(form::designations[1].caption, head.company.part);
-    add(form::designations[2].caption, head.company.designation);
-    const QStringList numbers{head.letter, head.company.shop, head.company.area, head.company.place,
-                              head.company.operation};
+    const QStringList designations = head.designations(), names = head.names();
+    for (std::size_t i = 0; i < form::designations.size(); ++i) {
+        add(form::designations.at(i).caption, designations.value(static_cast<qsizetype>(i)));
+    }
     for (std::size_t i = 1; i < form::names.size(); ++i) {
-        add(form::names.at(i).caption, numbers.value(static_cast<qsizetype>(i) - 1));
+        add(form::names.at(i).caption, names.value(static_cast<qsizetype>(i)));
     }
     for (std::size_t i = 0; i < form::operationRow.size(); ++i) {
         add(form::operationRow.at(i).caption, head.operation.value(static_cast<qsizetype>(i)));

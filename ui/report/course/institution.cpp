@@ -1,55 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/course/institution.h"
 
-#include <QCoreApplication>
+#include "core/text.h"
+#include "ui/session/kept_texts.h"
 
 #include <array>
 
-namespace sparkout::report {
+namespace sparkout {
 
-namespace {
+using report::Institution;
 
-constexpr qsizetype longestText = 300;
-
-constexpr std::array titleFields{
-    InstitutionField{"ministry", &Institution::ministry,
-                     QT_TRANSLATE_NOOP("Institution", "Ministry")},
-    InstitutionField{"university", &Institution::university,
-                     QT_TRANSLATE_NOOP("Institution", "University")},
-    InstitutionField{"faculty", &Institution::faculty,
-                     QT_TRANSLATE_NOOP("Institution", "Faculty or institute")},
-    InstitutionField{"department", &Institution::department,
-                     QT_TRANSLATE_NOOP("Institution", "Department")},
-    InstitutionField{"discipline", &Institution::discipline,
-                     QT_TRANSLATE_NOOP("Institution", "Discipline")},
-    InstitutionField{"accepted", &Institution::acceptedBy,
-                     QT_TRANSLATE_NOOP("Institution", "Accepted by (post and name)")},
-    InstitutionField{"place", &Institution::place, QT_TRANSLATE_NOOP("Institution", "Town")},
-};
-
-} // namespace
-
-std::span<const InstitutionField> institutionFields() {
-    return titleFields;
+template <>
+const StructInfo& tableOf<Institution>() {
+    using T = Institution;
+    constexpr Range letters{0, 300};
+    static const std::array rows{
+        SPARKOUT_FIELD(T, ministry, .label = SPARKOUT_NOOP("Input", "Ministry"), .hard = letters),
+        SPARKOUT_FIELD(T, university, .label = SPARKOUT_NOOP("Input", "University"),
+                       .hard = letters),
+        SPARKOUT_FIELD(T, faculty, .label = SPARKOUT_NOOP("Input", "Faculty or institute"),
+                       .hard = letters),
+        SPARKOUT_FIELD(T, department, .label = SPARKOUT_NOOP("Input", "University department"),
+                       .hard = letters),
+        SPARKOUT_FIELD(T, discipline, .label = SPARKOUT_NOOP("Input", "Discipline"),
+                       .hard = letters),
+        SPARKOUT_FIELD(T, accepted, .label = SPARKOUT_NOOP("Input", "Accepted by (post and name)"),
+                       .hard = letters),
+        SPARKOUT_FIELD(T, place, .label = SPARKOUT_NOOP("Input", "Town"), .hard = letters),
+    };
+    static const StructInfo info =
+        makeTable<Institution>(SPARKOUT_NOOP("Struct", "Title page"), rows);
+    return info;
 }
 
 QVariantMap Institution::kept() const {
-    QVariantMap kept;
-    for (const InstitutionField& field : titleFields) {
-        if (const QString text = (this->*field.value).simplified(); !text.isEmpty()) {
-            kept.insert(QString::fromLatin1(field.key), text);
-        }
-    }
-    return kept;
+    return keptTexts(tableOf<Institution>(), this);
 }
 
 Institution Institution::fromKept(const QVariantMap& kept) {
     Institution made;
-    for (const InstitutionField& field : titleFields) {
-        made.*field.value =
-            kept.value(QString::fromLatin1(field.key)).toString().simplified().left(longestText);
-    }
+    readKeptTexts(kept, tableOf<Institution>(), &made);
     return made;
 }
 
-} // namespace sparkout::report
+} // namespace sparkout

@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include "core/field.h"
+
 #include <QVariantMap>
 
-#include <span>
+#include <string>
 
-namespace sparkout::report {
+namespace sparkout {
+
+namespace report {
 
 /// Where the works are done: what their title pages have beside the work. All of it may be empty.
 struct Institution {
-    QString ministry;
-    QString university;
-    QString faculty; ///< or institute
-    QString department;
-    QString discipline;
-    QString acceptedBy; ///< post and name
-    QString place;      ///< town
+    std::string ministry;
+    std::string university;
+    std::string faculty; ///< or institute
+    std::string department;
+    std::string discipline;
+    std::string accepted; ///< by whom: post and name
+    std::string place;    ///< town
 
     friend bool operator==(const Institution&, const Institution&) = default;
 
@@ -25,12 +28,9 @@ struct Institution {
     [[nodiscard]] static Institution fromKept(const QVariantMap& kept);
 };
 
-/// A text of it: its key in the settings and its name.
-struct InstitutionField {
-    const char* key;
-    QString Institution::*value;
-    const char* label; ///< in English, to be translated in the context Institution
-};
-[[nodiscard]] std::span<const InstitutionField> institutionFields();
+} // namespace report
 
-} // namespace sparkout::report
+template <>
+const StructInfo& tableOf<report::Institution>();
+
+} // namespace sparkout

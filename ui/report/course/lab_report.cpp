@@ -63,17 +63,17 @@ private:
     [[nodiscard]] TitlePage titlePage() const {
         const Institution& of = m_wish.institution;
         TitlePage page;
-        for (const QString& line : {of.ministry, of.university, of.faculty, of.department}) {
-            if (!line.isEmpty()) {
-                page.above << line;
+        for (const std::string& line : {of.ministry, of.university, of.faculty, of.department}) {
+            if (!line.empty()) {
+                page.above << QString::fromStdString(line);
             }
         }
         page.document = tr("Report");
         page.title << (m_title.number.isEmpty()
                            ? tr("on a laboratory work")
                            : tr("on laboratory work No. %1").arg(m_title.number));
-        if (!of.discipline.isEmpty()) {
-            page.title << tr("in the discipline “%1”").arg(of.discipline);
+        if (!of.discipline.empty()) {
+            page.title << tr("in the discipline “%1”").arg(QString::fromStdString(of.discipline));
         }
         page.title << tr("“%1”").arg(m_title.name) << tr("Variant %1").arg(m_work.variant);
         const QString group = oneLine(m_work.group);
@@ -81,9 +81,11 @@ private:
                                      ? tr("Done by the student:")
                                      : tr("Done by the student of group %1:").arg(group),
                                  signature(oneLine(m_work.name)));
-        page.people.emplace_back(tr("Accepted by:"), signature(of.acceptedBy));
-        page.below =
-            QStringLiteral("%1 %2").arg(of.place, QString::number(m_wish.date.year())).trimmed();
+        page.people.emplace_back(tr("Accepted by:"),
+                                 signature(QString::fromStdString(of.accepted)));
+        page.below = QStringLiteral("%1 %2")
+                         .arg(QString::fromStdString(of.place), QString::number(m_wish.date.year()))
+                         .trimmed();
         return page;
     }
 

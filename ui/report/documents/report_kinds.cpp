@@ -10,6 +10,8 @@
 #include "ui/report/card/operation_card_report.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/documents/passport.h"
+#include "ui/session/kept_texts.h"
+#include "ui/text/texts.h"
 
 #include <QCoreApplication>
 
@@ -30,9 +32,10 @@ Report withCompany(Report report, const Company& company) {
         report.blocks, [](const Block& block) { return std::holds_alternative<Facts>(block); });
     if (head != report.blocks.end()) {
         std::vector<std::pair<QString, QString>> facts;
-        for (const CompanyField& field : companyFields()) {
-            if (const QString text = (company.*field.value).simplified(); !text.isEmpty()) {
-                facts.emplace_back(QCoreApplication::translate("Company", field.label), text);
+        const CompanyTexts& texts = company;
+        for (const Field& field : tableOf<CompanyTexts>().fields) {
+            if (const QString text = textIn(field, &texts); !text.isEmpty()) {
+                facts.emplace_back(inputText(field.label), text);
             }
         }
         auto& all = std::get<Facts>(*head).facts;

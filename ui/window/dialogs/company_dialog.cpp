@@ -2,6 +2,9 @@
 #include "ui/window/dialogs/company_dialog.h"
 
 #include "core/files/safe_file.h"
+#include "ui/form/struct_form.h"
+#include "ui/kit/answer_buttons.h"
+#include "ui/kit/copyable_label.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/help_topic.h"
 #include "ui/report/card/logo.h"
@@ -9,12 +12,8 @@
 #include "ui/session/settings.h"
 #include "ui/text/file_error_text.h"
 
-#include <QCoreApplication>
-#include <QDialogButtonBox>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPixmap>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -26,7 +25,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int companyWidth = 560, longestField = 200;
+constexpr int companyWidth = 560;
 constexpr QSize logoShown(160, 40);
 
 } // namespace
@@ -36,16 +35,14 @@ CompanyDialog::CompanyDialog(Settings& settings, QWidget* parent)
     , m_settings(settings)
     , m_company(settings.company())
     , m_logo(new QLabel(this))
-    , m_fault(new QLabel(this))
+    , m_fault(plainLabel({}, this))
     , m_remove(new QPushButton(tr("&Remove"), this)) {
     setWindowTitle(tr("Company and signatures"));
     setHelpTopic(*this, QStringLiteral("reports#company"));
     auto* layout = new QVBoxLayout(this);
-    auto* note = new QLabel(
+    layout->addWidget(plainLabel(
         tr("Printed in the heads of documents, in those of every project. All of it may be empty."),
-        this);
-    note->setWordWrap(true);
-    layout->addWidget(note);
+        this));
     auto* logoRow = new QHBoxLayout;
     auto* choose = new QPushButton(tr("&Logo…"), this);
     choose->setObjectName(QStringLiteral("chooseLogo"));
@@ -54,11 +51,10 @@ CompanyDialog::CompanyDialog(Settings& settings, QWidget* parent)
     m_logo->setAccessibleName(tr("Logo"));
     m_logo->setMinimumSize(logoShown);
     m_fault->setObjectName(QStringLiteral("logoFault"));
-    m_fault->setWordWrap(true);
     logoRow->addWidget(choose);
     logoRow->addWidget(m_remove);
     logoRow->addWidget(m_logo, 1);
-    addFields();
+    layout->addWidget(StructForm::over<CompanyTexts>(m_company, this));
     layout->addLayout(logoRow);
     layout->addWidget(m_fault);
     connect(choose, &QPushButton::clicked, this, &CompanyDialog::chooseLogo);
@@ -66,30 +62,11 @@ CompanyDialog::CompanyDialog(Settings& settings, QWidget* parent)
         m_company.logo.clear();
         showLogo({});
     });
-    auto* buttons = new QDialogButtonBox(this);
-    auto* keep = buttons->addButton(tr("&Keep"), QDialogButtonBox::AcceptRole);
-    keep->setObjectName(QStringLiteral("keepCompany"));
-    keep->setDefault(true);
-    buttons->addButton(tr("Cance&l"), QDialogButtonBox::RejectRole);
-    connect(buttons, &QDialogButtonBox::accepted, this, &CompanyDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* buttons = new AnswerButtons(tr("&Keep"), tr("Cance&l"), this);
+    buttons->acceptButton()->setObjectName(QStringLiteral("keepCompany"));
     layout->addWidget(buttons);
     showLogo(report::Logo::fault(m_company.logo));
     resize(companyWidth, sizeHint().height());
-}
-
-void CompanyDialog::addFields() {
-    auto* form = new QFormLayout;
-    for (const CompanyField& field : companyFields()) {
-        const QString label = QCoreApplication::translate("Company", field.label);
-        auto* edit = new QLineEdit(m_company.*field.value, this);
-        edit->setObjectName(QStringLiteral("company-") + QString::fromLatin1(field.key));
-        edit->setAccessibleName(label);
-        edit->setMaxLength(longestField);
-        form->addRow(label, edit);
-        m_edits.push_back(edit);
-    }
-    static_cast<QVBoxLayout*>(layout())->addLayout(form);
 }
 
 void CompanyDialog::chooseLogo() {
@@ -132,9 +109,6 @@ void CompanyDialog::showLogo(const QString& fault) {
 }
 
 void CompanyDialog::accept() {
-    for (std::size_t i = 0; i < m_edits.size(); ++i) {
-        m_company.*companyFields()[i].value = m_edits[i]->text();
-    }
     m_settings.setCompany(m_company);
     QDialog::accept();
 }

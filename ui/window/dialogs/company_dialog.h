@@ -5,10 +5,7 @@
 
 #include <QDialog>
 
-#include <vector>
-
 class QLabel;
-class QLineEdit;
 class QPushButton;
 
 namespace sparkout {
@@ -28,13 +25,11 @@ public:
     void takeLogo(const QString& path);
 
 private:
-    void addFields();
     void chooseLogo();
     void showLogo(const QString& fault);
 
     Settings& m_settings;
     Company m_company;
-    std::vector<QLineEdit*> m_edits; ///< in the order of companyFields()
     QLabel* m_logo;
     QLabel* m_fault;
     QPushButton* m_remove;

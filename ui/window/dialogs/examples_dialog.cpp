@@ -4,6 +4,7 @@
 #include "core/setup/setup_run.h"
 #include "core/study/evaluate.h"
 #include "core/study/judged_outcome.h"
+#include "ui/kit/answer_buttons.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/part/part_drawing.h"
@@ -14,13 +15,11 @@
 #include "ui/text/texts.h"
 #include "ui/views/verdict/verdict_text.h"
 
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFile>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
-#include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -69,12 +68,6 @@ ExamplesDialog::ExamplesDialog(QWidget* parent)
     auto* hint =
         new QLabel(tr("The example is opened as a copy; the shipped one stays as it is."), this);
     hint->setTextFormat(Qt::PlainText);
-    auto* buttons = new QDialogButtonBox(this);
-    auto* open = buttons->addButton(tr("&Open a copy"), QDialogButtonBox::AcceptRole);
-    buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
-    open->setDefault(true);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_list, &QListWidget::itemActivated, this, &QDialog::accept);
     connect(m_list, &QListWidget::currentRowChanged, this, &ExamplesDialog::showNotes);
     auto* body = new QHBoxLayout;
@@ -83,7 +76,7 @@ ExamplesDialog::ExamplesDialog(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(body, 1);
     layout->addWidget(hint);
-    layout->addWidget(buttons);
+    layout->addWidget(new AnswerButtons(tr("&Open a copy"), tr("&Cancel"), this));
     resize(960, 520);
     fill();
 }

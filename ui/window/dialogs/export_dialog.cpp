@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/dialogs/export_dialog.h"
 
+#include "ui/kit/answer_buttons.h"
+#include "ui/kit/copyable_label.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -31,7 +31,7 @@ ExportDialog::ExportDialog(OutcomePtr outcome, ExportFormat format, QWidget* par
     , m_studies(std::move(studies))
     , m_format(new QComboBox(this))
     , m_content(new QComboBox(this))
-    , m_note(new QLabel(this)) {
+    , m_note(plainLabel({}, this)) {
     setWindowTitle(tr("Export results"));
     setHelpTopic(*this, QStringLiteral("reports#results"));
     m_format->setObjectName(QStringLiteral("exportFormat"));
@@ -42,20 +42,14 @@ ExportDialog::ExportDialog(OutcomePtr outcome, ExportFormat format, QWidget* par
     m_content->setObjectName(QStringLiteral("exportContent"));
     m_content->setAccessibleName(tr("Content"));
     m_note->setObjectName(QStringLiteral("exportNote"));
-    m_note->setTextFormat(Qt::PlainText);
-    m_note->setWordWrap(true);
     m_note->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_note->setMinimumHeight(m_note->fontMetrics().lineSpacing() * noteLines);
     auto* form = new QFormLayout;
     form->addRow(tr("&Format:"), m_format);
     form->addRow(tr("&Content:"), m_content);
-    auto* buttons = new QDialogButtonBox(this);
-    m_go = buttons->addButton(tr("Choose the &place…"), QDialogButtonBox::AcceptRole);
+    auto* buttons = new AnswerButtons(tr("Choose the &place…"), tr("C&ancel"), this);
+    m_go = buttons->acceptButton();
     m_go->setObjectName(QStringLiteral("exportGo"));
-    m_go->setDefault(true);
-    buttons->addButton(tr("C&ancel"), QDialogButtonBox::RejectRole);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(metrics::wide);
     layout->addLayout(form);

@@ -2,6 +2,7 @@
 #include "ui/window/dialogs/handout_dialog.h"
 
 #include "core/project/cycle.h"
+#include "ui/kit/answer_buttons.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/session/cycle_cursor.h"
@@ -11,10 +12,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDialogButtonBox>
 #include <QGroupBox>
 #include <QLabel>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <array>
@@ -76,13 +75,8 @@ HandoutDialog::HandoutDialog(const OutcomePtr& outcome, const CycleCursor& cycle
     }
     m_answers->setObjectName(QStringLiteral("handoutAnswers"));
     recall();
-    auto* buttons = new QDialogButtonBox(this);
-    auto* go = buttons->addButton(tr("&Continue"), QDialogButtonBox::AcceptRole);
-    go->setObjectName(QStringLiteral("makeHandout"));
-    go->setDefault(true);
-    buttons->addButton(tr("Cance&l"), QDialogButtonBox::RejectRole);
-    connect(buttons, &QDialogButtonBox::accepted, this, &HandoutDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* buttons = new AnswerButtons(tr("&Continue"), tr("Cance&l"), this);
+    buttons->acceptButton()->setObjectName(QStringLiteral("makeHandout"));
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(formLabel);
     layout->addWidget(m_form);

@@ -2,6 +2,7 @@
 #include "ui/window/dialogs/recovery_dialog.h"
 
 #include "ui/fields/mark.h"
+#include "ui/kit/copyable_label.h"
 #include "ui/kit/help_topic.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
@@ -18,13 +19,6 @@
 namespace sparkout {
 
 namespace {
-
-QLabel* plainLabel(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    return label;
-}
 
 QString stateText(const RecoveryItem& item) {
     switch (item.state) {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/course/institution.h"
+
 #include <QDialog>
-
-#include <vector>
-
-class QLineEdit;
 
 namespace sparkout {
 
@@ -23,7 +21,7 @@ public:
 
 private:
     Settings& m_settings;
-    std::vector<QLineEdit*> m_edits; ///< in the order of report::institutionFields()
+    report::Institution m_page;
 };
 
 } // namespace sparkout

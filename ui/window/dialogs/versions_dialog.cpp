@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/dialogs/versions_dialog.h"
 
+#include "ui/kit/answer_buttons.h"
 #include "ui/kit/help_topic.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
-#include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
-#include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -43,13 +42,8 @@ VersionsDialog::VersionsDialog(const QString& project, std::vector<EarlierVersio
         m_list->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     }
     m_list->setCurrentItem(m_list->topLevelItem(0));
-    auto* buttons = new QDialogButtonBox(this);
-    auto* open = buttons->addButton(tr("&Open a copy"), QDialogButtonBox::AcceptRole);
-    buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
-    open->setDefault(true);
-    open->setEnabled(!m_versions.empty());
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* buttons = new AnswerButtons(tr("&Open a copy"), tr("&Cancel"), this);
+    buttons->acceptButton()->setEnabled(!m_versions.empty());
     connect(m_list, &QTreeWidget::itemActivated, this, &QDialog::accept);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(head);
