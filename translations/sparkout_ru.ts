@@ -15040,7 +15040,7 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::ParetoPlot</name>
+        <name>BatchCharts</name>
         <message>
             <source>parts that fail it; a part that fails several counts at each</source>
             <translation>детали с нарушением; деталь с несколькими учтена в каждом</translation>

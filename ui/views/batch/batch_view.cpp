@@ -8,14 +8,15 @@
 #include "ui/kit/metrics.h"
 #include "ui/kit/search_combo.h"
 #include "ui/kit/tool_row.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/names.h"
+#include "ui/views/batch/batch_charts.h"
 #include "ui/views/batch/batch_figures.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/histogram_plot.h"
-#include "ui/views/batch/pareto_plot.h"
 #include "ui/views/batch/part_rows.h"
 #include "ui/views/batch/scatter_plot.h"
 #include "ui/views/batch/sensitivity_plot.h"
@@ -68,7 +69,7 @@ BatchView::BatchView(QWidget* parent, Settings* settings, Studies* studies)
     , m_histograms(new HistogramPlot(this))
     , m_sensitivity(new SensitivityPlot(this))
     , m_scatter(new ScatterPlot(this))
-    , m_pareto(new ParetoPlot(this))
+    , m_pareto(new ChartPlot(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
     , m_figures(new ValueModel(this))
     , m_name(new SearchCombo(this))
@@ -336,7 +337,7 @@ void BatchView::showBatch() {
     fitColumns(*m_table);
     m_sensitivity->setBatch(batch(), chosenName());
     m_sensitivity->setIndices(indices());
-    m_pareto->setBatch(batch());
+    m_pareto->setChart([batch = batch()] { return BatchCharts::rejects(batch); });
     showState();
     replotAll();
 }
@@ -403,7 +404,7 @@ QString BatchView::hint() const {
 }
 
 QString BatchView::contentNotice() const {
-    if (&front() == m_pareto && m_pareto->empty()) {
+    if (&front() == m_pareto && m_pareto->chart().series.empty()) {
         return tr("No part of this batch fails a requirement.");
     }
     if (&front() != m_sensitivity || !m_sensitivity->empty()) {

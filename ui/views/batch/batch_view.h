@@ -14,9 +14,9 @@ class QSplitter;
 namespace sparkout {
 
 class ValueModel;
+class ChartPlot;
 class CopyTable;
 class HistogramPlot;
-class ParetoPlot;
 class RunBar;
 class ScatterPlot;
 class SensitivityPlot;
@@ -92,7 +92,7 @@ private:
     HistogramPlot* m_histograms;
     SensitivityPlot* m_sensitivity;
     ScatterPlot* m_scatter;
-    ParetoPlot* m_pareto;
+    ChartPlot* m_pareto;
     QWidget* m_choice = nullptr; ///< of what is drawn, and how it leaves
     QSplitter* m_splitter;
     ValueModel* m_figures;
