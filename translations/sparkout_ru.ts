@@ -15077,6 +15077,30 @@ target, µm</source>
                 <numerusform>%1: %n деталей, %2 % партии</numerusform>
             </translation>
         </message>
+        <message>
+            <source>parts</source>
+            <translation>детали</translation>
+        </message>
+        <message>
+            <source>parts beyond a limit shown</source>
+            <translation>детали за показанным пределом</translation>
+        </message>
+        <message>
+            <source>worst part</source>
+            <translation>худшая деталь</translation>
+        </message>
+        <message>
+            <source>drawing limits</source>
+            <translation>пределы по чертежу</translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation>Деталь</translation>
+        </message>
+        <message>
+            <source>Part %1: %2; %3</source>
+            <translation>Деталь %1: %2; %3</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::PlaybackBar</name>
@@ -15982,33 +16006,6 @@ target, µm</source>
         <message>
             <source>Delete the selected run</source>
             <translation>Удалить выбранный расчёт</translation>
-        </message>
-    </context>
-    <context>
-        <name>sparkout::ScatterPlot</name>
-        <message>
-            <source>parts</source>
-            <translation>детали</translation>
-        </message>
-        <message>
-            <source>parts beyond a limit shown</source>
-            <translation>детали за показанным пределом</translation>
-        </message>
-        <message>
-            <source>worst part</source>
-            <translation>худшая деталь</translation>
-        </message>
-        <message>
-            <source>drawing limits</source>
-            <translation>пределы по чертежу</translation>
-        </message>
-        <message>
-            <source>Part</source>
-            <translation>Деталь</translation>
-        </message>
-        <message>
-            <source>Part %1: %2; %3</source>
-            <translation>Деталь %1: %2; %3</translation>
         </message>
     </context>
     <context>

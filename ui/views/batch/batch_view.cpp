@@ -18,7 +18,6 @@
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/histogram_plot.h"
 #include "ui/views/batch/part_rows.h"
-#include "ui/views/batch/scatter_plot.h"
 #include "ui/views/batch/sensitivity_plot.h"
 
 #include <QComboBox>
@@ -68,7 +67,7 @@ BatchView::BatchView(QWidget* parent, Settings* settings, Studies* studies)
     : StudyView(QStringLiteral("batch"), parent, settings, studies)
     , m_histograms(new HistogramPlot(this))
     , m_sensitivity(new SensitivityPlot(this))
-    , m_scatter(new ScatterPlot(this))
+    , m_scatter(new ChartPlot(this))
     , m_pareto(new ChartPlot(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
     , m_figures(new ValueModel(this))
@@ -189,8 +188,11 @@ void BatchView::chooseQuantities() {
 
 void BatchView::setQuantities() {
     if (batch() && m_across->currentIndex() >= 0 && m_up->currentIndex() >= 0) {
-        m_scatter->setBatch(batch(), static_cast<BatchQuantity>(m_across->currentIndex()),
-                            static_cast<BatchQuantity>(m_up->currentIndex()));
+        m_scatter->setChart([batch = batch(),
+                             across = static_cast<BatchQuantity>(m_across->currentIndex()),
+                             up = static_cast<BatchQuantity>(m_up->currentIndex())] {
+            return BatchCharts::scatter(batch, across, up);
+        });
     }
 }
 
@@ -312,7 +314,7 @@ void BatchView::fillQuantities() {
         const int chosen = box->count() == quantities ? box->currentIndex() : -1;
         box->clear();
         for (int i = 0; i < quantities; ++i) {
-            box->addItem(quantityName(*batch(), static_cast<BatchQuantity>(i)));
+            box->addItem(BatchCharts::quantityName(*batch(), static_cast<BatchQuantity>(i)));
         }
         box->setCurrentIndex(chosen >= 0 ? chosen : box == m_up ? usual : 0);
     }

@@ -21,7 +21,6 @@
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/views/batch/histogram_plot.h"
-#include "ui/views/batch/scatter_plot.h"
 #include "ui/views/batch/sensitivity_plot.h"
 #include "ui/window/view_tabs.h"
 
@@ -518,22 +517,21 @@ private slots:
         const Project project = fixtures::shaftBatch(50);
         SettledBench bench(project);
         bench.part<QComboBox>("batchContent").setCurrentIndex(2);
-        const ScatterPlot& plot = *bench.view.scatter(); // stock against the first diameter
-        const QCPGraph& good = *plot.graph(ScatterPlot::goodKey);
-        const QCPGraph& outside = *plot.graph(ScatterPlot::outsideKey);
-        QCOMPARE(good.dataCount() + outside.dataCount(), 50);
-        QCOMPARE(plot.graph(ScatterPlot::worstKey)->dataCount(), 1);
+        const ChartPlot& plot = *bench.view.scatter(); // stock against the first diameter
+        std::vector<XY> parts;
+        for (const int key : {BatchCharts::goodKey, BatchCharts::outsideKey}) {
+            if (const ChartSeries* of = plot.chart().find(key)) {
+                parts.insert(parts.end(), of->points.begin(), of->points.end());
+            }
+        }
+        QCOMPARE(parts.size(), std::size_t{50});
+        QCOMPARE(plot.chart().find(BatchCharts::worstKey)->points.size(), std::size_t{1});
         const BatchOutcome& batch = *bench.view.batch();
         const ScenarioSource source(project);
         const PartRow& row = batch.result.statistics.rows.front();
         const double stock = source.values(row.part)[0], diameter = row.values[0];
-        const auto has = [&](const QCPGraph& graph) {
-            return std::any_of(graph.data()->constBegin(), graph.data()->constEnd(),
-                               [&](const QCPGraphData& point) {
-                                   return point.key == stock && point.value == diameter;
-                               });
-        };
-        QVERIFY(has(good) || has(outside));
+        QVERIFY(std::ranges::any_of(
+            parts, [&](const XY& point) { return point.x == stock && point.y == diameter; }));
         QCOMPARE(plot.table().rows.size(), std::size_t{50});
     }
 
