@@ -16529,7 +16529,7 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::PhasePlot</name>
+        <name>PhaseChart</name>
         <message>
             <source>From stock per side, mm</source>
             <translation>Припуск на сторону от, мм</translation>

@@ -9,11 +9,12 @@
 #include "core/study/sweep_edits.h"
 #include "ui/kit/search_combo.h"
 #include "ui/kit/tool_row.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
 #include "ui/text/names.h"
 #include "ui/views/sweep/phase_bar.h"
-#include "ui/views/sweep/phase_plot.h"
+#include "ui/views/sweep/phase_chart.h"
 #include "ui/views/sweep/sweep_axis_box.h"
 #include "ui/views/sweep/sweep_curves.h"
 #include "ui/views/sweep/sweep_map.h"
@@ -49,7 +50,7 @@ SweepView::SweepView(QWidget* parent, Settings* settings, Studies* studies)
     , m_axes{new SweepAxisBox(0, this), new SweepAxisBox(1, this)}
     , m_curves(new SweepCurves(this))
     , m_map(new SweepMap(this))
-    , m_phases(new PhasePlot(this))
+    , m_phases(new ChartPlot(this))
     , m_point(new QSpinBox(this))
     , m_bar(new RunBar(QStringLiteral("sweep"), this, SweepText::progress))
     , m_take(new QAction(this))
@@ -265,8 +266,10 @@ void SweepView::takeSweep() {
 
 void SweepView::takePhases() {
     const PhaseOutcomePtr& phases = m_phaseBar->phases();
-    if (m_phases->phases() != phases) {
-        m_phases->setPhases(phases && phases->decision.isDecided ? phases : nullptr);
+    const PhaseOutcomePtr decided = phases && phases->decision.isDecided ? phases : nullptr;
+    if (m_phasesShown != decided) {
+        m_phasesShown = decided;
+        m_phases->setChart([decided] { return PhaseChart::of(decided); });
     }
     showState();
     replotFront();

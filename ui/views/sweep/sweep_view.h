@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/plot/study_view.h"
+#include "ui/views/sweep/phase_outcome.h"
 #include "ui/views/sweep/sweep_text.h"
 
 #include <array>
@@ -17,8 +18,8 @@ class QSpinBox;
 
 namespace sparkout {
 
+class ChartPlot;
 class PhaseBar;
-class PhasePlot;
 class RunBar;
 class SweepAxisBox;
 class SweepCurves;
@@ -38,7 +39,7 @@ public:
     [[nodiscard]] SweepCurves* curves() const { return m_curves; }
     [[nodiscard]] SweepMap* map() const { return m_map; }
     [[nodiscard]] const SweepResultPtr& sweep() const { return studies().sweep.result(); }
-    [[nodiscard]] PhasePlot* phases() const { return m_phases; }
+    [[nodiscard]] ChartPlot* phases() const { return m_phases; }
     [[nodiscard]] bool busy() const override;
     /// What is shown is of other inputs.
     [[nodiscard]] bool stale() const { return studies().sweep.stale(); }
@@ -94,7 +95,8 @@ private:
     std::array<SweepAxisBox*, 2> m_axes;
     SweepCurves* m_curves;
     SweepMap* m_map;
-    PhasePlot* m_phases;
+    ChartPlot* m_phases;
+    PhaseOutcomePtr m_phasesShown;
     QSpinBox* m_point; ///< chosen, from 1; 0: none
     RunBar* m_bar;
     QWidget* m_toolBar = nullptr;
