@@ -57,6 +57,12 @@ void setUpChartAxis(QCPAxis& axis, const ChartAxis& of) {
     }
 }
 
+void fitChartAxis(QCPAxis& axis, const ChartAxis& of, const ChartSpan& span) {
+    if (!span.empty()) {
+        style::setRoomyRange(axis, span.low, span.high, of.room, of.leastRoom);
+    }
+}
+
 } // namespace
 
 class ChartPlot::ZoneLayer : public PaintedLayer {
@@ -152,14 +158,13 @@ void ChartPlot::setTexts() {
 }
 
 void ChartPlot::fit() {
-    const auto fitAxis = [](QCPAxis& axis, const ChartAxis& of, const ChartSpan& span) {
-        if (!span.empty()) {
-            style::setRoomyRange(axis, span.low, span.high, of.room, of.leastRoom);
-        }
-    };
-    fitAxis(across(), m_chart.across, m_chart.places());
-    fitAxis(up(), m_chart.up, m_chart.values());
-    fitAxis(second(), m_chart.second, m_chart.values(true));
+    fitChartAxis(across(), m_chart.across, m_chart.places());
+    fitChartAxis(second(), m_chart.second, m_chart.values(true));
+    fitValues();
+}
+
+void ChartPlot::fitValues() {
+    fitChartAxis(up(), m_chart.up, m_chart.values());
 }
 
 // --- drawing ------------------------------------------------------------------------------------

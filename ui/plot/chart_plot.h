@@ -29,6 +29,7 @@ public:
     using ViewPlot::shows;
 
     void fit() override;
+    virtual void fitValues(); ///< the axis of the values alone
     void restyle() override;
     [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] CsvTable table() const override;
