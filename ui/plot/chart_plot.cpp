@@ -273,11 +273,11 @@ QCPGraph* ChartPlot::addGraphOf(const ChartSeries& series, const std::vector<XY>
     QCPGraph* const graph = addGraph(&across(), series.onSecond ? &second() : &up());
     graph->setAdaptiveSampling(false);
     graph->setPen(penOf(series.pen, series.colour));
-    QVector<QCPGraphData> data;
+    QVector<QCPGraphData> drawn;
     for (const XY& point : points) {
-        data.emplace_back(point.x, point.y);
+        drawn.emplace_back(point.x, point.y);
     }
-    graph->data()->set(data, series.kind != ChartSeries::Kind::points);
+    graph->data()->set(drawn, series.kind != ChartSeries::Kind::points);
     return graph;
 }
 
