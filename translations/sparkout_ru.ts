@@ -16652,7 +16652,7 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::SweepCurves</name>
+        <name>SweepCurves</name>
         <message>
             <source>limit</source>
             <translation>предел</translation>
@@ -16686,7 +16686,7 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::SweepPlot</name>
+        <name>SweepShown</name>
         <message>
             <source>refused (×)</source>
             <translation>отклонено (×)</translation>

@@ -23,7 +23,7 @@
 #include "ui/views/optimise/margin_front_plot.h"
 #include "ui/views/optimise/optimise_text.h"
 #include "ui/views/optimise/stage_count_plot.h"
-#include "ui/views/sweep/sweep_plot.h"
+#include "ui/views/sweep/sweep_shown.h"
 
 #include <QCoreApplication>
 
@@ -180,7 +180,7 @@ std::vector<NamedSheet> batchSheets(const BatchOutcome& outcome, const SobolIndi
 CsvTable pointsTable(const SweepResult& sweep) {
     std::vector<std::size_t> all(sweep.quantities.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    return SweepPlot::tableOf(sweep, all, [](std::size_t) { return true; });
+    return SweepShown::tableOf(sweep, all, [](std::size_t) { return true; });
 }
 
 CsvTable sweepFacts(const SweepResult& sweep) {

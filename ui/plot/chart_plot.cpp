@@ -5,6 +5,7 @@
 #include "ui/plot/painted_layer.h"
 
 #include <QLineF>
+#include <QMouseEvent>
 
 #include <algorithm>
 #include <utility>
@@ -51,6 +52,8 @@ void setUpChartAxis(QCPAxis& axis, const ChartAxis& of) {
             names->addTick(static_cast<double>(i), of.names->at(i));
         }
         axis.setTicker(names);
+    } else if (of.ticker) {
+        axis.setTicker(of.ticker);
     } else {
         axis.setTicker(of.isCounted ? QSharedPointer<QCPAxisTicker>(new WholeTicker)
                                     : QSharedPointer<QCPAxisTicker>(new NumberTicker));
@@ -116,9 +119,20 @@ ChartPlot::ChartPlot(QWidget* parent, int row) : ViewPlot(parent), m_rect(addRec
             replot(rpQueuedReplot);
         }
     });
-    onClick([this](const QPointF& at) {
+    const auto clickPlace = [this](const QPointF& at) {
+        if (const auto place = placeAt(at)) {
+            emit placeClicked(*place);
+        }
+    };
+    onClick([this, clickPlace](const QPointF& at) {
         if (const auto found = pointAt(at)) {
             emit pointClicked(found->series, found->point);
+        }
+        clickPlace(at);
+    });
+    connect(this, &QCustomPlot::mousePress, this, [clickPlace](QMouseEvent* event) {
+        if (event->button() == Qt::RightButton) { // its menu is about this place
+            clickPlace(event->position());
         }
     });
     built();
@@ -357,6 +371,12 @@ QPointF ChartPlot::pixelOf(const XY& point) const {
     return m_chart.isLying ? QPointF(value, place) : QPointF(place, value);
 }
 
+std::optional<double> ChartPlot::placeAt(const QPointF& at) const {
+    return m_rect->rect().contains(at.toPoint())
+               ? std::optional(across().pixelToCoord(m_chart.isLying ? at.y() : at.x()))
+               : std::nullopt;
+}
+
 std::optional<ChartPlot::Point> ChartPlot::pointAt(const QPointF& at) const {
     std::optional<Point> found;
     double nearest = m_chart.reach;
@@ -378,9 +398,8 @@ QString ChartPlot::valuesAt(const QPointF& at) const {
         const auto found = pointAt(at);
         return found ? m_chart.pointText(found->series, found->point) : QString();
     }
-    return m_chart.placeText && m_rect->rect().contains(at.toPoint())
-               ? m_chart.placeText(across().pixelToCoord(m_chart.isLying ? at.y() : at.x()))
-               : QString();
+    const auto place = placeAt(at);
+    return m_chart.placeText && place ? m_chart.placeText(*place) : QString();
 }
 
 } // namespace sparkout

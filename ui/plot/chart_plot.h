@@ -38,6 +38,7 @@ public:
 
 signals:
     void pointClicked(std::size_t series, std::size_t point);
+    void placeClicked(double place); ///< within the cell, with the right button too
 
 protected:
     void setTexts() override;
@@ -55,6 +56,7 @@ private:
     [[nodiscard]] QColor areaOf(const ChartColour& colour, int alpha) const;
     [[nodiscard]] QPen penOf(QPen pen, const ChartColour& colour) const;
     [[nodiscard]] std::optional<Point> pointAt(const QPointF& at) const;
+    [[nodiscard]] std::optional<double> placeAt(const QPointF& at) const; ///< within the cell
     void setUpAxes();
     void draw(); ///< what is shown
     void drawSeries(const ChartSeries& series);

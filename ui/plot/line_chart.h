@@ -8,6 +8,7 @@
 
 #include <QPalette>
 #include <QPen>
+#include <QSharedPointer>
 #include <QStringList>
 
 #include <functional>
@@ -15,6 +16,8 @@
 #include <optional>
 #include <variant>
 #include <vector>
+
+class QCPAxisTicker;
 
 namespace sparkout {
 
@@ -44,9 +47,10 @@ struct ChartAxis {
     QString label = {};   ///< with its unit
     ChartSpan range = {}; ///< empty: of what is drawn
     double room = 0.05, leastRoom = 0;
-    bool isSymmetric = false;              ///< about 0
-    bool isCounted = false;                ///< whole numbers alone
-    std::optional<QStringList> names = {}; ///< in place of numbers, at 0, 1, …
+    bool isSymmetric = false;                  ///< about 0
+    bool isCounted = false;                    ///< whole numbers alone
+    std::optional<QStringList> names = {};     ///< in place of numbers, at 0, 1, …
+    QSharedPointer<QCPAxisTicker> ticker = {}; ///< in place of the usual ones
 };
 
 /// Points over places, which rise but for loose points; a value that is no number is a gap.
