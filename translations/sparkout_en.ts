@@ -194,7 +194,7 @@
         </message>
     </context>
     <context>
-        <name>sparkout::ParetoPlot</name>
+        <name>BatchCharts</name>
         <message numerus="yes">
             <source>%1: %n part(s), %2 % of the batch</source>
             <translation>

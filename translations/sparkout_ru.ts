@@ -15088,7 +15088,7 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::ParetoPlot</name>
+        <name>BatchCharts</name>
         <message>
             <source>parts that fail it; a part that fails several counts at each</source>
             <translation>детали с нарушением; деталь с несколькими учтена в каждом</translation>
@@ -15124,6 +15124,30 @@ target, µm</source>
                 <numerusform>%1: %n детали, %2 % партии</numerusform>
                 <numerusform>%1: %n деталей, %2 % партии</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>parts</source>
+            <translation>детали</translation>
+        </message>
+        <message>
+            <source>parts beyond a limit shown</source>
+            <translation>детали за показанным пределом</translation>
+        </message>
+        <message>
+            <source>worst part</source>
+            <translation>худшая деталь</translation>
+        </message>
+        <message>
+            <source>drawing limits</source>
+            <translation>пределы по чертежу</translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation>Деталь</translation>
+        </message>
+        <message>
+            <source>Part %1: %2; %3</source>
+            <translation>Деталь %1: %2; %3</translation>
         </message>
     </context>
     <context>
@@ -16033,33 +16057,6 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::ScatterPlot</name>
-        <message>
-            <source>parts</source>
-            <translation>детали</translation>
-        </message>
-        <message>
-            <source>parts beyond a limit shown</source>
-            <translation>детали за показанным пределом</translation>
-        </message>
-        <message>
-            <source>worst part</source>
-            <translation>худшая деталь</translation>
-        </message>
-        <message>
-            <source>drawing limits</source>
-            <translation>пределы по чертежу</translation>
-        </message>
-        <message>
-            <source>Part</source>
-            <translation>Деталь</translation>
-        </message>
-        <message>
-            <source>Part %1: %2; %3</source>
-            <translation>Деталь %1: %2; %3</translation>
-        </message>
-    </context>
-    <context>
         <name>sparkout::SecondAxisMenu</name>
         <message>
             <source>Right-hand axes</source>
@@ -16580,7 +16577,7 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::PhasePlot</name>
+        <name>PhaseChart</name>
         <message>
             <source>From stock per side, mm</source>
             <translation>Припуск на сторону от, мм</translation>
@@ -16703,7 +16700,7 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::SweepCurves</name>
+        <name>SweepCurves</name>
         <message>
             <source>limit</source>
             <translation>предел</translation>
@@ -16737,7 +16734,7 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::SweepPlot</name>
+        <name>SweepShown</name>
         <message>
             <source>refused (×)</source>
             <translation>отклонено (×)</translation>

@@ -14,16 +14,16 @@
 #include "ui/text/output_text.h"
 #include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
+#include "ui/views/batch/batch_charts.h"
 #include "ui/views/batch/batch_figures.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/histogram_plot.h"
-#include "ui/views/batch/pareto_plot.h"
 #include "ui/views/batch/sensitivity_plot.h"
 #include "ui/views/optimise/found_table.h"
 #include "ui/views/optimise/margin_front_plot.h"
 #include "ui/views/optimise/optimise_text.h"
 #include "ui/views/optimise/stage_count_plot.h"
-#include "ui/views/sweep/sweep_plot.h"
+#include "ui/views/sweep/sweep_shown.h"
 
 #include <QCoreApplication>
 
@@ -158,7 +158,7 @@ std::vector<NamedSheet> batchSheets(const BatchOutcome& outcome, const SobolIndi
     std::vector<NamedSheet> sheets{
         {StudyBook::tr("Batch", "of parts"), batchFacts(outcome)},
         {StudyBook::tr("Statistics"), batchFiguresTable(outcome.summary)},
-        {StudyBook::tr("Rejects by cause"), ParetoPlot::tableOf(outcome.summary)}};
+        {StudyBook::tr("Rejects by cause"), BatchCharts::rejectsTable(outcome.summary)}};
     const auto addUnlessEmpty = [&sheets](const QString& name, CsvTable table) {
         if (!table.empty()) {
             sheets.push_back({name, std::move(table)});
@@ -180,7 +180,7 @@ std::vector<NamedSheet> batchSheets(const BatchOutcome& outcome, const SobolIndi
 CsvTable pointsTable(const SweepResult& sweep) {
     std::vector<std::size_t> all(sweep.quantities.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    return SweepPlot::tableOf(sweep, all, [](std::size_t) { return true; });
+    return SweepShown::tableOf(sweep, all, [](std::size_t) { return true; });
 }
 
 CsvTable sweepFacts(const SweepResult& sweep) {

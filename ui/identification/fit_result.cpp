@@ -4,9 +4,10 @@
 #include "core/identification/fit_data.h"
 #include "ui/identification/fit_table.h"
 #include "ui/identification/fit_words.h"
-#include "ui/identification/residual_plot.h"
 #include "ui/kit/copyable_label.h"
+#include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 
@@ -16,7 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace sparkout {
 
@@ -26,6 +27,8 @@ namespace {
 constexpr double doubtfulNormality = 0.05;
 /// Beyond it two parameters are hardly told apart.
 constexpr double closeCorrelation = 0.95;
+constexpr double residualSize = 3; ///< [px]
+constexpr double residualRoom = 0.06;
 
 } // namespace
 
@@ -40,7 +43,7 @@ FitResult::FitResult(const Project& project, QWidget* parent)
     , m_residuals(new FitTable(tr("Residuals by measurement"), this))
     , m_normality(copyableLabel(this))
     , m_group(new QComboBox(this))
-    , m_plot(new ResidualPlot(this)) {
+    , m_plot(new ChartPlot(this)) {
     m_words->setObjectName(QStringLiteral("fitWords"));
     m_values->setObjectName(QStringLiteral("fitValues"));
     m_correlations->setObjectName(QStringLiteral("fitCorrelations"));
@@ -50,6 +53,7 @@ FitResult::FitResult(const Project& project, QWidget* parent)
     m_group->setAccessibleName(tr("Residuals drawn"));
     m_plot->setObjectName(QStringLiteral("fitPlot"));
     m_plot->setAccessibleName(tr("Measured less predicted"));
+    m_plot->setMinimumSize(atFontSize(260), atFontSize(150));
     m_correlationsName->setText(tr("Correlations of the values"));
     m_residualsName->setText(tr("Measured less predicted"));
     m_group->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -211,21 +215,36 @@ void FitResult::showResiduals() {
 }
 
 void FitResult::drawResiduals(int group) {
-    const auto index = static_cast<std::size_t>(group);
-    if (group < 0 || index >= m_result.residuals.size()) {
-        return;
+    if (group >= 0 && group < static_cast<int>(m_result.residuals.size())) {
+        const FitResiduals& residuals = m_result.residuals[static_cast<std::size_t>(group)];
+        m_plot->setChart([chart = chartOf(residuals)] { return chart; });
+        m_plot->replot(QCustomPlot::rpQueuedReplot);
     }
-    const FitResiduals& residuals = m_result.residuals[index];
+}
+
+LineChart FitResult::chartOf(const FitResiduals& residuals) const {
     const FitData fitted = fitDataOf(m_project, m_request.traces, m_request.withParts);
     const auto of = std::ranges::find_if(fitted.groups, [&](const FitGroup& one) {
         return one.source == residuals.source && one.trace == residuals.trace;
     });
-    std::vector<double> at(residuals.values.size());
-    std::iota(at.begin(), at.end(), 1.0);
-    const bool isTrace = of != fitted.groups.end() && of->time_s.size() == at.size();
-    m_plot->setResiduals(isTrace ? of->time_s : at, residuals.values,
-                         isTrace ? tr("Time of the trace, s") : tr("Number of the value"),
-                         tr("Difference, %1").arg(FitWords::unit(residuals.source)));
+    const bool isTrace = of != fitted.groups.end() && of->time_s.size() == residuals.values.size();
+    ChartSeries points{.kind = ChartSeries::Kind::points,
+                       .colour = style::Drawn::actualFeed,
+                       .mark = ChartSeries::Mark::disc,
+                       .markSize = residualSize};
+    for (std::size_t i = 0; i < residuals.values.size(); ++i) {
+        points.points.push_back(
+            {isTrace ? of->time_s[i] : static_cast<double>(i + 1), residuals.values[i]});
+    }
+    LineChart chart;
+    chart.across = {isTrace ? tr("Time of the trace, s") : tr("Number of the value")};
+    chart.up = {tr("Difference, %1").arg(FitWords::unit(residuals.source))};
+    chart.across.room = residualRoom;
+    chart.up.room = residualRoom / 2;
+    chart.up.isSymmetric = chart.isFramed = true;
+    chart.series = {std::move(points)};
+    chart.rules = {{.isUpright = false, .pen = QPen(Qt::black, 1, Qt::DashLine)}};
+    return chart;
 }
 
 } // namespace sparkout

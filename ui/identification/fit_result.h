@@ -11,8 +11,9 @@ class QLabel;
 
 namespace sparkout {
 
+class ChartPlot;
 class FitTable;
-class ResidualPlot;
+struct LineChart;
 
 /// What a fit found: values, correlations, residuals; or what its data cannot tell, and what would.
 class FitResult : public QWidget {
@@ -31,6 +32,7 @@ private:
     void showCorrelations();
     void showResiduals();
     void drawResiduals(int group);
+    [[nodiscard]] LineChart chartOf(const FitResiduals& residuals) const;
 
     const Project& m_project;
     IdentificationRequest m_request;
@@ -43,7 +45,7 @@ private:
     FitTable* m_residuals;
     QLabel* m_normality;
     QComboBox* m_group;
-    ResidualPlot* m_plot;
+    ChartPlot* m_plot; ///< what one group of measured values leaves over
 };
 
 } // namespace sparkout

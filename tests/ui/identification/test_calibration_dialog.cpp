@@ -11,6 +11,7 @@
 #include "ui/identification/calibration_dialog.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/kit/font_size.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/documents/outcome_remarks.h"
 #include "ui/report/documents/passport.h"
@@ -96,7 +97,11 @@ private slots:
             QCOMPARE(part<QTableView>(dialog, "fitResiduals")->model()->rowCount(), 1);
             QVERIFY(cellOf(dialog, "fitResiduals", 0, 0).contains(QStringLiteral("cycle-17.csv")));
             QVERIFY(part<QLabel>(dialog, "fitNormality")->isVisible());
-            QVERIFY(part<QWidget>(dialog, "fitPlot")->isVisible());
+            const ChartPlot* const left = part<ChartPlot>(dialog, "fitPlot");
+            QVERIFY(left->isVisible());
+            QVERIFY(left->chart().series.at(0).points.size() > 10);
+            QCOMPARE(left->chart().values().low, -left->chart().values().high);
+            QCOMPARE(left->across().label(), QStringLiteral("Time of the trace, s"));
             click(dialog, "fitTake");
             QVERIFY(!dialog.isVisible());
         });

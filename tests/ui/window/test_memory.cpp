@@ -4,8 +4,8 @@
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/plot/view.h"
-#include "ui/views/sweep/sweep_curves.h"
 #include "ui/window/view_tabs.h"
 
 #include <QAbstractAnimation>
@@ -56,7 +56,8 @@ private slots:
             projects.push_back(bench.window->document().project());
         }
         QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
-        const auto* const sweep = bench.window->findChild<SweepCurves*>();
+        const auto* const sweep =
+            bench.window->findChild<ChartPlot*>(QStringLiteral("sweepCurves"));
         QVERIFY(sweep);
         bool isSwept = false;
         std::vector<double> memory_mb;

@@ -8,16 +8,16 @@
 #include "ui/kit/metrics.h"
 #include "ui/kit/search_combo.h"
 #include "ui/kit/tool_row.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/names.h"
+#include "ui/views/batch/batch_charts.h"
 #include "ui/views/batch/batch_figures.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/histogram_plot.h"
-#include "ui/views/batch/pareto_plot.h"
 #include "ui/views/batch/part_rows.h"
-#include "ui/views/batch/scatter_plot.h"
 #include "ui/views/batch/sensitivity_plot.h"
 
 #include <QComboBox>
@@ -67,8 +67,8 @@ BatchView::BatchView(QWidget* parent, Settings* settings, Studies* studies)
     : StudyView(QStringLiteral("batch"), parent, settings, studies)
     , m_histograms(new HistogramPlot(this))
     , m_sensitivity(new SensitivityPlot(this))
-    , m_scatter(new ScatterPlot(this))
-    , m_pareto(new ParetoPlot(this))
+    , m_scatter(new ChartPlot(this))
+    , m_pareto(new ChartPlot(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
     , m_figures(new ValueModel(this))
     , m_name(new SearchCombo(this))
@@ -188,8 +188,11 @@ void BatchView::chooseQuantities() {
 
 void BatchView::setQuantities() {
     if (batch() && m_across->currentIndex() >= 0 && m_up->currentIndex() >= 0) {
-        m_scatter->setBatch(batch(), static_cast<BatchQuantity>(m_across->currentIndex()),
-                            static_cast<BatchQuantity>(m_up->currentIndex()));
+        m_scatter->setChart([batch = batch(),
+                             across = static_cast<BatchQuantity>(m_across->currentIndex()),
+                             up = static_cast<BatchQuantity>(m_up->currentIndex())] {
+            return BatchCharts::scatter(batch, across, up);
+        });
     }
 }
 
@@ -311,7 +314,7 @@ void BatchView::fillQuantities() {
         const int chosen = box->count() == quantities ? box->currentIndex() : -1;
         box->clear();
         for (int i = 0; i < quantities; ++i) {
-            box->addItem(quantityName(*batch(), static_cast<BatchQuantity>(i)));
+            box->addItem(BatchCharts::quantityName(*batch(), static_cast<BatchQuantity>(i)));
         }
         box->setCurrentIndex(chosen >= 0 ? chosen : box == m_up ? usual : 0);
     }
@@ -336,7 +339,7 @@ void BatchView::showBatch() {
     fitColumns(*m_table);
     m_sensitivity->setBatch(batch(), chosenName());
     m_sensitivity->setIndices(indices());
-    m_pareto->setBatch(batch());
+    m_pareto->setChart([batch = batch()] { return BatchCharts::rejects(batch); });
     showState();
     replotAll();
 }
@@ -403,7 +406,7 @@ QString BatchView::hint() const {
 }
 
 QString BatchView::contentNotice() const {
-    if (&front() == m_pareto && m_pareto->empty()) {
+    if (&front() == m_pareto && m_pareto->chart().series.empty()) {
         return tr("No part of this batch fails a requirement.");
     }
     if (&front() != m_sensitivity || !m_sensitivity->empty()) {

@@ -14,11 +14,10 @@ class QSplitter;
 namespace sparkout {
 
 class ValueModel;
+class ChartPlot;
 class CopyTable;
 class HistogramPlot;
-class ParetoPlot;
 class RunBar;
-class ScatterPlot;
 class SensitivityPlot;
 
 /// The view "Batch": parts that differ by the factors of the project, run one after another. How
@@ -33,7 +32,7 @@ public:
 
     [[nodiscard]] HistogramPlot* histograms() const { return m_histograms; }
     [[nodiscard]] SensitivityPlot* sensitivity() const { return m_sensitivity; }
-    [[nodiscard]] ScatterPlot* scatter() const { return m_scatter; }
+    [[nodiscard]] ChartPlot* scatter() const { return m_scatter; }
     [[nodiscard]] const BatchOutcomePtr& batch() const { return studies().batch.result(); }
     [[nodiscard]] const SobolIndicesPtr& indices() const { return studies().indices(); }
     [[nodiscard]] bool busy() const override; ///< runs a batch, or its Sobol indices
@@ -91,8 +90,8 @@ private:
 
     HistogramPlot* m_histograms;
     SensitivityPlot* m_sensitivity;
-    ScatterPlot* m_scatter;
-    ParetoPlot* m_pareto;
+    ChartPlot* m_scatter;
+    ChartPlot* m_pareto;
     QWidget* m_choice = nullptr; ///< of what is drawn, and how it leaves
     QSplitter* m_splitter;
     ValueModel* m_figures;

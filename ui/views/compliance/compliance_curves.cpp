@@ -3,6 +3,7 @@
 
 #include "core/project/part.h"
 #include "ui/text/names.h"
+#include "ui/views/compliance/length_curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,30 +15,19 @@ namespace {
 using style::Drawn;
 
 constexpr double valueRoom = 1.1; ///< above the highest value
-constexpr int opacity = 110;
+constexpr int stackAlpha = 110;
 
-constexpr CompliancePart stacked[] = {CompliancePart::wheelHead, CompliancePart::headstock,
-                                      CompliancePart::tailstock, CompliancePart::bending};
+struct StackedPart {
+    CompliancePart part;
+    Drawn colour;
+};
+
+constexpr StackedPart stackedParts[] = {{CompliancePart::wheelHead, Drawn::wheelHead},
+                                        {CompliancePart::headstock, Drawn::headstock},
+                                        {CompliancePart::tailstock, Drawn::tailstock},
+                                        {CompliancePart::bending, Drawn::bending}};
 
 } // namespace
-
-ComplianceCurves::ComplianceCurves(ViewPlot& plot, QCPAxisRect& rect)
-    : LengthCurves(plot, rect), m_base(plot.addLine(rect)) {
-    QCPGraph* lower = m_base;
-    for (const CompliancePart part : stacked) {
-        QCPGraph*& upper = m_stack[static_cast<std::size_t>(part)];
-        upper = plot.addLine(rect);
-        upper->setChannelFillGraph(lower);
-        lower = upper;
-    }
-    m_sum = plot.addLine(rect);
-    m_used = plot.addLine(rect);
-    m_used->setLineStyle(QCPGraph::lsNone);
-}
-
-QCPGraph* ComplianceCurves::stack(CompliancePart part) const {
-    return m_stack[static_cast<std::size_t>(part)];
-}
 
 const std::vector<CompliantPlace>& ComplianceCurves::places() const {
     static const std::vector<CompliantPlace> none;
@@ -53,87 +43,61 @@ bool ComplianceCurves::hasZones() const {
     return m_outcome && m_outcome->result.project.operation->hasZones;
 }
 
-void ComplianceCurves::show(OutcomePtr outcome) {
-    m_outcome = std::move(outcome);
-    fillUsed();
-    applyChoice();
+std::vector<XY>
+ComplianceCurves::along(const std::function<double(const ComplianceParts&)>& value) const {
+    std::vector<XY> line;
+    for (const CompliantPlace& place : places()) {
+        line.push_back({place.position_mm, value(place.parts) * nmPerMm});
+    }
+    return line;
 }
 
-void ComplianceCurves::fillUsed() {
-    std::vector<const SectionResult*> sections;
-    for (const SectionResult& section : m_outcome->result.sections) {
-        sections.push_back(&section);
+LineChart ComplianceCurves::chart() const {
+    LineChart chart = LengthCurves::chart();
+    chart.up.label = tr("Compliance γ, nm/N");
+    if (!m_outcome) {
+        return chart;
     }
-    std::ranges::sort(sections, {}, &SectionResult::position_mm);
-    QVector<double> at, gamma;
-    for (const SectionResult* section : sections) {
-        at << section->position_mm;
-        gamma << section->compliance_mm_per_n * nmPerMm;
-    }
-    m_used->setData(at, gamma, true);
-}
-
-/// What is hidden leaves the stack; the sum stays what it is.
-void ComplianceCurves::applyChoice() {
-    const auto n = static_cast<qsizetype>(places().size());
-    QVector<double> x(n), height(n, 0.0), sum(n);
-    for (qsizetype i = 0; i < n; ++i) {
-        const CompliantPlace& place = places()[static_cast<std::size_t>(i)];
-        x[i] = place.position_mm;
-        sum[i] = sumOf(place.parts) * nmPerMm;
-    }
-    m_base->setData(x, height, true);
-    for (const CompliancePart part : stacked) {
-        for (qsizetype i = 0; chosen(static_cast<int>(part)) && i < n; ++i) {
-            height[i] += valueOf(places()[static_cast<std::size_t>(i)].parts, part) * nmPerMm;
+    const bool isBore = m_outcome->result.project.part->surface == Surface::internal;
+    for (const StackedPart& of : stackedParts) {
+        const CompliancePart part = of.part;
+        if (has(part)) {
+            chart.series.push_back(
+                {.key = static_cast<int>(part),
+                 .name = isBore && part == CompliancePart::bending ? tr("bending of the quill")
+                                                                   : nameOf(part),
+                 .kind = ChartSeries::Kind::stack,
+                 .colour = of.colour,
+                 .pen = QPen(Qt::black, 1),
+                 .points = along([part](const ComplianceParts& at) { return valueOf(at, part); }),
+                 .alpha = stackAlpha});
         }
-        stack(part)->setData(x, height, true);
-        stack(part)->setVisible(shows(static_cast<int>(part)) && has(part));
     }
-    m_sum->setData(x, sum, true);
-    m_sum->setVisible(shows(sumKey));
-    m_used->setVisible(shows(usedKey));
-}
-
-QCPRange ComplianceCurves::values() const {
-    double high = 0;
-    for (const QCPGraph* graph : {stack(CompliancePart::bending), m_sum, m_used}) {
-        bool found = false;
-        const QCPRange range = graph->getValueRange(found);
-        high = found ? std::max(high, range.upper) : high;
+    if (!places().empty()) {
+        chart.series.push_back(
+            {.key = sumKey,
+             .name = has(CompliancePart::rests) ? tr("γ, with the steady rests") : tr("γ"),
+             .pen = QPen(Qt::black, 2),
+             .points = along(sumOf)});
     }
-    return {0, high > 0 ? high * valueRoom : 1};
-}
-
-// --- look ---------------------------------------------------------------------------------------
-
-QColor ComplianceCurves::colourOf(CompliancePart part) const {
-    switch (part) {
-    case CompliancePart::wheelHead: return plot().toned(Drawn::wheelHead);
-    case CompliancePart::headstock: return plot().toned(Drawn::headstock);
-    case CompliancePart::tailstock: return plot().toned(Drawn::tailstock);
-    case CompliancePart::bending: return plot().toned(Drawn::bending);
-    case CompliancePart::rests: break;
+    ChartSeries used{.key = usedKey,
+                     .name = hasZones() ? tr("γ of the zones used in the run")
+                                        : tr("γ of the sections used in the run"),
+                     .kind = ChartSeries::Kind::points,
+                     .colour = Drawn::rests,
+                     .mark = ChartSeries::Mark::disc,
+                     .markSize = 8};
+    for (const SectionResult& section : m_outcome->result.sections) {
+        used.points.push_back({section.position_mm, section.compliance_mm_per_n * nmPerMm});
     }
-    return plot().toned(Drawn::rests);
-}
-
-void ComplianceCurves::restyle() {
-    for (const CompliancePart part : stacked) {
-        QColor fill = colourOf(part);
-        stack(part)->setPen(QPen(fill, 1));
-        fill.setAlpha(std::min(fill.alpha(), opacity));
-        stack(part)->setBrush(fill);
-    }
-    m_base->setPen(Qt::NoPen);
-    m_sum->setPen(QPen(plot().ink(), 2));
-    const QColor used = colourOf(CompliancePart::rests);
-    m_used->setPen(QPen(used, 1));
-    m_used->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, used, 8));
-}
-
-QString ComplianceCurves::axisLabel() const {
-    return tr("Compliance γ, nm/N");
+    chart.series.push_back(used);
+    const double high = chart.values().high; // a part is not above the sum
+    chart.up.range = {0, high > 0 ? high * valueRoom : 1};
+    chart.up.room = 0;
+    addReadings(chart);
+    chart.table = [self = *this] { return self.table(); };
+    chart.placeText = [self = *this](double x_mm) { return self.valuesAt(x_mm); };
+    return chart;
 }
 
 QString ComplianceCurves::nameOf(CompliancePart part) {
@@ -147,30 +111,9 @@ QString ComplianceCurves::nameOf(CompliancePart part) {
     return {};
 }
 
-LegendEntries ComplianceCurves::legendEntries() const {
-    LegendEntries entries;
-    for (const CompliancePart part : stacked) {
-        if (has(part)) {
-            const bool quill = part == CompliancePart::bending && m_outcome
-                               && m_outcome->result.project.part->surface == Surface::internal;
-            entries.push_back(entry(static_cast<int>(part), colourOf(part), Qt::NoPen,
-                                    quill ? tr("bending of the quill") : nameOf(part)));
-        }
-    }
-    if (!places().empty()) {
-        entries.push_back(
-            entry(sumKey, plot().ink(), Qt::SolidLine,
-                  has(CompliancePart::rests) ? tr("γ, with the steady rests") : tr("γ")));
-    }
-    entries.push_back(entry(usedKey, colourOf(CompliancePart::rests), Qt::NoPen,
-                            hasZones() ? tr("γ of the zones used in the run")
-                                       : tr("γ of the sections used in the run")));
-    return entries;
-}
-
 // --- numbers ------------------------------------------------------------------------------------
 
-CsvTable ComplianceCurves::table() const {
+ChartTable ComplianceCurves::table() const {
     CsvTable table;
     table.header << tr("From the headstock end of the ground length, mm") << tr("γ, mm/N");
     for (const CompliancePart part : allComplianceParts) {
@@ -188,7 +131,7 @@ CsvTable ComplianceCurves::table() const {
             table.rows.push_back({section.position_mm, section.compliance_mm_per_n});
         }
     }
-    return table;
+    return {table};
 }
 
 QString ComplianceCurves::valuesAt(double x_mm) const {
@@ -223,34 +166,26 @@ std::optional<double> ComplianceCurves::groundWith(double x_mm) const {
     return std::nullopt;
 }
 
-ReadCurves ComplianceCurves::readCurves() const {
-    ReadCurves curves;
-    const auto add = [&](const QString& name, auto value) {
-        curves.push_back({QString(), tr("%1, nm/N").arg(name), Digits::significant, value});
+void ComplianceCurves::addReadings(LineChart& chart) const {
+    const auto add = [&](int key, const QString& name, const std::vector<XY>& line) {
+        chart.read({.key = key, .points = line}, tr("%1, nm/N").arg(name), Digits::significant);
     };
-    const auto along = [this](auto value) {
-        return [this, value](double x) {
-            std::vector<XY> line;
-            for (const CompliantPlace& place : places()) {
-                line.push_back({place.position_mm, value(place.parts) * nmPerMm});
-            }
-            return valueAt(line, x);
-        };
-    };
-    if (!places().empty() && shows(sumKey)) {
-        add(tr("γ"), along(sumOf));
+    if (!places().empty()) {
+        add(sumKey, tr("γ"), along(sumOf));
     }
     for (const CompliancePart part : allComplianceParts) {
-        const bool rests = part == CompliancePart::rests;
-        if (has(part) && shows(rests ? sumKey : static_cast<int>(part))) {
-            add(nameOf(part),
+        if (has(part)) {
+            add(part == CompliancePart::rests ? sumKey : static_cast<int>(part), nameOf(part),
                 along([part](const ComplianceParts& parts) { return valueOf(parts, part); }));
         }
     }
-    if (hasZones() && shows(usedKey)) {
-        add(tr("γ of the zones used in the run"), [this](double x) { return groundWith(x); });
+    if (hasZones()) {
+        chart.readings.push_back({usedKey,
+                                  {{},
+                                   tr("%1, nm/N").arg(tr("γ of the zones used in the run")),
+                                   Digits::significant,
+                                   [self = *this](double x) { return self.groundWith(x); }}});
     }
-    return curves;
 }
 
 } // namespace sparkout

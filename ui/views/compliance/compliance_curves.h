@@ -4,10 +4,13 @@
 #include "core/process/compliance_part.h"
 #include "core/process/system_compliance.h"
 #include "core/study/outcome.h"
-#include "ui/views/compliance/length_curves.h"
+#include "ui/plot/line_chart.h"
 
-#include <array>
+#include <QCoreApplication>
+
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace sparkout {
@@ -15,42 +18,29 @@ namespace sparkout {
 inline constexpr double nmPerMm = 1e6; ///< γ is drawn in nm/N
 
 /// γ along the part as stacked parts, its sum, and the γ each zone or section is ground with.
-class ComplianceCurves : public LengthCurves {
+class ComplianceCurves {
     Q_DECLARE_TR_FUNCTIONS(ComplianceCurves)
 public:
     static constexpr int sumKey = 100, usedKey = 101; ///< of the legend; below: a CompliancePart
 
-    ComplianceCurves(ViewPlot& plot, QCPAxisRect& rect);
-
-    void show(OutcomePtr outcome);
+    explicit ComplianceCurves(OutcomePtr outcome = nullptr) : m_outcome(std::move(outcome)) {}
 
     [[nodiscard]] const std::vector<CompliantPlace>& places() const;
-    [[nodiscard]] QCPGraph* sum() const { return m_sum; }
-    [[nodiscard]] QCPGraph* used() const { return m_used; }
-    [[nodiscard]] QCPGraph* stack(CompliancePart part) const; ///< upper edge; rests have none
-
-    [[nodiscard]] LegendEntries legendEntries() const override;
-    [[nodiscard]] CsvTable table() const override;
-    [[nodiscard]] QString valuesAt(double x_mm) const override;
-    void restyle() override;
-    [[nodiscard]] ReadCurves readCurves() const override;
-    [[nodiscard]] QCPRange values() const override;
-    [[nodiscard]] QString axisLabel() const override;
+    [[nodiscard]] LineChart chart() const;
 
 private:
-    void applyChoice() override;
-    void fillUsed();
+    [[nodiscard]] ChartTable table() const;
+    [[nodiscard]] QString valuesAt(double x_mm) const;
+    /// [nm/N]
+    [[nodiscard]] std::vector<XY>
+    along(const std::function<double(const ComplianceParts&)>& value) const;
+    void addReadings(LineChart& chart) const;
     [[nodiscard]] bool has(CompliancePart part) const;
     [[nodiscard]] bool hasZones() const;
     [[nodiscard]] std::optional<double> groundWith(double x_mm) const; ///< γ [nm/N]
-    [[nodiscard]] QColor colourOf(CompliancePart part) const;
     [[nodiscard]] static QString nameOf(CompliancePart part);
 
     OutcomePtr m_outcome;
-    QCPGraph* m_base;                   ///< the axis, for the first fill
-    std::array<QCPGraph*, 4> m_stack{}; ///< of the parts up to bending
-    QCPGraph* m_sum;
-    QCPGraph* m_used;
 };
 
 } // namespace sparkout

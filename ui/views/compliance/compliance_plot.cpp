@@ -6,12 +6,10 @@
 #include "core/study/length_lines.h"
 #include "ui/charts/longitudinal_layers.h"
 #include "ui/plot/band_layer.h"
-#include "ui/views/compliance/compliance_curves.h"
-#include "ui/views/compliance/coupling_curves.h"
-#include "ui/views/compliance/gauge_curves.h"
 #include "ui/views/compliance/shaft_scene.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sparkout {
 
@@ -24,32 +22,37 @@ constexpr double shaftShare = 0.8; ///< of the height of the curves
 
 } // namespace
 
-CompliancePlot::CompliancePlot(QWidget* parent) : ViewPlot(parent) {
+CompliancePlot::CompliancePlot(QWidget* parent) : ChartPlot(parent, 1) {
     build();
     connect(this, &QCustomPlot::afterLayout, this, &CompliancePlot::afterLayouting);
+    setChart([this] { return made(); });
     built();
 }
 
-CompliancePlot::~CompliancePlot() = default;
-
-LengthCurves& CompliancePlot::curves() const {
-    switch (m_content) {
-    case ComplianceContent::gauge: return *m_gauge;
-    case ComplianceContent::coupling: return *m_coupling;
-    case ComplianceContent::compliance: break;
-    }
-    return *m_gamma;
+LineChart CompliancePlot::made() const {
+    LineChart chart = m_content == ComplianceContent::gauge      ? m_gauge.chart()
+                      : m_content == ComplianceContent::coupling ? m_coupling.chart()
+                                                                 : m_gamma.chart();
+    chart.readSpan = {0, m_outcome ? m_outcome->result.project.part->length_mm : 0};
+    return chart;
 }
 
 void CompliancePlot::setContent(ComplianceContent content) {
-    curves().setShown(false);
     m_content = content;
-    curves().setShown(true);
-    labelValues();
+    remake();
     if (m_outcome) {
         fitValues();
     }
-    emit contentChanged();
+}
+
+void CompliancePlot::setGauge(GaugePlacementPtr placement, OutcomePtr outcome) {
+    m_gauge = {std::move(placement), std::move(outcome), gaugePlace_mm()};
+    remake();
+}
+
+void CompliancePlot::setCoupling(CouplingPtr comparison) {
+    m_coupling = CouplingCurves(std::move(comparison));
+    remake();
 }
 
 double CompliancePlot::gaugePlace_mm() const {
@@ -64,27 +67,22 @@ double CompliancePlot::gaugePlace_mm() const {
 void CompliancePlot::build() {
     auto* margins = new QCPMarginGroup(this);
     m_shaftRect = addCell(0);
-    m_rect = addCell(1);
     plotLayout()->setRowStretchFactor(0, shaftShare);
     plotLayout()->setRowSpacing(0);
     m_shaftRect->setMinimumMargins(QMargins(0, BandLayer::nameMargin(font()), 14, 2));
-    m_rect->setMinimumMargins(QMargins(0, 6, 14, 0));
-    for (QCPAxisRect* rect : {m_shaftRect, m_rect}) {
+    cell().setMinimumMargins(QMargins(0, 6, 14, 0));
+    for (QCPAxisRect* rect : {m_shaftRect, &cell()}) {
         rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
     }
-    tie({m_shaftRect, m_rect}, QCPAxis::atBottom);
+    tie({m_shaftRect, &cell()}, QCPAxis::atBottom);
     for (const auto side : {QCPAxis::atLeft, QCPAxis::atBottom}) {
         m_shaftRect->axis(side)->setTicks(false);
         m_shaftRect->axis(side)->grid()->setVisible(false);
     }
     m_names = new BandLayer(m_shaftRect, true);
-    m_bands = new BandLayer(m_rect, false);
+    m_bands = new BandLayer(&cell(), false);
     m_body = new ShaftLayer(m_shaftRect);
     m_scene = new ShaftScene(m_shaftRect);
-    m_gamma = std::make_unique<ComplianceCurves>(*this, *m_rect);
-    m_gauge = std::make_unique<GaugeCurves>(*this, *m_rect);
-    m_coupling = std::make_unique<CouplingCurves>(*this, *m_rect);
-    curves().setShown(true);
 }
 
 void CompliancePlot::setRun(OutcomePtr outcome) {
@@ -98,14 +96,13 @@ void CompliancePlot::setRun(OutcomePtr outcome) {
     m_body->setBody(shaftSteps(project), project.part->length_mm, project.part->diameter_mm / 2,
                     project.part->surface == Surface::internal);
     m_scene->setProject(project, m_body->bounds(), gaugePlace_mm());
-    fillBands();
-    m_gamma->show(m_outcome);
+    m_gamma = ComplianceCurves(m_outcome);
+    remake();
     if (!same) {
         fit();
     } else {
         refitValues();
     }
-    emit contentChanged();
 }
 
 void CompliancePlot::fillBands() {
@@ -135,17 +132,15 @@ void CompliancePlot::fit() {
 }
 
 void CompliancePlot::fitValues() {
-    QCPAxis& axis = *m_rect->axis(QCPAxis::atLeft);
-    const QCPRange range = curves().values();
-    style::setSafeRange(axis, range.lower, range.upper);
-    m_fitted = axis.range();
+    ChartPlot::fitValues();
+    m_fitted = up().range();
 }
 
 void CompliancePlot::refitValues() {
-    const QCPRange axis = m_rect->axis(QCPAxis::atLeft)->range();
-    const QCPRange drawn = curves().values();
+    const QCPRange axis = up().range();
+    const ChartSpan drawn = chart().values();
     constexpr double smallShare = 0.4;
-    const bool inside = drawn.lower >= axis.lower && drawn.upper <= axis.upper;
+    const bool inside = drawn.low >= axis.lower && drawn.high <= axis.upper;
     if (axis == m_fitted && (!inside || drawn.size() < smallShare * axis.size())) {
         fitValues();
     }
@@ -153,9 +148,6 @@ void CompliancePlot::refitValues() {
 
 /// The shaft at one scale along and across, as large as its rect holds.
 void CompliancePlot::afterLayouting() {
-    if (style::fitValueAxes(*m_rect, font())) {
-        replot(QCustomPlot::rpQueuedReplot);
-    }
     const QRectF area = m_shaftRect->rect();
     const double width = std::max(area.width(), 1.0), height = std::max(area.height(), 1.0);
     QCPAxis* x = m_shaftRect->axis(QCPAxis::atBottom);
@@ -178,69 +170,33 @@ void CompliancePlot::afterLayouting() {
 
 QList<QCPAxis*> CompliancePlot::movedAxes(QCPAxisRect& rect) const {
     QList<QCPAxis*> axes{rect.axis(QCPAxis::atBottom)};
-    if (&rect == m_rect) {
+    if (&rect == &cell()) {
         axes << rect.axis(QCPAxis::atLeft);
     }
     return axes;
 }
 
-void CompliancePlot::toggleCurve(int key) {
-    curves().toggle(key);
-    emit contentChanged();
-    replot();
-}
-
-void CompliancePlot::showOnly(int key) {
-    curves().only(key);
-    emit contentChanged();
-    replot();
-}
-
 // --- look, words and numbers --------------------------------------------------------------------
 
 void CompliancePlot::restyle() {
-    ViewPlot::restyle();
-    m_gamma->restyle();
-    m_gauge->restyle();
-    m_coupling->restyle();
+    ChartPlot::restyle();
     if (m_outcome) {
         fillBands();
     }
-}
-
-void CompliancePlot::labelValues() {
-    m_rect->axis(QCPAxis::atBottom)->setLabel(curves().placeLabel());
-    m_rect->axis(QCPAxis::atLeft)->setLabel(curves().axisLabel());
 }
 
 void CompliancePlot::setTexts() {
-    labelValues();
+    ChartPlot::setTexts();
     if (m_outcome) {
         fillBands();
     }
 }
 
-LegendEntries CompliancePlot::legendEntries() const {
-    return curves().legendEntries();
-}
-
-CsvTable CompliancePlot::table() const {
-    return curves().table();
-}
-
-ReadCurves CompliancePlot::readCurves() const {
-    return curves().readCurves();
-}
-
-QCPRange CompliancePlot::readSpan() const {
-    return {0, m_outcome ? m_outcome->result.project.part->length_mm : 0};
-}
-
 QString CompliancePlot::valuesAt(const QPointF& at) const {
-    const bool inside =
-        m_rect->rect().contains(at.toPoint()) || m_shaftRect->rect().contains(at.toPoint());
-    return inside ? curves().valuesAt(m_rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x()))
-                  : QString();
+    const bool isInside =
+        cell().rect().contains(at.toPoint()) || m_shaftRect->rect().contains(at.toPoint());
+    return isInside && chart().placeText ? chart().placeText(across().pixelToCoord(at.x()))
+                                         : QString();
 }
 
 } // namespace sparkout

@@ -2,17 +2,14 @@
 #pragma once
 
 #include "core/study/outcome.h"
-#include "ui/plot/view_plot.h"
-
-#include <memory>
+#include "ui/plot/chart_plot.h"
+#include "ui/views/compliance/compliance_curves.h"
+#include "ui/views/compliance/coupling_curves.h"
+#include "ui/views/compliance/gauge_curves.h"
 
 namespace sparkout {
 
 class BandLayer;
-class ComplianceCurves;
-class CouplingCurves;
-class GaugeCurves;
-class LengthCurves;
 class ShaftLayer;
 class ShaftScene;
 
@@ -22,34 +19,28 @@ enum class ComplianceContent { compliance, gauge, coupling };
 
 /// Above the part on its supports with wheel and gauge, to scale; below, over one axis, the curves
 /// of what was chosen.
-class CompliancePlot : public ViewPlot {
+class CompliancePlot : public ChartPlot {
     Q_OBJECT
 public:
     explicit CompliancePlot(QWidget* parent = nullptr);
-    ~CompliancePlot() override;
 
     void setContent(ComplianceContent content); ///< no replot
     [[nodiscard]] ComplianceContent content() const { return m_content; }
-    [[nodiscard]] ComplianceCurves& gamma() const { return *m_gamma; }
-    [[nodiscard]] GaugeCurves& gauge() const { return *m_gauge; }
-    [[nodiscard]] CouplingCurves& coupling() const { return *m_coupling; }
+    [[nodiscard]] const ComplianceCurves& gamma() const { return m_gamma; }
+    [[nodiscard]] const GaugeCurves& gauge() const { return m_gauge; }
+    [[nodiscard]] const CouplingCurves& coupling() const { return m_coupling; }
     /// Where the gauge stands in the run shown, from the headstock end of the ground length [mm].
     [[nodiscard]] double gaugePlace_mm() const;
-    void setRun(OutcomePtr outcome); ///< no replot
+    void setRun(OutcomePtr outcome);                                ///< no replot
+    void setGauge(GaugePlacementPtr placement, OutcomePtr outcome); ///< likewise
+    void setCoupling(CouplingPtr comparison);                       ///< likewise
     void fit() override;
-    void fitValues(); ///< the lower axis alone
+    void fitValues() override;
     /// The same where what is drawn has grown out of it or is small in it, and nobody has zoomed.
     void refitValues();
-    void toggleCurve(int key) override;
-    void showOnly(int key) override;
     void restyle() override;
 
     [[nodiscard]] QCPAxisRect* shaftRect() const { return m_shaftRect; }
-    [[nodiscard]] QCPAxisRect* curveRect() const { return m_rect; }
-    [[nodiscard]] LegendEntries legendEntries() const override;
-    [[nodiscard]] ReadCurves readCurves() const override;
-    [[nodiscard]] QCPRange readSpan() const override;
-    [[nodiscard]] CsvTable table() const override;
     [[nodiscard]] QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
 
@@ -57,21 +48,19 @@ private:
     void setTexts() override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     void build();
-    [[nodiscard]] LengthCurves& curves() const; ///< below the part
-    void labelValues();
+    [[nodiscard]] LineChart made() const; ///< below the part
     void fillBands();
     void afterLayouting();
 
     OutcomePtr m_outcome;
     QCPAxisRect* m_shaftRect = nullptr;
-    QCPAxisRect* m_rect = nullptr;
     BandLayer* m_names = nullptr;
     BandLayer* m_bands = nullptr;
     ShaftLayer* m_body = nullptr;
     ShaftScene* m_scene = nullptr;
-    std::unique_ptr<ComplianceCurves> m_gamma;
-    std::unique_ptr<GaugeCurves> m_gauge;
-    std::unique_ptr<CouplingCurves> m_coupling;
+    ComplianceCurves m_gamma;
+    GaugeCurves m_gauge;
+    CouplingCurves m_coupling;
     ComplianceContent m_content = ComplianceContent::compliance;
     QCPRange m_fitted;      ///< of the lower axis, as it was fitted last
     QCPRange m_fittedAlong; ///< of the axis along the part, likewise

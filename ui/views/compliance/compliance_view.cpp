@@ -7,7 +7,6 @@
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/text/names.h"
-#include "ui/views/compliance/compliance_curves.h"
 #include "ui/views/compliance/compliance_plot.h"
 #include "ui/views/compliance/compliance_studies.h"
 
@@ -59,12 +58,12 @@ void ComplianceView::buildStudies() {
     });
     connect(m_studies, &ComplianceStudies::gaugePlaced, this,
             [this](const GaugePlacementPtr& placement, const OutcomePtr& of) {
-                m_plot->gauge().show(placement, of, m_plot->gaugePlace_mm());
+                m_plot->setGauge(placement, of);
                 showStudy(of);
             });
     connect(m_studies, &ComplianceStudies::couplingCompared, this,
             [this](const CouplingPtr& comparison, const OutcomePtr& of) {
-                m_plot->coupling().show(comparison);
+                m_plot->setCoupling(comparison);
                 showStudy(of);
             });
 }
@@ -89,8 +88,7 @@ void ComplianceView::ask() {
         m_studies->compareCoupling(good());
     } else {
         m_studies->stop();
-        m_plot->coupling().show(nullptr);
-        showLegend();
+        m_plot->setCoupling(nullptr);
     }
 }
 

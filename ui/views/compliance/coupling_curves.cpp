@@ -5,6 +5,7 @@
 #include "core/units.h"
 #include "ui/plot/quantity_line.h"
 #include "ui/text/names.h"
+#include "ui/views/compliance/length_curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,35 +23,45 @@ QString fine(double value_um) {
 
 } // namespace
 
-CouplingCurves::CouplingCurves(ViewPlot& plot, QCPAxisRect& rect)
-    : LengthCurves(plot, rect)
-    , m_independent(addGraph(independentKey))
-    , m_coupled(addGraph(coupledKey))
-    , m_difference(addGraph(differenceKey)) {}
-
 double CouplingCurves::fromMiddle_um(const SectionResult& section) const {
     return meanDiameterDeviation(section, *m_comparison->independent.project.part) * units::umPerMm
-           - middle_um();
+           - LengthCurves::middle_um(*m_comparison->independent.project.part);
 }
 
-void CouplingCurves::show(CouplingPtr comparison) {
-    m_comparison = std::move(comparison);
-    if (m_comparison) {
-        drawLimits(*m_comparison->independent.project.part);
-    } else {
-        clearLimits();
+LineChart CouplingCurves::chart() const {
+    LineChart chart = LengthCurves::chart();
+    if (!m_comparison) {
+        return chart;
     }
-    QVector<double> x, independent, coupled, difference;
-    for (std::size_t i = 0; m_comparison && i < m_comparison->differences_mm.size(); ++i) {
-        x << m_comparison->independent.sections[i].position_mm;
-        independent << fromMiddle_um(m_comparison->independent.sections[i]);
-        coupled << fromMiddle_um(m_comparison->coupled.sections[i]);
-        difference << m_comparison->differences_mm[i] * units::umPerMm;
+    const auto series = [](int key, const QString& name, Drawn colour, ChartSeries::Mark mark) {
+        return ChartSeries{.key = key,
+                           .name = name,
+                           .colour = colour,
+                           .pen = style::line(colour, {}),
+                           .mark = mark,
+                           .markSize = 6};
+    };
+    using enum ChartSeries::Mark;
+    chart.series = {
+        series(independentKey, tr("sections independent"), Drawn::independentSections, disc),
+        series(coupledKey, tr("sections coupled"), Drawn::coupledSections, square),
+        series(differenceKey, tr("coupled less independent"), Drawn::couplingDifference, diamond)};
+    for (std::size_t i = 0; i < m_comparison->differences_mm.size(); ++i) {
+        const SectionResult& independent = m_comparison->independent.sections[i];
+        const double values[] = {fromMiddle_um(independent),
+                                 fromMiddle_um(m_comparison->coupled.sections[i]),
+                                 m_comparison->differences_mm[i] * units::umPerMm};
+        for (std::size_t line = 0; line < chart.series.size(); ++line) {
+            chart.series[line].points.push_back({independent.position_mm, values[line]});
+        }
     }
-    m_independent->setData(x, independent, true);
-    m_coupled->setData(x, coupled, true);
-    m_difference->setData(x, difference, true);
-    restyle();
+    for (const ChartSeries& of : chart.series) {
+        LengthCurves::read(chart, of, Digits::thousandths);
+    }
+    LengthCurves::addLimits(chart, *m_comparison->independent.project.part, limitsKey);
+    chart.table = [self = *this] { return self.table(); };
+    chart.placeText = [self = *this](double x_mm) { return self.valuesAt(x_mm); };
+    return chart;
 }
 
 QString CouplingCurves::summary() const {
@@ -79,37 +90,8 @@ QString CouplingCurves::summary() const {
     return text;
 }
 
-LegendEntries CouplingCurves::legendEntries() const {
-    if (!m_comparison) {
-        return {};
-    }
-    const auto line = [this](int key, Drawn what, const QString& text) {
-        const QPen pen = style::line(what, plot().toned(what));
-        return entry(key, pen.color(), pen.style(), text);
-    };
-    return {line(independentKey, Drawn::independentSections, tr("sections independent")),
-            line(coupledKey, Drawn::coupledSections, tr("sections coupled")),
-            line(differenceKey, Drawn::couplingDifference, tr("coupled less independent")),
-            limitsEntry()};
-}
-
-void CouplingCurves::restyle() {
-    const auto look = [this](QCPGraph* graph, Drawn what, QCPScatterStyle::ScatterShape shape) {
-        const QColor colour = plot().toned(what);
-        graph->setPen(style::line(what, colour));
-        graph->setScatterStyle(QCPScatterStyle(shape, QPen(colour, 1.5), colour, 6));
-    };
-    look(m_independent, Drawn::independentSections, QCPScatterStyle::ssDisc);
-    look(m_coupled, Drawn::coupledSections, QCPScatterStyle::ssSquare);
-    look(m_difference, Drawn::couplingDifference, QCPScatterStyle::ssDiamond);
-    restyleLimits();
-}
-
-CsvTable CouplingCurves::table() const {
+ChartTable CouplingCurves::table() const {
     CsvTable table;
-    if (!m_comparison) {
-        return table;
-    }
     table.header << tr("Section") << tr("Position, mm")
                  << tr("Independent, mean diameter from the middle, µm")
                  << tr("Coupled, mean diameter from the middle, µm") << tr("Difference, µm");
@@ -119,11 +101,11 @@ CsvTable CouplingCurves::table() const {
                               fromMiddle_um(m_comparison->coupled.sections[i]),
                               m_comparison->differences_mm[i] * units::umPerMm});
     }
-    return table;
+    return {table};
 }
 
 QString CouplingCurves::valuesAt(double x_mm) const {
-    if (!m_comparison || m_comparison->differences_mm.empty()) {
+    if (m_comparison->differences_mm.empty()) {
         return {};
     }
     const auto& sections = m_comparison->independent.sections;

@@ -2,9 +2,12 @@
 #pragma once
 
 #include "core/study/coupling_comparison.h"
-#include "ui/views/compliance/length_curves.h"
+#include "ui/plot/line_chart.h"
+
+#include <QCoreApplication>
 
 #include <memory>
+#include <utility>
 
 namespace sparkout {
 
@@ -12,31 +15,26 @@ using CouplingPtr = std::shared_ptr<const CouplingComparison>;
 
 /// The mean diameters of the sections as the models with independent and with coupled sections
 /// have them, and the difference.
-class CouplingCurves : public LengthCurves {
+class CouplingCurves {
     Q_DECLARE_TR_FUNCTIONS(CouplingCurves)
 public:
-    static constexpr int independentKey = 400, coupledKey = 401, differenceKey = 402;
+    static constexpr int independentKey = 400, coupledKey = 401, differenceKey = 402,
+                         limitsKey = 403; ///< of the legend
 
-    CouplingCurves(ViewPlot& plot, QCPAxisRect& rect);
+    /// @param comparison null: nothing to show
+    explicit CouplingCurves(CouplingPtr comparison = nullptr)
+        : m_comparison(std::move(comparison)) {}
 
-    void show(CouplingPtr comparison); ///< null: nothing to show
     [[nodiscard]] const CouplingComparison* comparison() const { return m_comparison.get(); }
-    [[nodiscard]] QCPGraph* differenceGraph() const { return m_difference; }
+    [[nodiscard]] LineChart chart() const;
     [[nodiscard]] QString summary() const;
 
-    [[nodiscard]] LegendEntries legendEntries() const override;
-    [[nodiscard]] CsvTable table() const override;
-    [[nodiscard]] QString valuesAt(double x_mm) const override;
-    void restyle() override;
-    [[nodiscard]] Digits digits() const override { return Digits::thousandths; }
-
 private:
+    [[nodiscard]] ChartTable table() const;
+    [[nodiscard]] QString valuesAt(double x_mm) const;
     [[nodiscard]] double fromMiddle_um(const SectionResult& section) const;
 
     CouplingPtr m_comparison;
-    QCPGraph* m_independent;
-    QCPGraph* m_coupled;
-    QCPGraph* m_difference;
 };
 
 } // namespace sparkout

@@ -6,46 +6,52 @@
 #include "core/units.h"
 #include "ui/plot/run_dash.h"
 #include "ui/text/names.h"
+#include "ui/views/compliance/length_curves.h"
 
 #include <QLocale>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace sparkout {
 
 namespace {
 
 constexpr std::size_t mostSections = 6; ///< drawn as lines of their own
+constexpr int gaugeSpreadAlpha = 64;
+
+ChartSeries gaugeMark(int key, const QString& name, style::Drawn colour, ChartSeries::Mark mark,
+                      double size) {
+    return {.key = key,
+            .name = name,
+            .kind = ChartSeries::Kind::impulses,
+            .colour = colour,
+            .pen = QPen(Qt::black, 1.5, Qt::DotLine),
+            .mark = mark,
+            .markSize = size};
+}
 
 } // namespace
 
-GaugeCurves::GaugeCurves(ViewPlot& plot, QCPAxisRect& rect)
-    : LengthCurves(plot, rect)
-    , m_lowest(addGraph(spreadKey))
-    , m_highest(addGraph(spreadKey))
-    , m_farthest(addGraph(farthestKey))
-    , m_present(addGraph(presentKey))
-    , m_best(addGraph(bestKey)) {
-    m_highest->setChannelFillGraph(m_lowest);
-    for (QCPGraph* mark : {m_present, m_best}) {
-        mark->setLineStyle(QCPGraph::lsImpulse);
-    }
+GaugeCurves::GaugeCurves(GaugePlacementPtr placement, OutcomePtr outcome, double present_mm)
+    : m_placement(std::move(placement)), m_outcome(std::move(outcome)), m_present_mm(present_mm) {}
+
+double GaugeCurves::fromMiddle_um(double deviation_mm) const {
+    return deviation_mm * units::umPerMm - LengthCurves::middle_um(*m_outcome->result.project.part);
 }
 
 double GaugeCurves::farthest_um(const GaugePosition& position) const {
-    return std::max(position.deviationMax_mm * units::umPerMm - middle_um(),
-                    middle_um() - position.deviationMin_mm * units::umPerMm);
+    return std::max(fromMiddle_um(position.deviationMax_mm),
+                    -fromMiddle_um(position.deviationMin_mm));
 }
 
 double GaugeCurves::farthestNow_um() const {
     double farthest = 0;
     for (const SectionResult& section : m_outcome->result.sections) {
-        for (const double deviation_mm :
-             {section.diameterDeviationMin_mm, section.diameterDeviationMax_mm}) {
-            farthest = std::max(farthest, std::abs(deviation_mm * units::umPerMm - middle_um()));
-        }
+        farthest = std::max({farthest, std::abs(fromMiddle_um(section.diameterDeviationMin_mm)),
+                             std::abs(fromMiddle_um(section.diameterDeviationMax_mm))});
     }
     return farthest;
 }
@@ -54,8 +60,8 @@ const GaugePosition* GaugeCurves::best() const {
     return m_placement && m_placement->best ? &m_placement->positions[*m_placement->best] : nullptr;
 }
 
-std::vector<GaugeCurves::Drawn> GaugeCurves::drawn() const {
-    std::vector<Drawn> places;
+std::vector<GaugeCurves::Place> GaugeCurves::drawn() const {
+    std::vector<Place> places;
     const Project& project = m_outcome->result.project;
     const auto zones = compliantPoints(project);
     for (const GaugePosition& position : m_placement->positions) {
@@ -70,120 +76,85 @@ std::vector<GaugeCurves::Drawn> GaugeCurves::drawn() const {
     return places;
 }
 
-/// All of a few, else some from end to end.
-std::vector<std::size_t> GaugeCurves::drawnSections() const {
-    const std::size_t all = m_outcome ? m_outcome->result.sections.size() : 0;
-    const std::size_t count = std::min(all, mostSections);
-    std::vector<std::size_t> sections;
-    for (std::size_t i = 0; i < count; ++i) {
-        sections.push_back(count < 2 ? 0 : i * (all - 1) / (count - 1));
-    }
-    return sections;
-}
-
-void GaugeCurves::show(GaugePlacementPtr placement, OutcomePtr outcome, double present_mm) {
-    m_placement = std::move(placement);
-    m_outcome = std::move(outcome);
-    takeField(*m_outcome->result.project.part);
-    const std::vector<Drawn> places = drawn();
-    QVector<double> x, low, high, far;
-    constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-    for (const auto& [x_mm, position] : places) {
+std::vector<XY> GaugeCurves::lineOf(const Value& value) const {
+    std::vector<XY> line;
+    for (const auto& [x_mm, position] : drawn()) {
         const bool ended = position->status == RunStatus::completed;
-        x << x_mm;
-        low << (ended ? position->deviationMin_mm * units::umPerMm - middle_um() : gap);
-        high << (ended ? position->deviationMax_mm * units::umPerMm - middle_um() : gap);
-        far << (ended ? farthest_um(*position) : gap);
+        line.push_back({x_mm, ended ? value(*position) : std::numeric_limits<double>::quiet_NaN()});
     }
-    m_lowest->setData(x, low, true);
-    m_highest->setData(x, high, true);
-    m_farthest->setData(x, far, true);
-    drawSections(places, x);
-    const GaugePosition* best = this->best();
-    m_best->setData(best ? QVector<double>{best->position_mm} : QVector<double>(),
-                    best ? QVector<double>{farthest_um(*best)} : QVector<double>(), true);
-    m_present->setData({present_mm}, {farthestNow_um()}, true);
-    drawLimits(*m_outcome->result.project.part);
-    restyle();
+    return line;
 }
 
-void GaugeCurves::drawSections(const std::vector<Drawn>& places, const QVector<double>& x) {
-    const std::vector<std::size_t> sections = drawnSections();
-    while (m_sections.size() < sections.size()) {
-        m_sections.push_back(addGraph(sectionKey + static_cast<int>(m_sections.size())));
+/// All of a few, else some from end to end.
+std::vector<ChartSeries> GaugeCurves::sections() const {
+    const std::size_t all = m_outcome->result.sections.size();
+    const std::size_t count = std::min(all, mostSections);
+    std::vector<ChartSeries> series;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t section = count < 2 ? 0 : i * (all - 1) / (count - 1);
+        series.push_back({.key = sectionKey + static_cast<int>(i),
+                          .name = nameOf(section),
+                          .colour = style::oneOfSeries(i),
+                          .pen = runPen(static_cast<int>(i), {}),
+                          .points = lineOf([this, section](const GaugePosition& at) {
+                              return section < at.meanDeviations_mm.size()
+                                         ? fromMiddle_um(at.meanDeviations_mm[section])
+                                         : std::numeric_limits<double>::quiet_NaN();
+                          })});
     }
-    for (std::size_t i = 0; i < m_sections.size(); ++i) {
-        QVector<double> mean;
-        for (const Drawn& place : places) {
-            const auto& means = place.position->meanDeviations_mm;
-            const bool known = place.position->status == RunStatus::completed && i < sections.size()
-                               && sections[i] < means.size();
-            mean << (known ? means[sections[i]] * units::umPerMm - middle_um()
-                           : std::numeric_limits<double>::quiet_NaN());
-        }
-        m_sections[i]->setData(x, mean, true);
-    }
+    return series;
 }
 
 QString GaugeCurves::nameOf(std::size_t section) const {
     return Names::zone(m_outcome->result.sections[section].zone, static_cast<int>(section));
 }
 
-QColor GaugeCurves::colourOf(std::size_t section) const {
-    return plot().toned(style::oneOfSeries(section));
-}
-
-LegendEntries GaugeCurves::legendEntries() const {
+LineChart GaugeCurves::chart() const {
+    LineChart chart = LengthCurves::chart();
+    chart.across.label = tr("Place of the gauge from the headstock end of the ground length, mm");
     if (!m_placement) {
-        return {};
+        return chart;
     }
-    const QColor text = plot().ink();
-    LegendEntries entries{
-        entry(farthestKey, text, Qt::SolidLine, tr("farthest from the middle")),
-        entry(bestKey, plot().toned(style::Drawn::bestGaugePlace), Qt::NoPen, tr("best place")),
-        entry(presentKey, plot().toned(style::Drawn::presentGaugePlace), Qt::NoPen,
-              tr("current place")),
-        entry(spreadKey, plot().toned(style::Drawn::allDiameters), Qt::NoPen, tr("all diameters"))};
-    const std::vector<std::size_t> sections = drawnSections();
-    for (std::size_t i = 0; i < sections.size(); ++i) {
-        entries.push_back(entry(sectionKey + static_cast<int>(i), colourOf(i), Qt::SolidLine,
-                                nameOf(sections[i])));
-        entries.back().dash = runDash(static_cast<int>(i));
+    const ChartSeries farthest{
+        .key = farthestKey,
+        .name = tr("farthest from the middle"),
+        .pen = QPen(Qt::black, 2.5),
+        .points = lineOf([this](const GaugePosition& at) { return farthest_um(at); })};
+    ChartSeries best = gaugeMark(bestKey, tr("best place"), style::Drawn::bestGaugePlace,
+                                 ChartSeries::Mark::diamond, 12);
+    if (const GaugePosition* at = this->best()) {
+        best.points = {{at->position_mm, farthest_um(*at)}};
     }
-    entries.push_back(limitsEntry());
-    return entries;
+    ChartSeries present = gaugeMark(presentKey, tr("current place"),
+                                    style::Drawn::presentGaugePlace, ChartSeries::Mark::disc, 9);
+    present.points = {{m_present_mm, farthestNow_um()}};
+    const ChartSeries spread{
+        .key = spreadKey,
+        .name = tr("all diameters"),
+        .kind = ChartSeries::Kind::band,
+        .colour = style::Drawn::allDiameters,
+        .points =
+            lineOf([this](const GaugePosition& at) { return fromMiddle_um(at.deviationMax_mm); }),
+        .lower =
+            lineOf([this](const GaugePosition& at) { return fromMiddle_um(at.deviationMin_mm); }),
+        .alpha = gaugeSpreadAlpha};
+    chart.series = {farthest, best, present, spread};
+    for (ChartSeries& section : sections()) {
+        chart.series.push_back(std::move(section));
+    }
+    for (const ChartSeries& of : chart.series) {
+        LengthCurves::read(chart, of, Digits::signedHundredths);
+    }
+    LengthCurves::addLimits(chart, *m_outcome->result.project.part, limitsKey);
+    chart.table = [self = *this] { return self.table(); };
+    chart.placeText = [self = *this](double x_mm) { return self.valuesAt(x_mm); };
+    return chart;
 }
 
-void GaugeCurves::restyle() {
-    QColor spread = plot().toned(style::Drawn::allDiameters);
-    m_lowest->setPen(Qt::NoPen);
-    m_highest->setPen(Qt::NoPen);
-    spread.setAlpha(spread.alpha() / 4);
-    m_highest->setBrush(spread);
-    m_farthest->setPen(QPen(plot().ink(), 2.5));
-    const auto mark = [&](QCPGraph* graph, style::Drawn what, QCPScatterStyle::ScatterShape shape,
-                          double size) {
-        const QColor colour = plot().toned(what);
-        graph->setPen(QPen(colour, 1.5, Qt::DotLine));
-        graph->setScatterStyle(QCPScatterStyle(shape, QPen(colour, 2), colour, size));
-    };
-    mark(m_best, style::Drawn::bestGaugePlace, QCPScatterStyle::ssDiamond, 12);
-    mark(m_present, style::Drawn::presentGaugePlace, QCPScatterStyle::ssDisc, 9);
-    for (std::size_t i = 0; i < m_sections.size(); ++i) {
-        m_sections[i]->setPen(runPen(static_cast<int>(i), colourOf(i)));
-    }
-    restyleLimits();
-}
+// --- numbers ------------------------------------------------------------------------------------
 
-QString GaugeCurves::placeLabel() const {
-    return tr("Place of the gauge from the headstock end of the ground length, mm");
-}
-
-CsvTable GaugeCurves::table() const {
+ChartTable GaugeCurves::table() const {
     CsvTable table;
-    if (!m_placement) {
-        return table;
-    }
     table.header << tr("Gauge at, mm") << tr("Compliance there, mm/N") << tr("Minimum diameter, µm")
                  << tr("Maximum diameter, µm") << tr("Farthest from the middle, µm")
                  << tr("Margin to the limits, µm") << tr("Time, s") << tr("Cycle ended by");
@@ -193,27 +164,27 @@ CsvTable GaugeCurves::table() const {
     for (const GaugePosition& position : m_placement->positions) {
         std::vector<CsvCell> row{position.position_mm,
                                  position.compliance_mm_per_n,
-                                 position.deviationMin_mm * units::umPerMm - middle_um(),
-                                 position.deviationMax_mm * units::umPerMm - middle_um(),
+                                 fromMiddle_um(position.deviationMin_mm),
+                                 fromMiddle_um(position.deviationMax_mm),
                                  farthest_um(position),
                                  position.margin_mm * units::umPerMm,
                                  position.time_s,
                                  Names::status(position.status)};
         for (const double mean_mm : position.meanDeviations_mm) {
-            row.emplace_back(mean_mm * units::umPerMm - middle_um());
+            row.emplace_back(fromMiddle_um(mean_mm));
         }
         table.rows.push_back(std::move(row));
     }
-    return table;
+    return {table};
 }
 
 QString GaugeCurves::valuesAt(double x_mm) const {
-    if (!m_placement || m_placement->positions.empty()) {
+    if (m_placement->positions.empty()) {
         return {};
     }
-    const std::vector<Drawn> places = drawn();
+    const std::vector<Place> places = drawn();
     const auto nearest = std::ranges::min_element(
-        places, {}, [x_mm](const Drawn& place) { return std::abs(place.x_mm - x_mm); });
+        places, {}, [x_mm](const Place& place) { return std::abs(place.x_mm - x_mm); });
     const GaugePosition& at = *nearest->position;
     if (at.status != RunStatus::completed) {
         return tr("Gauge at %1 mm: %2")
@@ -222,10 +193,9 @@ QString GaugeCurves::valuesAt(double x_mm) const {
     return tr("Gauge at %1 mm: diameters from %2 (%3) to %4 µm (%5), at most %6 µm from "
               "the middle of the field")
         .arg(QLocale().toString(at.position_mm, 'f', 1),
-             Names::signedMicrometres(at.deviationMin_mm * units::umPerMm - middle_um()),
-             nameOf(at.sectionOfMin),
-             Names::signedMicrometres(at.deviationMax_mm * units::umPerMm - middle_um()),
-             nameOf(at.sectionOfMax), Names::micrometres(farthest_um(at)));
+             Names::signedMicrometres(fromMiddle_um(at.deviationMin_mm)), nameOf(at.sectionOfMin),
+             Names::signedMicrometres(fromMiddle_um(at.deviationMax_mm)), nameOf(at.sectionOfMax),
+             Names::micrometres(farthest_um(at)));
 }
 
 } // namespace sparkout

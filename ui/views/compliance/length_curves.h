@@ -1,73 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/view_plot.h"
+#include "ui/plot/line_chart.h"
 
 #include <QCoreApplication>
-
-#include <vector>
 
 namespace sparkout {
 
 struct Part;
 
-/// Curves over the length of the part that share an axis rect with others: shown or not as a whole,
-/// and one by one through the legend. Diameters are drawn from the middle of the tolerance band.
+/// What the charts over the length of the part share. Diameters are drawn from the middle of the
+/// tolerance band.
 class LengthCurves {
     Q_DECLARE_TR_FUNCTIONS(LengthCurves)
 public:
-    /// In a rect of the plot.
-    LengthCurves(ViewPlot& plot, QCPAxisRect& rect) : m_plot(plot), m_rect(rect) {}
-    virtual ~LengthCurves() = default;
-
-    void setShown(bool shown);
-    void toggle(int key);
-    void only(int key);
-
-    [[nodiscard]] virtual LegendEntries legendEntries() const = 0;
-    [[nodiscard]] virtual CsvTable table() const = 0;
-    /// Values at a place, in words; empty where there are none.
-    [[nodiscard]] virtual QString valuesAt(double x_mm) const = 0;
-    virtual void restyle() = 0;
-    [[nodiscard]] virtual Digits digits() const { return Digits::signedHundredths; }
-    /// The shown ones that run along the part.
-    [[nodiscard]] virtual ReadCurves readCurves() const;
-    /// Of what is drawn, with room; the limits too unless they are far away. Null: nothing.
-    [[nodiscard]] virtual QCPRange values() const;
-    [[nodiscard]] virtual QString axisLabel() const;  ///< of the values …
-    [[nodiscard]] virtual QString placeLabel() const; ///< … and of the places
-
-protected:
-    /// A graph under a key of the legend.
-    QCPGraph* addGraph(int key);
-    [[nodiscard]] LegendEntry entry(int key, QColor colour, Qt::PenStyle pen,
-                                    const QString& text) const;
-    void takeField(const Part& part);
-    [[nodiscard]] double middle_um() const { return m_middle_um; } ///< of the field, from nominal
-    /// The limits of the tolerance band over the length, ± half of it.
-    void drawLimits(const Part& part);
-    void clearLimits();
-    void restyleLimits();
-    [[nodiscard]] LegendEntry limitsEntry() const;
-    [[nodiscard]] bool shows(int key) const { return m_shown && m_choice.shows(key); }
-    [[nodiscard]] bool chosen(int key) const { return m_choice.shows(key); } ///< in the legend
-    virtual void applyChoice();
-    [[nodiscard]] const ViewPlot& plot() const { return m_plot; }
-
-private:
-    static constexpr int limitsKey = 900;
-
-    struct Keyed {
-        QCPGraph* graph;
-        int key;
-    };
-    ViewPlot& m_plot;
-    QCPAxisRect& m_rect;
-    std::vector<Keyed> m_graphs;
-    QCPGraph* m_limits[2] = {};
-    double m_limit_um = 0, m_middle_um = 0; ///< of the field: half of it, and its middle
-    CurveChoice m_choice;
-    bool m_shown = false;
+    static double middle_um(const Part& part); ///< of the tolerance band, from nominal
+    static LineChart chart();                  ///< without series
+    /// The limits of the tolerance band over the length, ± half of it, after the series; in sight
+    /// unless they are far from what is drawn.
+    static void addLimits(LineChart& chart, const Part& part, int key);
+    /// For the cursors, if it runs along the part; both edges of a band.
+    static void read(LineChart& chart, const ChartSeries& of, Digits digits);
 };
 
 } // namespace sparkout

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/view_plot.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/session/studies.h"
 #include "ui/text/time_unit.h"
 
@@ -19,7 +19,7 @@ struct TimedMargin {
 /// nearest limit as another, as a step curve: what margin a time buys. With the cycle compared
 /// with, the one chosen and the time that a search for the greatest margin leaves. A click or
 /// the arrow keys choose a cycle, Enter takes it.
-class MarginFrontPlot : public ViewPlot {
+class MarginFrontPlot : public ChartPlot {
     Q_OBJECT
 public:
     enum Key { frontKey, yoursKey, chosenKey, timeKey }; ///< of the legend
@@ -30,19 +30,9 @@ public:
     void setSearch(SearchOutcomePtr outcome, std::optional<TimedMargin> yours);
     void setChosen(const FoundCycle* found); ///< of the outcome; null: none; no replot
     /// Whether there is a curve.
-    [[nodiscard]] bool hasFront() const { return m_curve->dataCount() > 0; }
-    /// Where the n-th cycle of the front is drawn.
-    [[nodiscard]] QPointF pixelOf(std::size_t n) const;
-    [[nodiscard]] QCPGraph* curve() const { return m_curve; }
-    [[nodiscard]] QCPGraph* yours() const { return m_yours; }
-    [[nodiscard]] QCPGraph* chosen() const { return m_chosen; }
-    [[nodiscard]] QCPItemStraightLine* givenTime() const { return m_time; }
+    [[nodiscard]] bool hasFront() const { return !front().empty(); }
 
     PlotTools& addTools(PlotSubject subject, Settings* settings) override;
-    void fit() override;
-    void restyle() override;
-    [[nodiscard]] LegendEntries legendEntries() const override;
-    [[nodiscard]] CsvTable table() const override; ///< the cycles in sight
     [[nodiscard]] static CsvTable tableOf(const SearchOutcome& outcome);
 
 signals:
@@ -51,32 +41,22 @@ signals:
     void cycleEntered();                ///< the chosen one is to be taken
 
 protected:
-    void setTexts() override;
-    void showChoice() override;
-    [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     bool eventFilter(QObject* watched, QEvent* event) override; ///< of its own keys
 
 private:
+    [[nodiscard]] LineChart made() const;
+    [[nodiscard]] std::vector<const FoundCycle*> front() const; ///< the quickest first
+    [[nodiscard]] XY placeOf(const TimedMargin& of) const;
     [[nodiscard]] bool onKey(int key);
     /// The next of the front that takes longer than the chosen one, or less; null: none.
     [[nodiscard]] const FoundCycle* beside(bool isLonger) const;
     [[nodiscard]] QString described(const FoundCycle& found) const;
-    void fill();
-    [[nodiscard]] double longest_s() const; ///< of the times that are shown
-    void showTime();
-    [[nodiscard]] const FoundCycle* cycleAt(const QPointF& at) const;
     [[nodiscard]] std::size_t rowOf(const FoundCycle& found) const;
-    [[nodiscard]] bool showsTime() const { return m_outcome && m_outcome->marginWithin_us; }
-    [[nodiscard]] QCPAxis* across() const { return m_rect->axis(QCPAxis::atBottom); }
-    [[nodiscard]] QCPAxis* up() const { return m_rect->axis(QCPAxis::atLeft); }
+    [[nodiscard]] std::optional<double> given_s() const;
 
     SearchOutcomePtr m_outcome;
-    std::optional<TimedMargin> m_own;
-    TimeUnit m_unit;
-    std::optional<double> m_chosen_s; ///< time of the chosen one
-    QCPAxisRect* m_rect;
-    QCPGraph *m_curve, *m_yours, *m_chosen;
-    QCPItemStraightLine* m_time;
+    std::optional<TimedMargin> m_own, m_chosen;
+    TimeUnit m_unit; ///< of the longest time shown
 };
 
 } // namespace sparkout

@@ -4,9 +4,9 @@
 #include "ui/plot/run_dash.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace sparkout {
 
@@ -17,254 +17,168 @@ namespace {
 constexpr double dotSize = 5, footSize = 9, chosenSize = 12; ///< [px]
 constexpr double foot = 0.03; ///< of the height, where points without numbers stand
 constexpr double sweepRoom = 0.05;
-
-} // namespace
-
-SweepCurves::SweepCurves(QWidget* parent) : SweepPlot(parent), m_present(addRule(*cell(), 0)) {
-    QCPAxis* const beside = cell()->axis(QCPAxis::atRight);
-    beside->setRange(0, 1);
-    addStatusMarks(beside, footSize);
-    m_chosenFoot = addMarks(beside);
-    m_chosenMarks = addMarks(up());
-    m_present->setVisible(false);
-    built();
-}
+constexpr int holdingAlpha = 46;
 
 /// Of too many sections those that come nearest to a limit anywhere.
-void SweepCurves::chooseQuantities() {
-    m_quantities = entry().quantities;
-    if (m_quantities.size() <= mostCurves) {
-        return;
-    }
-    const auto least = [this](std::size_t q) {
-        double margin = std::numeric_limits<double>::max();
-        for (const SweepPoint& point : sweep().points) {
-            if (!point.values.empty() && point.values[q].margin < margin) {
-                margin = point.values[q].margin;
+std::vector<std::size_t> quantitiesOf(const SweepShown& shown) {
+    std::vector<std::size_t> quantities = shown.entry.quantities;
+    if (quantities.size() > SweepCurves::mostCurves) {
+        const auto least = [&shown](std::size_t q) {
+            double margin = std::numeric_limits<double>::max();
+            for (const SweepPoint& point : shown.result->points) {
+                if (!point.values.empty() && point.values[q].margin < margin) {
+                    margin = point.values[q].margin;
+                }
             }
-        }
-        return margin;
-    };
-    std::ranges::stable_sort(m_quantities, {}, least);
-    m_quantities.resize(mostCurves);
-    std::ranges::sort(m_quantities);
-}
-
-void SweepCurves::fill() {
-    for (std::vector<QCPGraph*>* graphs : {&m_curves, &m_limits}) {
-        for (QCPGraph* graph : *graphs) {
-            removeGraph(graph);
-        }
-        graphs->clear();
-    }
-    for (QCPItemRect* band : m_bands) {
-        removeItem(band);
-    }
-    m_bands.clear();
-    clearStatusMarks();
-    m_quantities.clear();
-    if (empty()) {
-        return;
-    }
-    chooseQuantities();
-    const std::vector<double> places = placesOf(0);
-    for (const std::size_t q : m_quantities) {
-        QCPGraph* const curve = ViewPlot::addLine(*cell());
-        curve->setAdaptiveSampling(false);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            curve->addData(places[i], shownAt(i, q));
-        }
-        setKeyed(static_cast<int>(m_curves.size()), {curve});
-        m_curves.push_back(curve);
-    }
-    addLimits();
-    addBands();
-    fillStatusMarks([](std::size_t) { return foot; });
-}
-
-/// They may move with the input; those of several zones that are the same are one line.
-void SweepCurves::addLimits() {
-    const std::vector<double> places = placesOf(0);
-    std::vector<std::vector<double>> drawn;
-    const auto addLine = [&](const std::vector<double>& line) {
-        const bool none = std::ranges::all_of(line, [](double y) { return std::isnan(y); });
-        const auto same = [&line](const std::vector<double>& other) {
-            return std::ranges::equal(line, other, [](double a, double b) {
-                return a == b || (std::isnan(a) && std::isnan(b));
-            });
+            return margin;
         };
-        if (none || std::ranges::any_of(drawn, same)) {
-            return;
-        }
-        QCPGraph* const graph = ViewPlot::addLine(*cell());
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            graph->addData(places[i], line[i]);
-        }
-        m_limits.push_back(graph);
-        setKeyed(limitKey, {graph});
-        drawn.push_back(line);
-    };
-    for (const std::size_t q : m_quantities) {
-        for (const bool high : {false, true}) {
-            std::vector<double> line;
-            for (const SweepPoint& point : sweep().points) {
-                const SweepValue value = point.values.empty() ? SweepValue{} : point.values[q];
-                const double limit = high ? value.high : value.low;
-                line.push_back(margins() && !std::isnan(value.margin) ? 0 : limit);
-            }
-            addLine(line);
-        }
+        std::ranges::stable_sort(quantities, {}, least);
+        quantities.resize(SweepCurves::mostCurves);
+        std::ranges::sort(quantities);
     }
+    return quantities;
 }
 
-std::vector<QCPRange> SweepCurves::holding() const {
-    std::vector<QCPRange> ranges;
-    if (empty()) {
-        return ranges;
-    }
-    const std::vector<double>& values = sweep().inputs[0].values;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!sweep().points[i].good) {
-            continue;
-        }
-        if (i > 0 && sweep().points[i - 1].good) {
-            ranges.back().upper = values[i];
-        } else {
-            ranges.emplace_back(values[i], values[i]);
+/// From point to point, as places.
+std::vector<ChartSpan> holdingOf(const SweepShown& shown) {
+    const std::vector<double> places = shown.placesOf(0);
+    const std::vector<SweepPoint>& points = shown.result->points;
+    std::vector<ChartSpan> ranges;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (points[i].good && i > 0 && points[i - 1].good) {
+            ranges.back().high = places[i];
+        } else if (points[i].good) {
+            ranges.push_back({places[i], places[i]});
         }
     }
     return ranges;
 }
 
-void SweepCurves::addBands() {
-    for (const QCPRange& range : holding()) {
-        auto* const band = new QCPItemRect(this);
-        band->setLayer(QStringLiteral("background"));
-        band->setClipAxisRect(cell());
-        anchor({band->topLeft, band->bottomRight}, *cell());
-        band->topLeft->setTypeY(QCPItemPosition::ptAxisRectRatio);
-        band->bottomRight->setTypeY(QCPItemPosition::ptAxisRectRatio);
-        band->topLeft->setCoords(scaleOf(0).at(range.lower), 0);
-        band->bottomRight->setCoords(scaleOf(0).at(range.upper), 1);
-        m_bands.push_back(band);
-        setKeyed(holdsKey, {band});
-    }
-}
+} // namespace
 
-void SweepCurves::fillMarks() {
-    m_chosenMarks->data()->clear();
-    m_chosenFoot->data()->clear();
-    m_hasPresent = false;
-    if (empty()) {
-        return;
+LineChart SweepCurves::chart(const SweepShown& shown) {
+    LineChart chart;
+    if (shown.empty()) {
+        return chart;
     }
-    if (const auto place = presentPlace(0)) {
-        m_hasPresent = true;
-        m_present->point1->setCoords(*place, 0);
-        m_present->point2->setCoords(*place, 1);
+    const std::vector<double> places = shown.placesOf(0);
+    chart.across = {.label = SweepText::inputAxis(shown.result->inputs[0]),
+                    .range = {places.front(), places.back()},
+                    .room = sweepRoom / 2,
+                    .ticker = QSharedPointer<SweepTicker>::create(shown.scaleOf(0))};
+    chart.up = {.label = SweepText::axis(*shown.result, shown.entry, shown.margins),
+                .room = sweepRoom,
+                .leastRoom = 1e-2};
+    chart.second = {.range = {0, 1}, .room = 0};
+    const std::vector<std::size_t> quantities = quantitiesOf(shown);
+    addCurves(chart, shown, quantities);
+    addLimits(chart, shown, quantities);
+    addMarks(chart, shown, quantities);
+    if (std::vector<ChartSpan> holding = holdingOf(shown); !holding.empty()) {
+        chart.zones = {{.ranges = std::move(holding),
+                        .key = SweepShown::holdsKey,
+                        .name = tr("requirements met"),
+                        .colour = Drawn::everyRequirementHolds,
+                        .alpha = holdingAlpha,
+                        .hasEdges = false}};
     }
-    if (chosen()) {
-        const double x = scaleOf(0).at(sweep().valuesAt(*chosen())[0]);
-        m_chosenFoot->addData(x, foot);
-        for (const std::size_t q : m_quantities) {
-            m_chosenMarks->addData(x, shownAt(*chosen(), q));
+    if (const auto place = shown.presentPlace(0)) {
+        chart.rules = {{.at = *place,
+                        .key = SweepShown::presentKey,
+                        .name = tr("current value"),
+                        .pen = QPen(Qt::black, 1.5, Qt::DotLine)}};
+    }
+    chart.placeText = [shown](double place) { return shown.textOf(shown.pointNear(place)); };
+    chart.table = [shown] {
+        ChartTable table{SweepShown::tableOf(*shown.result, shown.entry.quantities,
+                                             [](std::size_t) { return true; })};
+        for (std::size_t i = 0; i < shown.result->points.size(); ++i) {
+            if (shown.result->points[i].status != SweepStatus::pending) {
+                const double place = shown.placeOf(i, 0);
+                table.places.push_back({.across = {place, place}});
+            }
         }
-    }
-}
-
-/// All points; limits where they are near, or they would squeeze the curves.
-void SweepCurves::fit() {
-    if (empty()) {
-        return;
-    }
-    const auto range = [](double& low, double& high, double value) {
-        if (std::isfinite(value)) {
-            low = std::min(low, value);
-            high = std::max(high, value);
-        }
+        return table;
     };
-    constexpr double none = std::numeric_limits<double>::infinity();
-    double low = none, high = -none;
-    for (std::size_t i = 0; i < sweep().points.size(); ++i) {
-        for (const std::size_t q : m_quantities) {
-            range(low, high, shownAt(i, q));
+    return chart;
+}
+
+void SweepCurves::addCurves(LineChart& chart, const SweepShown& shown,
+                            const std::vector<std::size_t>& quantities) {
+    const std::vector<double> places = shown.placesOf(0);
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+        const SweepQuantity& quantity = shown.result->quantities[quantities[i]];
+        ChartSeries curve{.key = static_cast<int>(i),
+                          .name = quantity.section < 0 ? SweepText::name(quantity)
+                                                       : SweepText::where(quantity),
+                          .colour = style::oneOfSeries(i),
+                          .pen = runPen(static_cast<int>(i), {}),
+                          .mark = ChartSeries::Mark::disc,
+                          .markSize = dotSize};
+        for (std::size_t at = 0; at < places.size(); ++at) {
+            curve.points.push_back({places[at], shown.shownAt(at, quantities[i])});
         }
+        chart.series.push_back(std::move(curve));
     }
-    const double size = high - low;
-    for (const QCPGraph* limit : m_limits) {
-        for (const QCPGraphData& at : *limit->data()) {
-            if (at.value > low - size && at.value < high + size) {
-                range(low, high, at.value);
+}
+
+/// They may move with the input; those of several zones that are the same are one line.
+void SweepCurves::addLimits(LineChart& chart, const SweepShown& shown,
+                            const std::vector<std::size_t>& quantities) {
+    const std::vector<double> places = shown.placesOf(0);
+    std::vector<std::vector<XY>> drawn;
+    const auto isSame = [](const XY& a, const XY& b) {
+        return a.y == b.y || (std::isnan(a.y) && std::isnan(b.y));
+    };
+    for (const std::size_t q : quantities) {
+        for (const bool isHigh : {false, true}) {
+            std::vector<XY> line;
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                const SweepPoint& point = shown.result->points[i];
+                const SweepValue value = point.values.empty() ? SweepValue{} : point.values[q];
+                const double limit = isHigh ? value.high : value.low;
+                line.push_back({places[i], shown.margins && !std::isnan(value.margin) ? 0 : limit});
+            }
+            const bool isNone =
+                std::ranges::all_of(line, [](const XY& at) { return std::isnan(at.y); });
+            if (!isNone && std::ranges::none_of(drawn, [&](const std::vector<XY>& other) {
+                    return std::ranges::equal(line, other, isSame);
+                })) {
+                chart.series.push_back({.key = SweepShown::limitKey,
+                                        .name = tr("limit"),
+                                        .colour = Drawn::limit,
+                                        .pen = QPen(Qt::black, 1.5, Qt::DashLine),
+                                        .points = line,
+                                        .sight = InSight::nearby});
+                drawn.push_back(std::move(line));
             }
         }
     }
-    if (low <= high) {
-        style::setRoomyRange(*up(), low, high, sweepRoom, 1e-2);
-    }
-    const std::vector<double>& values = sweep().inputs[0].values;
-    const double from = scaleOf(0).at(values.front()), to = scaleOf(0).at(values.back());
-    const double beside = sweepRoom / 2 * (to - from);
-    style::setSafeRange(*across(), from - beside, to + beside);
 }
 
-// --- look and words -----------------------------------------------------------------------------
-
-void SweepCurves::colour() {
-    for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        const QColor of = toned(style::oneOfSeries(i));
-        m_curves[i]->setPen(runPen(static_cast<int>(i), of));
-        m_curves[i]->setScatterStyle(
-            QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(of), of, dotSize));
+/// Points without numbers, and the one chosen.
+void SweepCurves::addMarks(LineChart& chart, const SweepShown& shown,
+                           const std::vector<std::size_t>& quantities) {
+    for (ChartSeries& marks : shown.statusMarks(footSize, [](std::size_t) { return foot; })) {
+        marks.onSecond = true;
+        chart.series.push_back(std::move(marks));
     }
-    for (QCPGraph* limit : m_limits) {
-        limit->setPen(QPen(toned(Drawn::limit), 1.5, Qt::DashLine));
+    if (!shown.chosen) {
+        return;
     }
-    for (QCPItemRect* band : m_bands) {
-        QColor of = toned(Drawn::everyRequirementHolds);
-        of.setAlphaF(of.alphaF() * 0.18F);
-        band->setPen(Qt::NoPen);
-        band->setBrush(of);
+    ChartSeries rings{.kind = ChartSeries::Kind::points,
+                      .mark = ChartSeries::Mark::ring,
+                      .markSize = chosenSize,
+                      .sight = InSight::never};
+    const double place = shown.placeOf(*shown.chosen, 0);
+    ChartSeries atFoot = rings;
+    atFoot.points = {{place, foot}};
+    atFoot.onSecond = true;
+    for (const std::size_t q : quantities) {
+        rings.points.push_back({place, shown.shownAt(*shown.chosen, q)});
     }
-    const QColor text = ink();
-    m_present->setPen(QPen(text, 1.5, Qt::DotLine));
-    for (QCPGraph* marks : {m_chosenMarks, m_chosenFoot}) {
-        marks->setScatterStyle(
-            QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, chosenSize));
-    }
-}
-
-void SweepCurves::label() {
-    up()->setLabel(SweepText::axis(sweep(), entry(), margins()));
-}
-
-void SweepCurves::showChoice() {
-    SweepPlot::showChoice();
-    m_present->setVisible(m_hasPresent && shows(presentKey));
-}
-
-LegendEntries SweepCurves::legendEntries() const {
-    LegendEntries entries;
-    if (empty()) {
-        return entries;
-    }
-    for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        const SweepQuantity& quantity = sweep().quantities[m_quantities[i]];
-        entries.push_back(lineEntry(static_cast<int>(i), m_curves[i]->pen(),
-                                    quantity.section < 0 ? SweepText::name(quantity)
-                                                         : SweepText::where(quantity)));
-    }
-    if (!m_limits.empty()) {
-        entries.push_back(lineEntry(limitKey, m_limits.front()->pen(), tr("limit")));
-    }
-    if (!m_bands.empty()) {
-        entries.push_back(
-            areaEntry(holdsKey, m_bands.front()->brush().color(), tr("requirements met")));
-    }
-    if (m_hasPresent) {
-        entries.push_back(lineEntry(presentKey, m_present->pen(), tr("current value")));
-    }
-    addStatusEntries(entries);
-    return entries;
+    chart.series.push_back(std::move(atFoot));
+    chart.series.push_back(std::move(rings));
 }
 
 } // namespace sparkout

@@ -1,45 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/views/sweep/sweep_plot.h"
+#include "ui/views/sweep/sweep_shown.h"
 
 namespace sparkout {
 
 /// A sweep over one input: a curve a zone or section, gaps where there is no number, the limits as
 /// lines, and shaded where every requirement holds from point to point.
-class SweepCurves : public SweepPlot {
-    Q_OBJECT
+class SweepCurves {
+    Q_DECLARE_TR_FUNCTIONS(SweepCurves)
 public:
     static constexpr std::size_t mostCurves = 6; ///< of more sections those of the least margin
 
-    explicit SweepCurves(QWidget* parent = nullptr);
-
-    void fit() override;
-    [[nodiscard]] LegendEntries legendEntries() const override;
-    /// By the order of the legend: key i is curve i.
-    [[nodiscard]] const std::vector<QCPGraph*>& curves() const { return m_curves; }
-    [[nodiscard]] const std::vector<QCPGraph*>& limits() const { return m_limits; }
-    /// Where every requirement holds, as values of the input.
-    [[nodiscard]] std::vector<QCPRange> holding() const;
-
-protected:
-    void fill() override;
-    void fillMarks() override;
-    void colour() override;
-    void label() override;
-    void showChoice() override;
+    /// Key i of the legend is curve i.
+    static LineChart chart(const SweepShown& shown);
 
 private:
-    void chooseQuantities();
-    void addLimits();
-    void addBands();
-
-    std::vector<std::size_t> m_quantities; ///< drawn
-    std::vector<QCPGraph*> m_curves, m_limits;
-    std::vector<QCPItemRect*> m_bands;
-    QCPGraph *m_chosenMarks, *m_chosenFoot;
-    QCPItemStraightLine* m_present;
-    bool m_hasPresent = false;
+    static void addCurves(LineChart& chart, const SweepShown& shown,
+                          const std::vector<std::size_t>& quantities);
+    static void addLimits(LineChart& chart, const SweepShown& shown,
+                          const std::vector<std::size_t>& quantities);
+    static void addMarks(LineChart& chart, const SweepShown& shown,
+                         const std::vector<std::size_t>& quantities);
 };
 
 } // namespace sparkout

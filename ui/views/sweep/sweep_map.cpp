@@ -5,10 +5,13 @@
 #include "ui/plot/number_ticker.h"
 #include "ui/views/sweep/contour_lines.h"
 
+#include <QMouseEvent>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace sparkout {
 
@@ -66,7 +69,10 @@ Cells cellsOf(const std::vector<double>& places) {
 } // namespace
 
 SweepMap::SweepMap(QWidget* parent)
-    : SweepPlot(parent), m_map(new QCPColorMap(across(), up())), m_scale(new QCPColorScale(this)) {
+    : ViewPlot(parent)
+    , m_rect(addRect())
+    , m_map(new QCPColorMap(across(), up()))
+    , m_scale(new QCPColorScale(this)) {
     m_map->setInterpolate(false);
     m_map->setTightBoundary(false);
     plotLayout()->addElement(0, 1, m_scale);
@@ -77,49 +83,81 @@ SweepMap::SweepMap(QWidget* parent)
     m_scale->setRangeZoom(false);
     m_map->setColorScale(m_scale);
     auto* const together = new QCPMarginGroup(this);
-    cell()->setMarginGroup(QCP::msBottom | QCP::msTop, together);
+    m_rect->setMarginGroup(QCP::msBottom | QCP::msTop, together);
     m_scale->setMarginGroup(QCP::msBottom | QCP::msTop, together);
     for (QCPCurve** contour : {&m_limitHalo, &m_limit, &m_holdsHalo, &m_holds}) {
-        *contour = addCurve(*cell());
+        *contour = addCurve(*m_rect);
     }
-    addStatusMarks(up(), mapSignSize);
-    m_present = addMarks(up());
-    m_chosenMark = addMarks(up());
-    setKeyed(limitKey, {m_limitHalo, m_limit});
-    setKeyed(holdsKey, {m_holdsHalo, m_holds});
-    setKeyed(presentKey, {m_present});
-    setKeyed(chosenKey, {m_chosenMark});
+    setKeyed(SweepShown::limitKey, {m_limitHalo, m_limit});
+    setKeyed(SweepShown::holdsKey, {m_holdsHalo, m_holds});
+    m_refused = addMarks(SweepShown::refusedKey);
+    m_notReached = addMarks(SweepShown::notReachedKey);
+    m_present = addMarks(SweepShown::presentKey);
+    m_chosenMark = addMarks(SweepShown::chosenKey);
+    connect(this, &QCustomPlot::afterLayout, this, [this] {
+        if (style::fitValueAxes(*m_rect, font())) {
+            replot(rpQueuedReplot);
+        }
+    });
+    const auto choose = [this](const QPointF& at) {
+        if (const auto point = pointAt(at)) {
+            emit pointChosen(*point);
+        }
+    };
+    onClick(choose);
+    connect(this, &QCustomPlot::mousePress, this, [choose](QMouseEvent* event) {
+        if (event->button() == Qt::RightButton) { // its menu is about this point
+            choose(event->position());
+        }
+    });
     built();
 }
 
-double SweepMap::worstShown(std::size_t point) const {
-    const auto worst = worstAt(sweep().points[point], entry());
-    return worst ? shownAt(point, *worst) : nan;
+QCPGraph* SweepMap::addMarks(int key) {
+    QCPGraph* const graph = addLine(*m_rect);
+    graph->setLineStyle(QCPGraph::lsNone);
+    graph->setAdaptiveSampling(false);
+    setKeyed(key, {graph});
+    return graph;
 }
 
-void SweepMap::fill() {
+void SweepMap::setSweep(SweepShown shown) {
+    m_shown = std::move(shown);
     for (QCPCurve* curve : {m_limitHalo, m_limit, m_holdsHalo, m_holds}) {
         curve->data()->clear();
     }
-    clearStatusMarks();
-    if (empty() || sweep().inputs.size() < 2) {
-        m_map->data()->clear();
-        return;
+    m_map->data()->clear();
+    if (!empty()) {
+        across()->setTicker(QSharedPointer<SweepTicker>::create(m_shown.scaleOf(0)));
+        up()->setTicker(QSharedPointer<SweepTicker>::create(m_shown.scaleOf(1)));
+        fillCells();
+        fillContours();
     }
-    fillCells();
-    fillContours();
-    fillStatusMarks([this](std::size_t i) { return scaleOf(1).at(sweep().valuesAt(i)[1]); });
+    fillMarks();
+    contentSet();
+}
+
+void SweepMap::setMarks(SweepShown shown) {
+    m_shown = std::move(shown);
+    fillMarks();
+    emit contentChanged(); // the legend names them
+}
+
+double SweepMap::worstShown(std::size_t point) const {
+    const auto worst = worstAt(m_shown.result->points[point], m_shown.entry);
+    return worst ? m_shown.shownAt(point, *worst) : nan;
 }
 
 void SweepMap::fillCells() {
-    const Cells columns = cellsOf(placesOf(0)), rows = cellsOf(placesOf(1));
+    const Cells columns = cellsOf(m_shown.placesOf(0)), rows = cellsOf(m_shown.placesOf(1));
     m_map->data()->setSize(static_cast<int>(columns.points.size()),
                            static_cast<int>(rows.points.size()));
     m_map->data()->setRange({columns.low, columns.high}, {rows.low, rows.high});
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t x = 0; x < columns.points.size(); ++x) {
         for (std::size_t y = 0; y < rows.points.size(); ++y) {
-            const double value = worstShown(sweep().index(columns.points[x], rows.points[y]));
+            const double value =
+                worstShown(m_shown.result->index(columns.points[x], rows.points[y]));
             m_map->data()->setCell(static_cast<int>(x), static_cast<int>(y), value);
             if (std::isfinite(value)) {
                 low = std::min(low, value);
@@ -134,7 +172,8 @@ void SweepMap::fillCells() {
 }
 
 void SweepMap::fillContours() {
-    const std::vector<double> columns = placesOf(0), rows = placesOf(1);
+    const SweepResult& sweep = *m_shown.result;
+    const std::vector<double> columns = m_shown.placesOf(0), rows = m_shown.placesOf(1);
     const auto draw = [&](QCPCurve& halo, QCPCurve& curve, const auto& at) {
         int t = 0;
         for (const QLineF& piece : zeroLines(columns, rows, at)) {
@@ -146,15 +185,15 @@ void SweepMap::fillContours() {
             t += 3;
         }
     };
-    draw(*m_limitHalo, *m_limit, [this](std::size_t i, std::size_t j) {
-        const SweepPoint& point = sweep().points[sweep().index(i, j)];
-        const auto worst = worstAt(point, entry());
+    draw(*m_limitHalo, *m_limit, [&](std::size_t i, std::size_t j) {
+        const SweepPoint& point = sweep.points[sweep.index(i, j)];
+        const auto worst = worstAt(point, m_shown.entry);
         return worst ? point.values[*worst].margin : nan;
     });
-    draw(*m_holdsHalo, *m_holds, [this](std::size_t i, std::size_t j) {
-        const SweepPoint& point = sweep().points[sweep().index(i, j)];
+    draw(*m_holdsHalo, *m_holds, [&](std::size_t i, std::size_t j) {
+        const SweepPoint& point = sweep.points[sweep.index(i, j)];
         for (std::size_t q = 0; q < point.values.size(); ++q) {
-            if (sweep().quantities[q].name == "least_margin") {
+            if (sweep.quantities[q].name == "least_margin") {
                 return point.values[q].value;
             }
         }
@@ -162,39 +201,80 @@ void SweepMap::fillContours() {
     });
 }
 
+std::vector<ChartSeries> SweepMap::signs() const {
+    return empty() ? std::vector<ChartSeries>()
+                   : m_shown.statusMarks(mapSignSize,
+                                         [this](std::size_t i) { return m_shown.placeOf(i, 1); });
+}
+
 void SweepMap::fillMarks() {
-    m_present->data()->clear();
-    m_chosenMark->data()->clear();
-    if (empty() || sweep().inputs.size() < 2) {
+    for (QCPGraph* marks : {m_refused, m_notReached, m_present, m_chosenMark}) {
+        marks->data()->clear();
+    }
+    if (empty()) {
         return;
     }
-    const auto x = presentPlace(0), y = presentPlace(1);
+    for (const ChartSeries& of : signs()) {
+        for (const XY& at : of.points) {
+            (of.key == SweepShown::refusedKey ? m_refused : m_notReached)->addData(at.x, at.y);
+        }
+    }
+    const auto x = m_shown.presentPlace(0), y = m_shown.presentPlace(1);
     if (x && y) {
         m_present->addData(*x, *y);
     }
-    if (chosen()) {
-        const std::vector<double> values = sweep().valuesAt(*chosen());
-        m_chosenMark->addData(scaleOf(0).at(values[0]), scaleOf(1).at(values[1]));
+    if (m_shown.chosen) {
+        m_chosenMark->addData(m_shown.placeOf(*m_shown.chosen, 0),
+                              m_shown.placeOf(*m_shown.chosen, 1));
     }
 }
 
 /// All cells.
 void SweepMap::fit() {
-    if (empty() || sweep().inputs.size() < 2) {
+    if (empty()) {
         return;
     }
     for (const std::size_t input : {std::size_t{0}, std::size_t{1}}) {
-        const std::vector<double>& values = sweep().inputs[input].values;
-        const double from = scaleOf(input).at(values.front());
-        const double to = scaleOf(input).at(values.back());
-        const double half = (to - from) / static_cast<double>(2 * (values.size() - 1));
+        const std::vector<double> places = m_shown.placesOf(input);
+        const double from = places.front(), to = places.back();
+        const double half = (to - from) / static_cast<double>(2 * (places.size() - 1));
         style::setSafeRange(input == 0 ? *across() : *up(), from - half, to + half);
     }
 }
 
+// --- the mouse ----------------------------------------------------------------------------------
+
+std::optional<std::size_t> SweepMap::pointAt(const QPointF& pixel) const {
+    if (empty() || !m_rect->rect().contains(pixel.toPoint())) {
+        return std::nullopt;
+    }
+    return m_shown.pointNear(across()->pixelToCoord(pixel.x()), up()->pixelToCoord(pixel.y()));
+}
+
+QPointF SweepMap::pixelOf(std::size_t point) const {
+    return {across()->coordToPixel(m_shown.placeOf(point, 0)),
+            up()->coordToPixel(m_shown.placeOf(point, 1))};
+}
+
+QString SweepMap::valuesAt(const QPointF& at) const {
+    const auto point = pointAt(at);
+    return point ? m_shown.textOf(*point) : QString();
+}
+
+CsvTable SweepMap::table() const {
+    if (empty()) {
+        return {};
+    }
+    return SweepShown::tableOf(*m_shown.result, m_shown.entry.quantities, [this](std::size_t i) {
+        return across()->range().contains(m_shown.placeOf(i, 0))
+               && up()->range().contains(m_shown.placeOf(i, 1));
+    });
+}
+
 // --- look and words -----------------------------------------------------------------------------
 
-void SweepMap::colour() {
+void SweepMap::restyle() {
+    ViewPlot::restyle();
     QCPAxis& axis = *m_scale->axis();
     style::applyPalette(axis, palette());
     axis.setTickLabelFont(font());
@@ -206,18 +286,23 @@ void SweepMap::colour() {
     }
     m_limit->setPen(QPen(style::dimmed(onMap::light, isDimmed()), 2));
     m_holds->setPen(QPen(style::dimmed(onMap::accent, isDimmed()), 2));
-    const QColor text = ink();
+    const QColor stuck = toned(Drawn::sizeNotReached);
+    m_refused->setScatterStyle(QCPScatterStyle(
+        QCPScatterStyle::ssCross, QPen(toned(Drawn::refused), 2), Qt::NoBrush, mapSignSize));
+    m_notReached->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssTriangle, QPen(stuck), stuck, mapSignSize));
     m_present->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(onMap::dark, 1.5),
                                                onMap::light, mapPresentSize));
     m_chosenMark->setScatterStyle(
-        QCPScatterStyle(QCPScatterStyle::ssSquare, QPen(text, 3), Qt::NoBrush, mapChosenSize));
+        QCPScatterStyle(QCPScatterStyle::ssSquare, QPen(ink(), 3), Qt::NoBrush, mapChosenSize));
 }
 
-void SweepMap::label() {
-    if (sweep().inputs.size() > 1) {
-        up()->setLabel(SweepText::inputAxis(sweep().inputs[1]));
+void SweepMap::setTexts() {
+    if (!empty()) {
+        across()->setLabel(SweepText::inputAxis(m_shown.result->inputs[0]));
+        up()->setLabel(SweepText::inputAxis(m_shown.result->inputs[1]));
+        m_scale->axis()->setLabel(SweepText::axis(*m_shown.result, m_shown.entry, m_shown.margins));
     }
-    m_scale->axis()->setLabel(SweepText::axis(sweep(), entry(), margins()));
 }
 
 LegendEntries SweepMap::legendEntries() const {
@@ -226,24 +311,28 @@ LegendEntries SweepMap::legendEntries() const {
         return entries;
     }
     if (!m_limit->data()->isEmpty()) {
-        entries.push_back(lineEntry(limitKey, m_limit->pen(), tr("limit of this result")));
+        entries.push_back(
+            lineEntry(SweepShown::limitKey, m_limit->pen(), tr("limit of this result")));
         entries.back().halo = m_limitHalo->pen().color();
     }
     if (!m_holds->data()->isEmpty()) {
-        entries.push_back(lineEntry(holdsKey, m_holds->pen(), tr("requirements met: edge")));
+        entries.push_back(
+            lineEntry(SweepShown::holdsKey, m_holds->pen(), tr("requirements met: edge")));
         entries.back().halo = m_holdsHalo->pen().color();
     }
     if (!m_present->data()->isEmpty()) {
-        entries.push_back(
-            areaEntry(presentKey, palette().color(QPalette::Text), tr("current values")));
+        entries.push_back(areaEntry(SweepShown::presentKey, palette().color(QPalette::Text),
+                                    tr("current values")));
         entries.back().swatch = Swatch::rhombus;
     }
     if (!m_chosenMark->data()->isEmpty()) {
-        entries.push_back(
-            areaEntry(chosenKey, m_chosenMark->scatterStyle().pen().color(), tr("chosen point")));
+        entries.push_back(areaEntry(
+            SweepShown::chosenKey, m_chosenMark->scatterStyle().pen().color(), tr("chosen point")));
         entries.back().swatch = Swatch::square;
     }
-    addStatusEntries(entries);
+    for (const ChartSeries& of : signs()) {
+        entries.push_back(areaEntry(of.key, toned(std::get<Drawn>(of.colour)), of.name));
+    }
     return entries;
 }
 

@@ -1,38 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/views/sweep/sweep_plot.h"
+#include "ui/plot/view_plot.h"
+#include "ui/views/sweep/sweep_shown.h"
+
+#include <optional>
+#include <vector>
 
 namespace sparkout {
 
 /// A sweep over two inputs: a field of colours, a cell a point, of several zones the worst; lines
 /// where the quantity meets its limit and around where every requirement holds.
-class SweepMap : public SweepPlot {
+class SweepMap : public ViewPlot {
     Q_OBJECT
 public:
     explicit SweepMap(QWidget* parent = nullptr);
 
+    void setSweep(SweepShown shown); ///< shows all of it; no replot
+    void setMarks(SweepShown shown); ///< another present or chosen point of the same; no replot
     void fit() override;
+    void restyle() override;
+    [[nodiscard]] QPointF pixelOf(std::size_t point) const; ///< in the middle of its cell
     [[nodiscard]] LegendEntries legendEntries() const override;
+    [[nodiscard]] CsvTable table() const override; ///< the points in sight
     [[nodiscard]] QCPColorMap* map() const { return m_map; }
     [[nodiscard]] QCPCurve* limitLine() const { return m_limit; }
     [[nodiscard]] QCPCurve* holdsLine() const { return m_holds; }
 
+signals:
+    void pointChosen(std::size_t point); ///< by a click, of the right button too
+
 protected:
-    void fill() override;
-    void fillMarks() override;
-    void colour() override;
-    void label() override;
+    void setTexts() override;
+    [[nodiscard]] QString valuesAt(const QPointF& at) const override;
 
 private:
+    [[nodiscard]] bool empty() const { return m_shown.empty() || !m_shown.isMap(); }
+    [[nodiscard]] QCPAxis* across() const { return m_rect->axis(QCPAxis::atBottom); }
+    [[nodiscard]] QCPAxis* up() const { return m_rect->axis(QCPAxis::atLeft); }
+    /// The point nearest to a pixel within the axis rect.
+    [[nodiscard]] std::optional<std::size_t> pointAt(const QPointF& pixel) const;
+    [[nodiscard]] QCPGraph* addMarks(int key);            ///< a graph of signs without a line
+    [[nodiscard]] std::vector<ChartSeries> signs() const; ///< of points without numbers
     void fillCells();
     void fillContours();
+    void fillMarks();
     [[nodiscard]] double worstShown(std::size_t point) const;
 
+    SweepShown m_shown;
+    QCPAxisRect* m_rect;
     QCPColorMap* m_map;
     QCPColorScale* m_scale;
     QCPCurve *m_limitHalo, *m_limit, *m_holdsHalo, *m_holds;
-    QCPGraph *m_present, *m_chosenMark;
+    QCPGraph *m_refused, *m_notReached, *m_present, *m_chosenMark;
 };
 
 } // namespace sparkout

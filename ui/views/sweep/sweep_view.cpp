@@ -9,11 +9,12 @@
 #include "core/study/sweep_edits.h"
 #include "ui/kit/search_combo.h"
 #include "ui/kit/tool_row.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
 #include "ui/text/names.h"
 #include "ui/views/sweep/phase_bar.h"
-#include "ui/views/sweep/phase_plot.h"
+#include "ui/views/sweep/phase_chart.h"
 #include "ui/views/sweep/sweep_axis_box.h"
 #include "ui/views/sweep/sweep_curves.h"
 #include "ui/views/sweep/sweep_map.h"
@@ -29,6 +30,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 namespace sparkout {
@@ -47,15 +49,15 @@ SweepView::SweepView(QWidget* parent, Settings* settings, Studies* studies)
     , m_side(new QComboBox(this))
     , m_phaseBar(new PhaseBar(this))
     , m_axes{new SweepAxisBox(0, this), new SweepAxisBox(1, this)}
-    , m_curves(new SweepCurves(this))
+    , m_curves(new ChartPlot(this))
     , m_map(new SweepMap(this))
-    , m_phases(new PhasePlot(this))
+    , m_phases(new ChartPlot(this))
     , m_point(new QSpinBox(this))
     , m_bar(new RunBar(QStringLiteral("sweep"), this, SweepText::progress))
     , m_take(new QAction(this))
     , m_takeButton(new QPushButton(this))
     , m_add(new QPushButton(this)) {
-    for (SweepPlot* plot : sweepPlots()) {
+    for (ViewPlot* plot : std::initializer_list<ViewPlot*>{m_curves, m_map}) {
         plot->setMinimumSize(240, 120);
         PlotSubject subject;
         subject.own = {m_take};
@@ -103,9 +105,12 @@ void SweepView::connectParts() {
     connect(m_phaseBar, &PhaseBar::changed, this, &SweepView::takePhases);
     connect(m_entry, &QComboBox::currentIndexChanged, this, &SweepView::chooseEntry);
     connect(m_side, &QComboBox::currentIndexChanged, this, &SweepView::chooseEntry);
-    for (SweepPlot* plot : sweepPlots()) {
-        connect(plot, &SweepPlot::pointChosen, this, [this](std::size_t at) { choosePoint(at); });
-    }
+    connect(m_map, &SweepMap::pointChosen, this, [this](std::size_t at) { choosePoint(at); });
+    connect(m_curves, &ChartPlot::placeClicked, this, [this](double place) {
+        if (!m_shown.empty()) {
+            choosePoint(m_shown.pointNear(place));
+        }
+    });
     connect(m_bar->run(), &QPushButton::clicked, this, &SweepView::runSweep);
     connect(m_take, &QAction::triggered, this, &SweepView::takeValues);
     connect(m_takeButton, &QPushButton::clicked, m_take, &QAction::trigger);
@@ -147,12 +152,8 @@ void SweepView::connectEdits() {
 
 // --- choices ------------------------------------------------------------------------------------
 
-std::array<SweepPlot*, 2> SweepView::sweepPlots() const {
-    return {m_curves, m_map};
-}
-
-SweepPlot& SweepView::plot() const {
-    return *sweepPlots()[sweep() && sweep()->inputs.size() > 1 ? 1 : 0];
+ViewPlot& SweepView::plot() const {
+    return sweep() && sweep()->inputs.size() > 1 ? static_cast<ViewPlot&>(*m_map) : *m_curves;
 }
 
 SweepEntry SweepView::chosenEntry() const {
@@ -181,10 +182,10 @@ void SweepView::chooseSubject() {
 }
 
 void SweepView::choosePoint(std::optional<std::size_t> point) {
-    m_chosen = sweep() ? point : std::nullopt;
+    m_shown.chosen = sweep() ? point : std::nullopt;
     const QSignalBlocker blocker(m_point);
-    m_point->setValue(m_chosen ? static_cast<int>(*m_chosen) + 1 : 0);
-    plot().setChosen(m_chosen);
+    m_point->setValue(m_shown.chosen ? static_cast<int>(*m_shown.chosen) + 1 : 0);
+    showMarks();
     showState();
     replotFront();
 }
@@ -255,8 +256,8 @@ void SweepView::runSweep() {
 }
 
 void SweepView::takeSweep() {
-    if (m_shown != sweep()) {
-        m_chosen.reset();
+    if (m_shown.result != sweep()) {
+        m_shown.chosen.reset();
         showSweep();
     }
     showState();
@@ -265,8 +266,10 @@ void SweepView::takeSweep() {
 
 void SweepView::takePhases() {
     const PhaseOutcomePtr& phases = m_phaseBar->phases();
-    if (m_phases->phases() != phases) {
-        m_phases->setPhases(phases && phases->decision.isDecided ? phases : nullptr);
+    const PhaseOutcomePtr decided = phases && phases->decision.isDecided ? phases : nullptr;
+    if (m_phasesShown != decided) {
+        m_phasesShown = decided;
+        m_phases->setChart([decided] { return PhaseChart::of(decided); });
     }
     showState();
     replotFront();
@@ -283,8 +286,8 @@ void SweepView::edit(const std::function<Project(Project)>& edit, const EditText
 }
 
 void SweepView::takeValues() {
-    if (sweep() && m_chosen) {
-        edit([from = sweep(), point = *m_chosen](
+    if (sweep() && m_shown.chosen) {
+        edit([from = sweep(), point = *m_shown.chosen](
                  Project project) { return withPoint(std::move(project), *from, point); },
              {"Edit", QT_TRANSLATE_NOOP("Edit", "Take the values of a point of the sweep")});
     }
@@ -296,8 +299,18 @@ void SweepView::showPresent() {
         const auto input = numberInput(good()->result.project, sweep()->inputs[i].axis.input);
         values.push_back(input ? input->value : std::nullopt);
     }
-    m_curves->setPresent(values);
-    m_map->setPresent(std::move(values));
+    if (m_shown.present != values) {
+        m_shown.present = std::move(values);
+        showMarks();
+    }
+}
+
+void SweepView::showMarks() {
+    if (m_shown.isMap()) {
+        m_map->setMarks(m_shown);
+    } else {
+        m_curves->remake();
+    }
 }
 
 // --- showing ------------------------------------------------------------------------------------
@@ -323,15 +336,15 @@ void SweepView::fillEntries() {
 }
 
 void SweepView::showSweep() {
-    m_shown = sweep();
+    m_shown.result = sweep();
     const int points = sweep() ? static_cast<int>(sweep()->points.size()) : 0;
-    if (m_chosen && *m_chosen >= static_cast<std::size_t>(points)) {
-        m_chosen.reset();
+    if (m_shown.chosen && *m_shown.chosen >= static_cast<std::size_t>(points)) {
+        m_shown.chosen.reset();
     }
     {
         const QSignalBlocker blocker(m_point);
         m_point->setRange(0, points);
-        m_point->setValue(m_chosen ? static_cast<int>(*m_chosen) + 1 : 0);
+        m_point->setValue(m_shown.chosen ? static_cast<int>(*m_shown.chosen) + 1 : 0);
         m_point->setSuffix(points > 0 ? tr(" of %1").arg(points) : QString());
     }
     fillEntries();
@@ -343,12 +356,11 @@ void SweepView::showSweep() {
 }
 
 void SweepView::showEntry() {
-    for (SweepPlot* other : sweepPlots()) {
-        const bool shown = other == &plot();
-        other->setChosen(shown ? m_chosen : std::nullopt);
-        other->setSweep(shown ? sweep() : nullptr, shown ? chosenEntry() : SweepEntry{},
-                        m_side->currentIndex() == 1);
-    }
+    m_shown.entry = chosenEntry();
+    m_shown.margins = m_side->currentIndex() == 1;
+    m_map->setSweep(m_shown.isMap() ? m_shown : SweepShown());
+    m_curves->setChart(
+        [this] { return SweepCurves::chart(m_shown.isMap() ? SweepShown() : m_shown); });
     showFront();
     showState();
 }
@@ -393,7 +405,7 @@ void SweepView::showState() {
     m_phaseBar->showState(accepted);
     m_bar->showRunning(studies().sweep.running(), has && m_refused.empty() && !refused());
     m_bar->state()->setText(sweep() ? SweepText::run(*sweep()) : QString());
-    m_take->setEnabled(drawn() && m_chosen && accepted);
+    m_take->setEnabled(drawn() && m_shown.chosen && accepted);
     m_takeButton->setEnabled(m_take->isEnabled());
     readOut();
     plot().setAccessibleDescription(m_bar->state()->text());
@@ -410,8 +422,9 @@ QString SweepView::hint() const {
     if (showsPhases()) {
         return tr("Point at a stock to read the steps, the time and the size of its cycle.");
     }
-    return sweep() && m_chosen ? SweepText::point(*sweep(), *m_chosen, chosenEntry())
-                               : tr("Point at a place to read its values; a click chooses it.");
+    return sweep() && m_shown.chosen
+               ? SweepText::point(*sweep(), *m_shown.chosen, chosenEntry())
+               : tr("Point at a place to read its values; a click chooses it.");
 }
 
 QString SweepView::keptText() const {

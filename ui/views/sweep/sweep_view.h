@@ -2,7 +2,8 @@
 #pragma once
 
 #include "ui/plot/study_view.h"
-#include "ui/views/sweep/sweep_text.h"
+#include "ui/views/sweep/phase_outcome.h"
+#include "ui/views/sweep/sweep_shown.h"
 
 #include <array>
 #include <functional>
@@ -17,13 +18,11 @@ class QSpinBox;
 
 namespace sparkout {
 
+class ChartPlot;
 class PhaseBar;
-class PhasePlot;
 class RunBar;
 class SweepAxisBox;
-class SweepCurves;
 class SweepMap;
-class SweepPlot;
 
 /// The view "Sweep": one or two inputs varied over a range and any result over them, as curves or
 /// as a map. A quick sweep runs by itself when the inputs change, another one on demand; results of
@@ -35,10 +34,10 @@ public:
     explicit SweepView(QWidget* parent = nullptr, Settings* settings = nullptr,
                        Studies* studies = nullptr);
 
-    [[nodiscard]] SweepCurves* curves() const { return m_curves; }
+    [[nodiscard]] ChartPlot* curves() const { return m_curves; }
     [[nodiscard]] SweepMap* map() const { return m_map; }
     [[nodiscard]] const SweepResultPtr& sweep() const { return studies().sweep.result(); }
-    [[nodiscard]] PhasePlot* phases() const { return m_phases; }
+    [[nodiscard]] ChartPlot* phases() const { return m_phases; }
     [[nodiscard]] bool busy() const override;
     /// What is shown is of other inputs.
     [[nodiscard]] bool stale() const { return studies().sweep.stale(); }
@@ -64,8 +63,7 @@ private:
     void connectParts();
     void connectEdits();
     void nameButtons();
-    [[nodiscard]] std::array<SweepPlot*, 2> sweepPlots() const;
-    [[nodiscard]] SweepPlot& plot() const; ///< in sight
+    [[nodiscard]] ViewPlot& plot() const; ///< in sight
     void chooseEntry();
     void chooseSubject();
     [[nodiscard]] bool showsPhases() const; ///< else a sweep
@@ -85,6 +83,7 @@ private:
     void showEntry();
     void showFront();
     void showPresent();
+    void showMarks();                          ///< of what is drawn
     [[nodiscard]] QString sweepRemark() const; ///< on what is shown
     [[nodiscard]] SweepEntry chosenEntry() const;
 
@@ -92,19 +91,19 @@ private:
     QComboBox *m_entry, *m_side; ///< the result; its values or margins
     PhaseBar* m_phaseBar;
     std::array<SweepAxisBox*, 2> m_axes;
-    SweepCurves* m_curves;
+    ChartPlot* m_curves;
     SweepMap* m_map;
-    PhasePlot* m_phases;
+    ChartPlot* m_phases;
+    PhaseOutcomePtr m_phasesShown;
     QSpinBox* m_point; ///< chosen, from 1; 0: none
     RunBar* m_bar;
     QWidget* m_toolBar = nullptr;
     QAction* m_take;
     QPushButton *m_takeButton, *m_add;
-    std::vector<SweepEntry> m_entries;   ///< in the box
-    std::string m_wanted = "diameter";   ///< result the user chose
-    SweepResultPtr m_shown;              ///< drawn
-    Issues m_refused;                    ///< why the present one cannot be run
-    std::optional<std::size_t> m_chosen; ///< point of what is shown
+    std::vector<SweepEntry> m_entries; ///< in the box
+    std::string m_wanted = "diameter"; ///< result the user chose
+    SweepShown m_shown;                ///< drawn
+    Issues m_refused;                  ///< why the present one cannot be run
     bool m_edited = false; ///< the document has been asked for a change that is not run yet
     bool m_asked = false;  ///< to run as soon as it is
 };

@@ -10,16 +10,17 @@
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 #include "tests/ui/support/examples.h"
+#include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/value_model.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/session/project_io.h"
 #include "ui/text/judgement_text.h"
+#include "ui/views/batch/batch_charts.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/views/batch/histogram_plot.h"
-#include "ui/views/batch/pareto_plot.h"
-#include "ui/views/batch/scatter_plot.h"
 #include "ui/views/batch/sensitivity_plot.h"
 #include "ui/window/view_tabs.h"
 
@@ -350,23 +351,27 @@ private slots:
         project.part->tolerance.radial_runout_um = 1e-6;
         SettledBench bench(project);
         bench.part<QComboBox>("batchContent").setCurrentIndex(3);
-        ParetoPlot& plot = *bench.view.findChild<ParetoPlot*>();
-        QVERIFY(plot.isVisible() && !plot.empty());
+        ChartPlot& plot = bench.part<ChartPlot>("batchPareto");
         const std::vector<RejectCause>& causes = bench.view.batch()->summary.causes;
-        QCOMPARE(plot.bars()->data()->size(), static_cast<int>(causes.size()));
-        QVERIFY(plot.names().contains(QStringLiteral("Roundness")));
+        QVERIFY(plot.isVisible() && !causes.empty());
+        const std::vector<XY>& bars = plot.chart().find(BatchCharts::partsKey)->points;
+        const std::vector<XY>& sums = plot.chart().find(BatchCharts::sumKey)->points;
+        QCOMPARE(bars.size(), causes.size());
+        QVERIFY(plot.chart().across.names->contains(QStringLiteral("Roundness")));
         double sum = 0, last = HUGE_VAL;
         for (std::size_t i = 0; i < causes.size(); ++i) {
-            const double drawn = plot.bars()->data()->at(static_cast<int>(i))->value;
-            QCOMPARE(drawn, static_cast<double>(causes[i].count));
-            QVERIFY(drawn <= last);
-            last = drawn;
-            sum += drawn;
+            QCOMPARE(bars[i].y, static_cast<double>(causes[i].count));
+            QVERIFY(bars[i].y <= last);
+            last = bars[i].y;
+            sum += last;
         }
-        QCOMPARE(plot.sum()->data()->at(static_cast<int>(causes.size()) - 1)->value, 100.0);
-        QVERIFY(std::abs(plot.sum()->data()->at(0)->value
-                         - 100 * static_cast<double>(causes[0].count) / sum)
-                < 1e-9);
+        QCOMPARE(sums.back().y, 100.0);
+        QVERIFY(std::abs(sums[0].y - 100 * static_cast<double>(causes[0].count) / sum) < 1e-9);
+        QVERIFY(plot.up().range().contains(bars[0].y)); // the longest bar is in sight
+        plot.replot();
+        fixtures::hover(&plot, plot.pixelOf(bars[0]) - QPointF(2, 0));
+        QVERIFY(
+            bench.part<QLabel>("batchValues").text().startsWith(plot.chart().across.names->at(0)));
     }
 
     void textsBelowNarrowCellsDoNotMeet() {
@@ -512,22 +517,21 @@ private slots:
         const Project project = fixtures::shaftBatch(50);
         SettledBench bench(project);
         bench.part<QComboBox>("batchContent").setCurrentIndex(2);
-        const ScatterPlot& plot = *bench.view.scatter(); // stock against the first diameter
-        const QCPGraph& good = *plot.graph(ScatterPlot::goodKey);
-        const QCPGraph& outside = *plot.graph(ScatterPlot::outsideKey);
-        QCOMPARE(good.dataCount() + outside.dataCount(), 50);
-        QCOMPARE(plot.graph(ScatterPlot::worstKey)->dataCount(), 1);
+        const ChartPlot& plot = *bench.view.scatter(); // stock against the first diameter
+        std::vector<XY> parts;
+        for (const int key : {BatchCharts::goodKey, BatchCharts::outsideKey}) {
+            if (const ChartSeries* of = plot.chart().find(key)) {
+                parts.insert(parts.end(), of->points.begin(), of->points.end());
+            }
+        }
+        QCOMPARE(parts.size(), std::size_t{50});
+        QCOMPARE(plot.chart().find(BatchCharts::worstKey)->points.size(), std::size_t{1});
         const BatchOutcome& batch = *bench.view.batch();
         const ScenarioSource source(project);
         const PartRow& row = batch.result.statistics.rows.front();
         const double stock = source.values(row.part)[0], diameter = row.values[0];
-        const auto has = [&](const QCPGraph& graph) {
-            return std::any_of(graph.data()->constBegin(), graph.data()->constEnd(),
-                               [&](const QCPGraphData& point) {
-                                   return point.key == stock && point.value == diameter;
-                               });
-        };
-        QVERIFY(has(good) || has(outside));
+        QVERIFY(std::ranges::any_of(
+            parts, [&](const XY& point) { return point.x == stock && point.y == diameter; }));
         QCOMPARE(plot.table().rows.size(), std::size_t{50});
     }
 

@@ -85,6 +85,10 @@ struct Window {
         bench.settle();
     }
     [[nodiscard]] CompliancePlot& plot() { return *view->plot(); }
+    [[nodiscard]] std::vector<XY> pointsOf(int key) {
+        const ChartSeries* const of = plot().chart().find(key);
+        return of ? of->points : std::vector<XY>();
+    }
     [[nodiscard]] QLabel& label(const char* name) {
         return *view->findChild<QLabel*>(QString::fromLatin1(name));
     }
@@ -105,22 +109,20 @@ private slots:
         const GaugeCurves& gauge = window.plot().gauge();
         const GaugePosition* best = gauge.best();
         QVERIFY(best);
-        const QCPGraph& curve = *gauge.farthestGraph();
-        QVERIFY(curve.visible() && curve.dataCount() > 20);
-        QVERIFY(!window.plot().gamma().sum()->visible());
-        double least = 1e9;
-        for (int i = 0; i < curve.dataCount(); ++i) {
-            least = std::min(least, curve.data()->at(i)->value);
-        }
-        QCOMPARE(gauge.bestGraph()->dataCount(), 1);
-        QCOMPARE(gauge.bestGraph()->data()->at(0)->value, least);
-        QCOMPARE(gauge.bestGraph()->data()->at(0)->key, best->position_mm);
+        const std::vector<XY> curve = window.pointsOf(GaugeCurves::farthestKey);
+        QVERIFY(curve.size() > 20);
+        QVERIFY(window.pointsOf(ComplianceCurves::sumKey).empty());
+        const double least = std::ranges::min_element(curve, {}, &XY::y)->y;
+        const std::vector<XY> marked = window.pointsOf(GaugeCurves::bestKey);
+        QCOMPARE(marked.size(), std::size_t{1});
+        QCOMPARE(marked[0].y, least);
+        QCOMPARE(marked[0].x, best->position_mm);
         Project there = steppedShaft();
         there.gauge->section.reset();
         there.gauge->position_mm = best->position_mm;
         QVERIFY(std::abs(farthest_um(simulate(there)) - least) < 1e-9);
         QVERIFY(least < farthest_um(simulate(steppedShaft()))); // there was something to gain
-        QVERIFY(std::abs(gauge.presentGraph()->data()->at(0)->value
+        QVERIFY(std::abs(window.pointsOf(GaugeCurves::presentKey).at(0).y
                          - farthest_um(simulate(steppedShaft())))
                 < 1e-9);
     }
@@ -139,8 +141,8 @@ private slots:
         QVERIFY(!document.project().gauge->section);
         QTRY_VERIFY(shown.count() > 0);
         QVERIFY(std::abs(farthest_um(window.bench.window->outcome()->result) - promised) < 1e-9);
-        QTRY_VERIFY(window.plot().gauge().presentGraph()->dataCount() == 1
-                    && window.plot().gauge().presentGraph()->data()->at(0)->key == best);
+        QTRY_VERIFY(window.pointsOf(GaugeCurves::presentKey).size() == 1
+                    && window.pointsOf(GaugeCurves::presentKey)[0].x == best);
         QTRY_VERIFY(!window.put().isEnabled()); // it is there
         document.undo();
         QVERIFY(document.project().gauge->section == 3);
@@ -158,7 +160,7 @@ private slots:
         for (const LegendEntry& entry : entries) {
             names << entry.text;
         }
-        const CsvTable table = gauge.table();
+        const CsvTable table = window.plot().table();
         const auto& positions = gauge.placement()->positions;
         const double middle =
             (project.part->upper_deviation_um + project.part->lower_deviation_um) / 2;
@@ -180,7 +182,7 @@ private slots:
         }
         // What is read off at a place names the sections of the smallest and the largest diameter.
         for (const GaugePosition& position : positions) {
-            const QString read = gauge.valuesAt(position.position_mm);
+            const QString read = window.plot().chart().placeText(position.position_mm);
             const QString smallest =
                 Names::zone(Zone::section, static_cast<int>(position.sectionOfMin));
             const QString largest =
@@ -215,10 +217,10 @@ private slots:
                 .contains(QStringLiteral("Best place: %1;").arg(Names::zone(gauge.best()->zone))),
             qPrintable(window.label("complianceSummary").text()));
         // Each zone is a step of its own length.
-        const QCPGraph& curve = *gauge.farthestGraph();
-        QCOMPARE(curve.dataCount(), 6);
-        QCOMPARE(curve.data()->at(0)->key, 0.0);
-        QCOMPARE(curve.data()->at(5)->key, project.part->length_mm);
+        const std::vector<XY> curve = window.pointsOf(GaugeCurves::farthestKey);
+        QCOMPARE(curve.size(), std::size_t{6});
+        QCOMPARE(curve.front().x, 0.0);
+        QCOMPARE(curve.back().x, project.part->length_mm);
     }
 
     void coupledAndIndependentAreDrawnWithTheirDifference() {
@@ -226,11 +228,10 @@ private slots:
         window.choose(ComplianceContent::coupling);
         const CouplingCurves& coupling = window.plot().coupling();
         QVERIFY(coupling.comparison());
-        const QCPGraph& difference = *coupling.differenceGraph();
-        QCOMPARE(difference.dataCount(), steppedShaft().sections);
-        for (int i = 0; i < difference.dataCount(); ++i) {
-            QCOMPARE(difference.data()->at(i)->value,
-                     coupling.comparison()->differences_mm[std::size_t(i)] * 1000);
+        const std::vector<XY> difference = window.pointsOf(CouplingCurves::differenceKey);
+        QCOMPARE(difference.size(), std::size_t(steppedShaft().sections));
+        for (std::size_t i = 0; i < difference.size(); ++i) {
+            QCOMPARE(difference[i].y, coupling.comparison()->differences_mm[i] * 1000);
         }
         QVERIFY(!window.put().isVisible());
         QCOMPARE(window.plot().table().rows.size(), std::size_t(steppedShaft().sections));
@@ -243,7 +244,7 @@ private slots:
             QVERIFY2(window.label("complianceNotice").isVisible(), name);
             QVERIFY(window.plot().legendEntries().empty());
             window.choose(ComplianceContent::compliance);
-            QVERIFY(window.plot().gamma().used()->visible());
+            QVERIFY(!window.pointsOf(ComplianceCurves::usedKey).empty());
         }
     }
 

@@ -6,7 +6,6 @@
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/session/project_io.h"
-#include "ui/views/compliance/compliance_curves.h"
 #include "ui/views/compliance/compliance_plot.h"
 #include "ui/views/compliance/compliance_view.h"
 #include "ui/views/compliance/shaft_scene.h"
@@ -41,14 +40,8 @@ struct Bench {
     ComplianceView view;
 };
 
-double graphAt(const QCPGraph& graph, double x) {
-    const auto after = graph.data()->findBegin(x, false);
-    const auto before = after == graph.data()->constBegin() ? after : after - 1;
-    if (after->key <= before->key) {
-        return after->value;
-    }
-    return before->value
-           + (x - before->key) / (after->key - before->key) * (after->value - before->value);
+const std::vector<XY>& pointsOf(const CompliancePlot& plot, int key) {
+    return plot.chart().find(key)->points;
 }
 
 class TestComplianceView : public QObject {
@@ -61,29 +54,35 @@ private slots:
         for (const SectionResult& zone : outcome->result.sections) {
             const double used = zone.compliance_mm_per_n * 1e6;
             // Between two of 241 places the curve is taken for straight.
-            QVERIFY(std::abs(graphAt(*bench.plot().gamma().sum(), zone.position_mm) - used)
-                    < 1e-3 * used);
+            const auto sum =
+                valueAt(pointsOf(bench.plot(), ComplianceCurves::sumKey), zone.position_mm);
+            QVERIFY(sum && std::abs(*sum - used) < 1e-3 * used);
         }
-        QCOMPARE(bench.plot().gamma().used()->dataCount(), 3);
+        QCOMPARE(pointsOf(bench.plot(), ComplianceCurves::usedKey).size(), std::size_t{3});
     }
 
     void thePartsAreStackedToTheSum() {
         Bench bench(example("slender-shaft"));
         const std::vector<CompliantPlace>& places = bench.plot().gamma().places();
         QVERIFY(places.size() > 100);
-        const QCPGraph& top = *bench.plot().gamma().stack(CompliancePart::bending);
-        const QCPGraph& sum = *bench.plot().gamma().sum();
-        QCOMPARE(top.dataCount(), static_cast<int>(places.size()));
-        for (int i = 0; i < top.dataCount(); ++i) {
-            QVERIFY(std::abs(top.data()->at(i)->value - sum.data()->at(i)->value)
-                    <= 1e-12 * sum.data()->at(i)->value);
+        const std::vector<XY> sum = pointsOf(bench.plot(), ComplianceCurves::sumKey);
+        const auto top = [&bench] { // the last of the stack is drawn the last
+            int last = -1;
+            for (const ChartSeries& of : bench.plot().chart().series) {
+                last += of.isArea() && bench.plot().shows(of.key) ? 1 : 0;
+            }
+            return bench.plot().graph(last)->data();
+        };
+        QCOMPARE(top()->size(), static_cast<int>(places.size()));
+        for (std::size_t i = 0; i < sum.size(); ++i) {
+            QVERIFY(std::abs(top()->at(static_cast<int>(i))->value - sum[i].y) <= 1e-12 * sum[i].y);
         }
         // Without the wheel head the stack is lower by 1/j_w everywhere, the sum stays.
-        const double before = top.data()->at(50)->value;
+        const double before = top()->at(50)->value;
         const double wheelHead = places[50].parts.wheelHead * 1e6;
         bench.plot().toggleCurve(static_cast<int>(CompliancePart::wheelHead));
-        QVERIFY(std::abs(before - wheelHead - top.data()->at(50)->value) <= 1e-12 * before);
-        QCOMPARE(sum.data()->at(50)->value, before);
+        QVERIFY(std::abs(before - wheelHead - top()->at(50)->value) <= 1e-12 * before);
+        QCOMPARE(pointsOf(bench.plot(), ComplianceCurves::sumKey)[50].y, before);
     }
 
     void thePartIsDrawnToScale() {
@@ -97,9 +96,9 @@ private slots:
                 const double x = rect.axis(QCPAxis::atBottom)->range().size() / rect.width();
                 const double y = rect.axis(QCPAxis::atLeft)->range().size() / rect.height();
                 QVERIFY2(std::abs(x / y - 1) < 1e-9, name);
-                QCOMPARE(bench.plot().curveRect()->axis(QCPAxis::atBottom)->range().lower,
+                QCOMPARE(bench.plot().across().range().lower,
                          rect.axis(QCPAxis::atBottom)->range().lower);
-                QCOMPARE(bench.plot().curveRect()->left(), rect.left());
+                QCOMPARE(bench.plot().cell().left(), rect.left());
             }
         }
     }
@@ -150,7 +149,7 @@ private slots:
         Bench bench(example("shaft-30h6-factory"));
         QVERIFY(bench.plot().gamma().places().empty());
         QVERIFY(bench.label("complianceNotice").isVisible());
-        QCOMPARE(bench.plot().gamma().used()->dataCount(), 3);
+        QCOMPARE(pointsOf(bench.plot(), ComplianceCurves::usedKey).size(), std::size_t{3});
         QCOMPARE(bench.plot().table().rows.size(), 3u);
         bench.show(example("slender-shaft"));
         QVERIFY(!bench.label("complianceNotice").isVisible());
@@ -161,7 +160,7 @@ private slots:
     void anotherRunOfThePartIsInSight() {
         Project project = exampleProject("shaft-30h6-factory");
         Bench bench(evaluate(project, {}));
-        QCPAxis& axis = *bench.plot().curveRect()->axis(QCPAxis::atLeft);
+        const QCPAxis& axis = bench.plot().up();
         const auto yieldTimes = [&](double factor) {
             Project other = project;
             auto& gamma = std::get<ZoneCompliance>(other.machine->compliance_mm_per_n);
@@ -169,17 +168,20 @@ private slots:
                 *zone *= factor;
             }
             bench.show(evaluate(other, {}));
-            bool found = false;
-            return bench.plot().gamma().used()->getValueRange(found);
+            ChartSpan drawn;
+            for (const XY& zone : pointsOf(bench.plot(), ComplianceCurves::usedKey)) {
+                drawn.add(zone.y);
+            }
+            return drawn;
         };
         for (const double factor : {2.4, 0.1, 1.0}) {
-            const QCPRange drawn = yieldTimes(factor);
-            QVERIFY2(axis.range().contains(drawn.upper) && axis.range().contains(drawn.lower)
-                         && drawn.upper > 0.3 * axis.range().upper,
+            const ChartSpan drawn = yieldTimes(factor);
+            QVERIFY2(axis.range().contains(drawn.high) && axis.range().contains(drawn.low)
+                         && drawn.high > 0.3 * axis.range().upper,
                      qPrintable(QString::number(factor)));
         }
         const QCPRange zoomed(100, 130);
-        axis.setRange(zoomed);
+        bench.plot().up().setRange(zoomed);
         (void)yieldTimes(2.4);
         QCOMPARE(axis.range().lower, zoomed.lower);
         QCOMPARE(axis.range().upper, zoomed.upper);
@@ -187,27 +189,26 @@ private slots:
 
     void aBoreYieldsAlikeAllAlong() {
         Bench bench(example("internal-plunge"));
-        const QCPGraph& sum = *bench.plot().gamma().sum();
-        QVERIFY(sum.dataCount() > 2);
-        QCOMPARE(sum.data()->at(0)->value, sum.data()->at(sum.dataCount() - 1)->value);
+        const std::vector<XY>& sum = pointsOf(bench.plot(), ComplianceCurves::sumKey);
+        QVERIFY(sum.size() > 2);
+        QCOMPARE(sum.front().y, sum.back().y);
         QVERIFY(bench.label("complianceSummary").text().contains(QStringLiteral("Uniform")));
     }
 
     void theMouseReadsValuesAndTheLegendHides() {
         Bench bench(example("slender-shaft"));
-        QTest::mouseMove(&bench.plot(), bench.plot().curveRect()->center());
+        QTest::mouseMove(&bench.plot(), bench.plot().cell().center());
         QTRY_VERIFY(bench.label("complianceValues").text().contains(QStringLiteral("nm/N")));
         auto* legend = bench.view.findChild<LegendStrip*>();
         const int last = static_cast<int>(legend->entries().size()) - 1;
         QCOMPARE(legend->entries()[static_cast<std::size_t>(last)].key, ComplianceCurves::usedKey);
         QTest::mouseClick(legend, Qt::LeftButton, {}, legend->entryRect(last).center());
-        QVERIFY(!bench.plot().gamma().used()->visible());
-        const QCPRange before = bench.plot().curveRect()->axis(QCPAxis::atBottom)->range();
+        QVERIFY(!bench.plot().shows(ComplianceCurves::usedKey));
+        const QCPRange before = bench.plot().across().range();
         bench.view.tools()->navigation().zoom(0.5);
-        QVERIFY(bench.plot().curveRect()->axis(QCPAxis::atBottom)->range().size() < before.size());
+        QVERIFY(bench.plot().across().range().size() < before.size());
         bench.view.tools()->fit->trigger();
-        QTRY_VERIFY(std::abs(bench.plot().curveRect()->axis(QCPAxis::atBottom)->range().size()
-                             - before.size())
+        QTRY_VERIFY(std::abs(bench.plot().across().range().size() - before.size())
                     < 1e-6 * before.size());
     }
 };

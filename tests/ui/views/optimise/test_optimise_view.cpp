@@ -152,7 +152,13 @@ struct Desk {
 
 /// Of the times across it, by its title.
 double unitOf_s(const MarginFrontPlot& plot) {
-    return plot.curve()->keyAxis()->label().endsWith(QStringLiteral(", s")) ? 1 : 60;
+    return plot.across().label().endsWith(QStringLiteral(", s")) ? 1 : 60;
+}
+
+/// What is drawn as one of the legend; none: nothing.
+std::vector<XY> pointsOf(const MarginFrontPlot& plot, MarginFrontPlot::Key key) {
+    const ChartSeries* const of = plot.chart().find(key);
+    return of ? of->points : std::vector<XY>();
 }
 
 class TestOptimiseView : public QObject {
@@ -275,24 +281,25 @@ private slots:
         MarginFrontPlot& plot = *desk.view->margins();
         QVERIFY(plot.isVisible() && plot.hasFront() && engine.cycles.size() > 1);
         QCOMPARE(desk.view->search()->isFrontWhole, engine.isComplete);
-        QCOMPARE(plot.curve()->dataCount(), static_cast<int>(engine.cycles.size()));
+        const std::vector<XY> curve = pointsOf(plot, MarginFrontPlot::frontKey);
+        QCOMPARE(curve.size(), engine.cycles.size());
         const CsvTable table = plot.table();
         QCOMPARE(table.rows.size(), engine.cycles.size());
         for (std::size_t i = 0; i < engine.cycles.size(); ++i) {
             const FeasibleCycle& best = *engine.cycles[i].best;
             QCOMPARE(std::get<double>(table.rows[i][0]), best.time_s / 60);
             QCOMPARE(std::get<double>(table.rows[i][1]), 100 * best.leastRelativeMargin);
-            QCOMPARE(plot.curve()->data()->at(static_cast<int>(i))->key,
-                     best.time_s / unitOf_s(plot));
+            QCOMPARE(curve[i].x, best.time_s / unitOf_s(plot));
         }
-        QCOMPARE(plot.yours()->data()->at(0)->key, *desk.view->before_s() / unitOf_s(plot));
-        QVERIFY(!plot.givenTime()->visible());
+        QCOMPARE(pointsOf(plot, MarginFrontPlot::yoursKey).at(0).x,
+                 *desk.view->before_s() / unitOf_s(plot));
+        QVERIFY(plot.chart().rules.empty());
         const std::size_t last = engine.cycles.size() - 1;
-        QTest::mouseClick(&plot, Qt::LeftButton, {}, plot.pixelOf(last).toPoint());
+        QTest::mouseClick(&plot, Qt::LeftButton, {}, plot.pixelOf(curve[last]).toPoint());
         const int row = desk.part<CopyTable>("optimiseFound").currentIndex().row();
         QCOMPARE(desk.cell(row, FoundColumn::cycle),
                  OptimiseText::cycle(engine.cycles[last].cycle));
-        QCOMPARE(plot.chosen()->data()->at(0)->value,
+        QCOMPARE(pointsOf(plot, MarginFrontPlot::chosenKey).at(0).y,
                  100 * engine.cycles[last].best->leastRelativeMargin);
         desk.click("optimiseTake");
         desk.bench.settle();
@@ -311,7 +318,7 @@ private slots:
         desk.bench.settle();
         MarginFrontPlot& plot = *desk.view->margins();
         plot.setFocus();
-        const QCPRange before = plot.curve()->keyAxis()->range();
+        const QCPRange before = plot.across().range();
         for (int i = 0; i < 60; ++i) {
             QTest::keyClick(&plot, Qt::Key_Left);
         }
@@ -322,13 +329,14 @@ private slots:
         for (std::size_t i = 0; i < engine.cycles.size(); ++i) {
             const SearchSummary& point = engine.cycles[i];
             QCOMPARE(cycleAt(), OptimiseText::cycle(point.cycle));
-            QCOMPARE(plot.chosen()->data()->at(0)->key, point.best->time_s / unitOf_s(plot));
+            QCOMPARE(pointsOf(plot, MarginFrontPlot::chosenKey).at(0).x,
+                     point.best->time_s / unitOf_s(plot));
             QVERIFY(plot.accessibleDescription().contains(OptimiseText::time(point.best->time_s)));
             QVERIFY(plot.hasFocus());
             QTest::keyClick(&plot, Qt::Key_Right);
         }
         QCOMPARE(cycleAt(), OptimiseText::cycle(engine.cycles.back().cycle)); // the last stays
-        QVERIFY(plot.curve()->keyAxis()->range() == before);                  // nothing moved
+        QVERIFY(plot.across().range() == before);                             // nothing moved
         QTest::keyClick(&plot, Qt::Key_Left);
         QTest::keyClick(&plot, Qt::Key_Return);
         desk.bench.settle();
@@ -411,15 +419,15 @@ private slots:
         desk.part<QComboBox>("optimiseContent").setCurrentIndex(2);
         desk.bench.settle();
         MarginFrontPlot& plot = *desk.view->margins();
-        QVERIFY(plot.givenTime()->visible());
+        QCOMPARE(plot.chart().rules.size(), std::size_t{1});
         // To the microsecond that times are compared in.
-        QVERIFY(std::abs(plot.givenTime()->point1->key() * unitOf_s(plot)
+        QVERIFY(std::abs(plot.chart().rules[0].at * unitOf_s(plot)
                          - *project.optimisation->margin_within_min * 60)
                 < 1e-6);
         bool isOnFront = false; // the answer is one of its points
-        for (const QCPGraphData& point : *plot.curve()->data()) {
-            isOnFront |= point.key == engine.best->time_s / unitOf_s(plot)
-                         && point.value == 100 * engine.best->leastRelativeMargin;
+        for (const XY& point : pointsOf(plot, MarginFrontPlot::frontKey)) {
+            isOnFront |= point.x == engine.best->time_s / unitOf_s(plot)
+                         && point.y == 100 * engine.best->leastRelativeMargin;
         }
         QVERIFY(isOnFront);
     }

@@ -12,11 +12,11 @@
 #include "tests/tries.h"
 #include "ui/fields/number_field.h"
 #include "ui/kit/search_combo.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
 #include "ui/views/sweep/contour_lines.h"
-#include "ui/views/sweep/sweep_curves.h"
 #include "ui/views/sweep/sweep_map.h"
 #include "ui/views/sweep/sweep_view.h"
 
@@ -27,6 +27,7 @@
 #include <QRandomGenerator>
 #include <QSpinBox>
 
+#include <algorithm>
 #include <set>
 
 namespace sparkout::test_sweep_view {
@@ -100,9 +101,15 @@ struct Bench {
         QTest::keyClicks(&line, text);
         QTest::keyClick(&line, Qt::Key_Return);
     }
-    void clickPoint(SweepPlot& plot, std::size_t point) {
-        plot.replot();
-        QTest::mouseClick(&plot, Qt::LeftButton, {}, plot.pixelOf(point).toPoint());
+    void clickPoint(SweepMap& map, std::size_t point) {
+        map.replot();
+        QTest::mouseClick(&map, Qt::LeftButton, {}, map.pixelOf(point).toPoint());
+    }
+    void clickPoint(ChartPlot& curves, std::size_t point) {
+        curves.replot();
+        const double x = curves.across().coordToPixel(view.sweep()->valuesAt(point)[0]);
+        const QPointF at(x, curves.cell().center().y());
+        QTest::mouseClick(&curves, Qt::LeftButton, {}, at.toPoint());
     }
     Document document;
     SweepView view;
@@ -201,7 +208,7 @@ private slots:
                 bench.choose("sweep1Input", QStringLiteral("Wheel › Dullness"));
                 QVERIFY(bench.settled());
                 QVERIFY(bench.view.curves()->isVisible());
-                QVERIFY(!bench.view.curves()->curves().empty());
+                QVERIFY(bench.view.curves()->chart().find(0));
                 QVERIFY(!bench.part<QLabel>("sweepNotice").isVisible());
             }
         }
@@ -213,27 +220,32 @@ private slots:
         QVERIFY(bench.settled());
         auto& result = bench.part<QComboBox>("sweepResult");
         result.setCurrentIndex(result.findText(QStringLiteral("Radial runout")));
-        const auto& curves = bench.view.curves()->curves();
-        QCOMPARE(curves.size(), std::size_t{3});
+        const LineChart& chart = bench.view.curves()->chart();
+        QVERIFY(chart.find(2) && !chart.find(3));
         for (int i = 0; i < 11; ++i) {
             Project single = project;
             const double value = bench.view.sweep()->inputs[0].values[std::size_t(i)];
             QVERIFY(setNumberInput(single, dullness, value));
             const SimulationResult run = simulate(single);
             for (std::size_t zone = 0; zone < 3; ++zone) {
-                const auto at = curves[zone]->data()->at(i);
-                QVERIFY(at->key == value); // QCOMPARE would round
-                QVERIFY(at->value == run.sections[zone].radialRunout_mm * 1000);
+                const XY& at = chart.find(static_cast<int>(zone))->points[std::size_t(i)];
+                QVERIFY(at.x == value); // QCOMPARE would round
+                QVERIFY(at.y == run.sections[zone].radialRunout_mm * 1000);
             }
         }
-        QCOMPARE(bench.view.curves()->limits().size(), std::size_t{1});
-        QCOMPARE(bench.view.curves()->limits()[0]->data()->at(0)->value, 6.0);
+        QVERIFY(
+            std::ranges::count_if(
+                chart.series, [](const ChartSeries& of) { return of.key == SweepShown::limitKey; })
+            == 1);
+        QCOMPARE(chart.find(SweepShown::limitKey)->points[0].y, 6.0);
         // Shaded are the points that hold, and no others.
         for (std::size_t i = 0; i < 11; ++i) {
             const double value = bench.view.sweep()->inputs[0].values[i];
             bool shaded = false;
-            for (const QCPRange& range : bench.view.curves()->holding()) {
-                shaded = shaded || range.contains(value);
+            for (const ChartZone& zone : chart.zones) {
+                shaded |= std::ranges::any_of(zone.ranges, [value](const ChartSpan& range) {
+                    return range.low <= value && value <= range.high;
+                });
             }
             QCOMPARE(shaded, bench.view.sweep()->points[i].good);
         }
@@ -481,8 +493,8 @@ private slots:
         for (const LegendEntry& entry : map.legendEntries()) {
             keys.insert(entry.key);
             for (const auto& [key, line] :
-                 {std::pair<int, QCPCurve*>{SweepPlot::limitKey, map.limitLine()},
-                  {SweepPlot::holdsKey, map.holdsLine()}}) {
+                 {std::pair<int, QCPCurve*>{SweepShown::limitKey, map.limitLine()},
+                  {SweepShown::holdsKey, map.holdsLine()}}) {
                 if (entry.key == key) {
                     QCOMPARE(entry.colour, line->pen().color());
                     QCOMPARE(entry.pen, line->pen().style());
@@ -490,10 +502,10 @@ private slots:
                 }
             }
         }
-        QCOMPARE(keys.contains(SweepPlot::limitKey), !map.limitLine()->data()->isEmpty());
-        QCOMPARE(keys.contains(SweepPlot::holdsKey), !map.holdsLine()->data()->isEmpty());
-        QVERIFY(keys.contains(SweepPlot::presentKey));
-        QVERIFY(keys.contains(SweepPlot::chosenKey));
+        QCOMPARE(keys.contains(SweepShown::limitKey), !map.limitLine()->data()->isEmpty());
+        QCOMPARE(keys.contains(SweepShown::holdsKey), !map.holdsLine()->data()->isEmpty());
+        QVERIFY(keys.contains(SweepShown::presentKey));
+        QVERIFY(keys.contains(SweepShown::chosenKey));
     }
 };
 

@@ -7,10 +7,11 @@
 #include "tests/ui/support/examples.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/fields/number_field.h"
-#include "ui/plot/read_curves.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
-#include "ui/views/sweep/phase_plot.h"
+#include "ui/views/sweep/phase_bar.h"
+#include "ui/views/sweep/phase_chart.h"
 #include "ui/views/sweep/sweep_view.h"
 
 #include <QComboBox>
@@ -20,7 +21,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sparkout::test_phase_plot {
+namespace sparkout::test_phase_chart {
 
 constexpr int patience_ms = 60'000;
 constexpr double fine_um = 1e-6;
@@ -83,8 +84,13 @@ struct Bench {
         QTest::keyClick(&line, Qt::Key_Return);
     }
     [[nodiscard]] QString notice() { return part<QLabel>("sweepNotice").text(); }
+    [[nodiscard]] const LineChart& chart() const { return view.phases()->chart(); }
+    /// Stocks, as hatched.
+    [[nodiscard]] std::vector<ChartSpan> failing() const {
+        return chart().zones.size() > 1 ? chart().zones[1].ranges : std::vector<ChartSpan>();
+    }
     [[nodiscard]] const PhaseDecision& decision() const {
-        return view.phases()->phases()->decision;
+        return view.findChild<PhaseBar*>()->phases()->decision;
     }
     Document document;
     SweepView view;
@@ -99,19 +105,19 @@ double smallestOf(const PieceEnd& end) {
 }
 
 /// A curve has two points and a gap for each piece.
-void compareCurve(const QCPCurve& curve, const std::vector<DecidedPiece>& pieces,
+void compareCurve(const std::vector<XY>& curve, const std::vector<DecidedPiece>& pieces,
                   double (*sizeOf)(const PieceEnd&)) {
-    QCOMPARE(curve.data()->size(), static_cast<int>(3 * pieces.size()));
+    QCOMPARE(curve.size(), 3 * pieces.size());
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const auto at = curve.data()->at(static_cast<int>(3 * i));
-        QVERIFY(at[0].key == pieces[i].piece.from_mm && at[1].key == pieces[i].piece.to_mm);
-        QVERIFY(std::abs(at[0].value - sizeOf(pieces[i].low)) < fine_um);
-        QVERIFY(std::abs(at[1].value - sizeOf(pieces[i].high)) < fine_um);
-        QVERIFY(std::isnan(at[2].value));
+        const XY* const at = &curve[3 * i];
+        QVERIFY(at[0].x == pieces[i].piece.from_mm && at[1].x == pieces[i].piece.to_mm);
+        QVERIFY(std::abs(at[0].y - sizeOf(pieces[i].low)) < fine_um);
+        QVERIFY(std::abs(at[1].y - sizeOf(pieces[i].high)) < fine_um);
+        QVERIFY(std::isnan(at[2].y));
     }
 }
 
-class TestPhasePlot : public QObject {
+class TestPhaseChart : public QObject {
     Q_OBJECT
 
 private slots:
@@ -121,7 +127,7 @@ private slots:
         const Project project = narrow();
         Bench bench(project);
         QVERIFY(bench.settled());
-        PhasePlot& plot = *bench.view.phases();
+        ChartPlot& plot = *bench.view.phases();
         QVERIFY(plot.isVisible());
         QVERIFY(!bench.part<QComboBox>("sweep1Input").isVisible());
         const StockRange usual = usualPhases(project);
@@ -130,25 +136,27 @@ private slots:
         QVERIFY(std::abs(drawn.range.to_mm - usual.to_mm) < 1e-6);
         const PhaseDecision decided = decidePhases(project, drawn.range);
         QVERIFY(decided.pieces.size() > 1);
-        compareCurve(*plot.largest(), decided.pieces, largestOf);
-        compareCurve(*plot.smallest(), decided.pieces, smallestOf);
+        compareCurve(plot.chart().find(PhaseChart::largestKey)->points, decided.pieces, largestOf);
+        compareCurve(plot.chart().find(PhaseChart::smallestKey)->points, decided.pieces,
+                     smallestOf);
         QVERIFY(!decided.failing.empty());
         for (const auto& [stocks, status, worst] : decided.failing) { // neighbours as one
-            QVERIFY(std::ranges::any_of(plot.failing(), [&stocks](const QCPRange& hatched) {
-                return hatched.contains(stocks.from_mm) && hatched.contains(stocks.to_mm);
+            QVERIFY(std::ranges::any_of(bench.failing(), [&stocks](const ChartSpan& hatched) {
+                return hatched.low <= stocks.from_mm && stocks.to_mm <= hatched.high;
             }));
         }
-        for (const QCPRange& hatched : plot.failing()) {
+        for (const ChartSpan& hatched : bench.failing()) {
             const auto fails = [&](double stock_mm) {
                 return std::ranges::any_of(decided.failing, [&](const FailingStocks& each) {
                     return each.stocks.from_mm <= stock_mm && stock_mm <= each.stocks.to_mm;
                 });
             };
-            QVERIFY(fails(hatched.lower) && fails(hatched.center()) && fails(hatched.upper));
-            QVERIFY(hatched.lower == drawn.range.from_mm || !fails(hatched.lower - 1e-7));
-            QVERIFY(hatched.upper == drawn.range.to_mm || !fails(hatched.upper + 1e-7));
+            QVERIFY(fails(hatched.low) && fails((hatched.low + hatched.high) / 2)
+                    && fails(hatched.high));
+            QVERIFY(hatched.low == drawn.range.from_mm || !fails(hatched.low - 1e-7));
+            QVERIFY(hatched.high == drawn.range.to_mm || !fails(hatched.high + 1e-7));
         }
-        QCOMPARE(plot.statedStock_mm(), project.part->stock_mm);
+        QCOMPARE(plot.chart().rules.at(0).at, project.part->stock_mm);
         QVERIFY2(bench.notice().startsWith(
                      QStringLiteral("The cycle is unfit for stocks per side from ")),
                  qPrintable(bench.notice()));
@@ -177,7 +185,7 @@ private slots:
         Bench bench(project);
         QVERIFY(bench.settled());
         double failing_mm = 0;
-        for (const QCPRange& each : bench.view.phases()->failing()) {
+        for (const ChartSpan& each : bench.failing()) {
             failing_mm += each.size();
         }
         QVERIFY(failing_mm > 0);
@@ -200,7 +208,7 @@ private slots:
         QVERIFY(bench.settled());
         QVERIFY2(bench.notice().startsWith(QStringLiteral("The cycle is fit for every stock")),
                  qPrintable(bench.notice()));
-        QVERIFY(bench.view.phases()->failing().empty());
+        QVERIFY(bench.failing().empty());
         for (const DecidedPiece& each : bench.decision().pieces) {
             const double length_mm = each.piece.to_mm - each.piece.from_mm;
             if (length_mm < 1e-9) {
@@ -213,9 +221,10 @@ private slots:
                 largest_um = std::max(largest_um, section.diameterDeviationMax_mm * 1000);
                 smallest_um = std::min(smallest_um, section.diameterDeviationMin_mm * 1000);
             }
-            const PhasePlot& plot = *bench.view.phases();
-            const auto largest = valueAt(*plot.largest(), single.part->stock_mm);
-            const auto smallest = valueAt(*plot.smallest(), single.part->stock_mm);
+            const auto at = [&](PhaseChart::Key key) {
+                return valueAt(bench.chart().find(key)->points, single.part->stock_mm);
+            };
+            const auto largest = at(PhaseChart::largestKey), smallest = at(PhaseChart::smallestKey);
             QVERIFY(largest && smallest);
             QVERIFY(std::abs(*largest - largest_um) < fine_um);
             QVERIFY(std::abs(*smallest - smallest_um) < fine_um);
@@ -260,16 +269,16 @@ private slots:
         other.part->stock_mm += 0.01;
         bench.edit(other);
         QVERIFY(bench.settled());
-        QCOMPARE(bench.view.phases()->statedStock_mm(), other.part->stock_mm);
+        QCOMPARE(bench.chart().rules.at(0).at, other.part->stock_mm);
         QVERIFY(std::abs(bench.decision().range.from_mm - usualPhases(other).from_mm) < 1e-6);
         bench.edit(narrow());
         QVERIFY(bench.settled());
-        QVERIFY(!bench.view.phases()->failing().empty());
-        const QCPRange failing = bench.view.phases()->failing().front();
-        QCPAxis& across = *bench.view.phases()->cell()->axis(QCPAxis::atBottom);
+        QVERIFY(!bench.failing().empty());
+        const ChartSpan failing = bench.failing().front();
+        const ChartPlot& plot = *bench.view.phases();
         fixtures::hover(bench.view.phases(),
-                        {across.coordToPixel(failing.center()),
-                         static_cast<double>(bench.view.phases()->cell()->center().y())});
+                        {plot.across().coordToPixel((failing.low + failing.high) / 2),
+                         static_cast<double>(plot.cell().center().y())});
         const QString values = bench.part<QLabel>("sweepValues").text();
         QVERIFY2(values.startsWith(QStringLiteral("Stock 0."))
                      && values.contains(QStringLiteral("unfit: maximum diameter")),
@@ -339,7 +348,7 @@ private slots:
     }
 };
 
-} // namespace sparkout::test_phase_plot
+} // namespace sparkout::test_phase_chart
 
-SPARKOUT_TEST(test_phase_plot, TestPhasePlot)
-#include "test_phase_plot.moc"
+SPARKOUT_TEST(test_phase_chart, TestPhaseChart)
+#include "test_phase_chart.moc"

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plot/line_chart.h"
+#include "ui/plot/view_plot.h"
+
+#include <memory>
+
+namespace sparkout {
+
+/// A plot whose drawing is a chart of curves: legend, table, cursors and the values under the mouse
+/// are read from the chart.
+class ChartPlot : public ViewPlot {
+    Q_OBJECT
+public:
+    using Maker = std::function<LineChart()>;
+
+    /// Its cell stands in a row of the layout.
+    explicit ChartPlot(QWidget* parent = nullptr, int row = 0);
+    ~ChartPlot() override;
+
+    void setChart(Maker make); ///< made anew in every language; shows all of it; no replot
+    void remake();             ///< its state has changed; what is in sight stays; no replot
+    [[nodiscard]] const LineChart& chart() const { return m_chart; }
+    [[nodiscard]] QCPAxisRect& cell() const { return *m_rect; }
+    [[nodiscard]] QCPAxis& across() const; ///< of the places
+    [[nodiscard]] QCPAxis& up() const;     ///< of the values
+    [[nodiscard]] QPointF pixelOf(const XY& point) const;
+    using ViewPlot::shows;
+
+    void fit() override;
+    virtual void fitValues(); ///< the axis of the values alone
+    void restyle() override;
+    [[nodiscard]] LegendEntries legendEntries() const override;
+    [[nodiscard]] CsvTable table() const override;
+    [[nodiscard]] ReadCurves readCurves() const override;
+    [[nodiscard]] QCPRange readSpan() const override;
+
+signals:
+    void pointClicked(std::size_t series, std::size_t point);
+    void placeClicked(double place); ///< within the cell, with the right button too
+
+protected:
+    void setTexts() override;
+    void showChoice() override;
+    [[nodiscard]] QString valuesAt(const QPointF& at) const override;
+
+private:
+    class ZoneLayer;
+    struct Point {
+        std::size_t series, point;
+    };
+
+    [[nodiscard]] QCPAxis& second() const;
+    [[nodiscard]] QColor colourOf(const ChartColour& colour) const; ///< faint while dimmed
+    [[nodiscard]] QColor areaOf(const ChartColour& colour, int alpha) const;
+    [[nodiscard]] QPen penOf(QPen pen, const ChartColour& colour) const;
+    [[nodiscard]] std::optional<Point> pointAt(const QPointF& at) const;
+    [[nodiscard]] std::optional<double> placeAt(const QPointF& at) const; ///< within the cell
+    void setUpAxes();
+    void draw(); ///< what is shown
+    void drawSeries(const ChartSeries& series);
+    void drawBars(const ChartSeries& series);
+    void drawArea(const ChartSeries& series);
+    QCPGraph* addGraphOf(const ChartSeries& series, const std::vector<XY>& points);
+
+    Maker m_make;
+    LineChart m_chart;
+    QCPAxisRect* m_rect;
+    std::vector<std::unique_ptr<ZoneLayer>> m_zones;
+    QCPGraph* m_stacked = nullptr; ///< the upper edge of the stack so far
+};
+
+} // namespace sparkout
