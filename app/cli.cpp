@@ -6,16 +6,18 @@
 #include "app/cli_phases.h"
 #include "app/cli_remedies.h"
 #include "app/cli_sweep.h"
-#include "app/course/cli_course.h"
+#include "app/course/course_check.h"
+#include "app/course/course_grade.h"
+#include "app/course/course_variants.h"
 #include "app/examples.h"
 #include "app/io/batch_watch.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_kept_runs.h"
-#include "app/io/cli_options.h"
 #include "app/io/cli_report.h"
 #include "app/io/cli_surfaces.h"
 #include "app/io/console.h"
 #include "app/io/stop_signals.h"
+#include "app/manual/given.h"
 #include "app/manual/help_text.h"
 #include "app/measured/cli_measured.h"
 #include "core/batch/batch_run.h"
@@ -36,7 +38,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -46,7 +50,8 @@ namespace sparkout::cli {
 namespace {
 
 /// The trace of a cycle: a second run, now that its size is known.
-int writeTrace(const SimulationResult& result, const std::string& name, const Options& options) {
+int writeTrace(const SimulationResult& result, const std::string& name,
+               const manual::Given& given) {
     if (result.visits > maxRecordedVisits) {
         print(stderr, printable(name) + ": the trace would have " + std::to_string(result.visits)
                           + " rows; allowed: at most " + std::to_string(maxRecordedVisits) + '\n');
@@ -54,7 +59,7 @@ int writeTrace(const SimulationResult& result, const std::string& name, const Op
     }
     Trajectory trajectory;
     const SimulationResult again = simulate(result.project, &trajectory);
-    return save(options.trace, traceCsv(again, trajectory));
+    return save(given.text("--trace"), traceCsv(again, trajectory));
 }
 
 /// How a run stands, and the exit status of what was wrong with its batch.
@@ -64,11 +69,11 @@ struct JudgedAnswer {
 };
 
 /// Over every stock within one infeed and, with `--batch`, the batch of the project, if it has one.
-JudgedAnswer judged(const SurfaceRun& run, const std::string& name, const Options& options) {
+JudgedAnswer judged(const SurfaceRun& run, const std::string& name, const manual::Given& given) {
     const Project& project = run.result.project;
     std::optional<JudgedBatch> batch;
     int status = done;
-    if (options.batch && project.batch && run.isCompleted()) {
+    if (given.has("--batch") && project.batch && run.isCompleted()) {
         BatchResult result;
         {
             BatchWatch watch(project.batch->parts, false);
@@ -98,37 +103,37 @@ std::string jsonOf(const SurfaceRun& run, const Judgement& judgement) {
     return judgedResultJson(run.result, run.constraints, judgement);
 }
 
-int statusOf(const SurfaceRun& run, const std::string& name, const Options& options) {
+int statusOf(const SurfaceRun& run, const std::string& name, const manual::Given& given) {
     if (!run.isCompleted()) {
         print(stderr, printable(name) + ": " + statusSentence(run.result) + '\n');
         return cannotReachSize;
     }
-    return options.check && !run.holds() ? requirementFails : done;
+    return given.has("--check") && !run.holds() ? requirementFails : done;
 }
 
-int simulateOne(const Project& project, const std::string& name, const Options& options) {
+int simulateOne(const Project& project, const std::string& name, const manual::Given& given) {
     printUntrueRuns(name, project);
     const SurfaceRun run = runSurface({}, project, {});
-    if (!options.trace.empty() && run.result.visits > maxRecordedVisits) {
-        return writeTrace(run.result, name, options);
+    if (given.has("--trace") && run.result.visits > maxRecordedVisits) {
+        return writeTrace(run.result, name, given);
     }
     printIssues(name, remarksOn(run.result));
-    const auto [judgement, judgedStatus] = judged(run, name, options);
+    const auto [judgement, judgedStatus] = judged(run, name, given);
     if (caughtSignal() != 0) {
         return judgedStatus;
     }
-    print(stdout, options.json ? jsonOf(run, judgement) : textOf(run, judgement));
-    if (!options.trace.empty()) {
-        if (const int failed = writeTrace(run.result, name, options)) {
+    print(stdout, given.has("--json") ? jsonOf(run, judgement) : textOf(run, judgement));
+    if (given.has("--trace")) {
+        if (const int failed = writeTrace(run.result, name, given)) {
             return failed;
         }
     }
-    const int status = statusOf(run, name, options);
+    const int status = statusOf(run, name, given);
     return status == done ? judgedStatus : status;
 }
 
 /// Every surface, each with the wheel as those before have left it, and the times of the part.
-int simulateWhole(const Surfaces& surfaces, const Options& options) {
+int simulateWhole(const Surfaces& surfaces, const manual::Given& given) {
     const SetupRun run = runSetup(surfaces.setup());
     std::vector<Judgement> judgements;
     int status = done;
@@ -137,15 +142,15 @@ int simulateWhole(const Surfaces& surfaces, const Options& options) {
         const std::string name = surfaces.nameOf(i);
         printUntrueRuns(name, surfaces.setup().surfaces[i].project);
         printIssues(name, remarksOn(surface.result));
-        const auto [judgement, judgedStatus] = judged(surface, name, options);
+        const auto [judgement, judgedStatus] = judged(surface, name, given);
         if (caughtSignal() != 0) {
             return judgedStatus;
         }
         judgements.push_back(judgement);
-        if (!options.json) {
+        if (!given.has("--json")) {
             print(stdout, surfaces.heading(i) + textOf(surface, judgement));
         }
-        const int one = statusOf(surface, name, options);
+        const int one = statusOf(surface, name, given);
         status = status == done ? (one == done ? judgedStatus : one) : status;
     }
     if (!run.issues.empty()) {
@@ -156,29 +161,27 @@ int simulateWhole(const Surfaces& surfaces, const Options& options) {
         const auto place = static_cast<std::size_t>(&surface - run.surfaces.data());
         return jsonOf(surface, judgements[place]);
     };
-    print(stdout, options.json ? setupJson(surfaces.setup(), run, surfaceJson)
-                               : setupText(surfaces.setup(), run));
+    print(stdout, given.has("--json") ? setupJson(surfaces.setup(), run, surfaceJson)
+                                      : setupText(surfaces.setup(), run));
     return status;
 }
 
-int runSimulate(const Options& options) {
-    if (!options.trace.empty() && replacesProject(options.trace, options.operand)) {
-        return usageError("--trace would replace a project: " + options.trace);
+int runSimulate(const manual::Given& given) {
+    if (given.has("--trace") && replacesProject(given.text("--trace"), given.operands.front())) {
+        return usageError("--trace would replace a project: " + given.text("--trace"));
     }
-    const Surfaces surfaces(options.operand, options.surface);
+    const Surfaces surfaces(given);
     if (surfaces.status() != done) {
         return surfaces.status();
     }
-    if (const int failed = options.trace.empty() ? done : surfaces.oneFor("--trace")) {
+    if (const int failed = surfaces.oneFor({"--trace"})) {
         return failed;
     }
-    return surfaces.isWhole()
-               ? simulateWhole(surfaces, options)
-               : surfaces.run(
-                   [&options](const Project& project, std::size_t, const std::string& name) {
-                       return simulateOne(project, name, options);
-                   },
-                   options.json);
+    return surfaces.isWhole() ? simulateWhole(surfaces, given)
+                              : surfaces.run([&given](const Project& project, std::size_t,
+                                                      const std::string& name) {
+                                    return simulateOne(project, name, given);
+                                });
 }
 
 /// What stands where an example belongs.
@@ -193,7 +196,8 @@ Standing standingAt(const std::string& file, const std::string& example) {
     return std::get<std::string>(content) == example ? Standing::sameExample : Standing::another;
 }
 
-int runExamples(const std::string& folder, bool force) {
+int runExamples(const manual::Given& given) {
+    const std::string& folder = given.operands.front();
     std::error_code error; // a folder that cannot be made is reported by the first file
     std::filesystem::create_directory(pathFromUtf8(folder), error);
     std::vector<std::pair<std::string, const Example*>> absent;
@@ -201,7 +205,7 @@ int runExamples(const std::string& folder, bool force) {
     for (const Example& example : examples()) {
         std::string file = folder + "/" + example.name;
         const Standing standing = standingAt(file, example.content);
-        if (standing == Standing::another && !force) {
+        if (standing == Standing::another && !given.has("--force")) {
             print(stderr, printable(file) + ": differs from the example and is kept\n");
             edited = true;
         }
@@ -222,66 +226,41 @@ int runExamples(const std::string& folder, bool force) {
     return done;
 }
 
+int runValidate(const manual::Given& given) {
+    return loadSetup(given.operands.front()) ? done : refused;
+}
+
+constexpr std::pair<std::string_view, int (*)(const manual::Given&)> commands[] = {
+    {"new", runNewCommand},           {"simulate", runSimulate},
+    {"remedies", runRemediesCommand}, {"optimize", runOptimise},
+    {"validate", runValidate},        {"batch", runBatchCommand},
+    {"batch-merge", runBatchMerge},   {"sweep", runSweepCommand},
+    {"phases", runPhasesCommand},     {"dressing", runDressingCommand},
+    {"measured", runMeasuredCommand}, {"examples", runExamples},
+    {"course check", runCourseCheck}, {"course variants", runCourseVariants},
+    {"course grade", runCourseGrade}};
+
 int run(const std::vector<std::string>& arguments) {
-    if (arguments.size() == 1 && arguments[0] == "--help") {
-        print(stdout, manual::helpText(manual::commandLineProgram()));
+    const manual::Program& program = manual::commandLineProgram();
+    const manual::Reading reading(program, arguments);
+    if (!reading.fault.empty()) {
+        return usageError(reading.fault);
+    }
+    const manual::Given& given = reading.given;
+    if (reading.asksForHelp) {
+        print(stdout, manual::helpText(program, given.command()));
         return done;
     }
-    if (arguments.size() == 1 && arguments[0] == "--version") {
+    if (given.command().name == std::string_view(program.name)) { // no command is given
         print(stdout, "sparkout-cli " + std::string(version) + '\n');
         return done;
     }
-    if (!arguments.empty() && arguments[0] == "optimize") {
-        return runOptimise({arguments.begin() + 1, arguments.end()});
+    for (const auto& [name, runCommand] : commands) {
+        if (name == given.command().name) {
+            return runCommand(given);
+        }
     }
-    if (!arguments.empty() && arguments[0] == "course") {
-        return runCourse({arguments.begin() + 1, arguments.end()});
-    }
-    Options options;
-    if (const int failed = parse(arguments, options)) {
-        return failed;
-    }
-    const std::string& command = options.command;
-    if (!manual::commandNamed(manual::commandLineProgram(), command)) {
-        return usageError(command.empty() ? "a command is needed" : "unknown command " + command);
-    }
-    if (options.operand.empty()) {
-        return usageError(command
-                          + (command == "examples" ? " needs a folder"
-                             : command == "new"    ? " needs a size with its field, as 35k6"
-                                                   : " needs a file"));
-    }
-    if (command == "new") {
-        return runNewCommand(options);
-    }
-    if (command == "simulate") {
-        return runSimulate(options);
-    }
-    if (command == "remedies") {
-        return runRemediesCommand(options);
-    }
-    if (command == "batch") {
-        return runBatchCommand(options);
-    }
-    if (command == "batch-merge") {
-        return runBatchMerge(options);
-    }
-    if (command == "sweep") {
-        return runSweepCommand(options);
-    }
-    if (command == "phases") {
-        return runPhasesCommand(options);
-    }
-    if (command == "dressing") {
-        return runDressingCommand(options);
-    }
-    if (command == "measured") {
-        return runMeasuredCommand(options);
-    }
-    if (command == "validate") {
-        return loadSetup(options.operand) ? done : refused;
-    }
-    return runExamples(options.operand, options.force);
+    throw std::logic_error("a command of the table does nothing");
 }
 
 } // namespace

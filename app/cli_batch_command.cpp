@@ -3,6 +3,7 @@
 
 #include "app/cli_batch.h"
 #include "app/io/batch_watch.h"
+#include "app/io/cli_choice.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_surfaces.h"
 #include "app/io/stop_signals.h"
@@ -21,8 +22,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -31,12 +34,26 @@ namespace sparkout::cli {
 
 namespace {
 
+/// "I/N" with 1 ≤ I ≤ N; nothing where it is none.
+std::optional<std::pair<int, int>> shardOf(std::string_view text) {
+    const char* const end = text.data() + text.size();
+    int shard = 0, shards = 0;
+    const auto first = std::from_chars(text.data(), end, shard);
+    if (first.ec != std::errc() || first.ptr == end || *first.ptr != '/') {
+        return std::nullopt;
+    }
+    const auto second = std::from_chars(first.ptr + 1, end, shards);
+    const bool isWhole = second.ec == std::errc() && second.ptr == end;
+    return isWhole && shard >= 1 && shard <= shards ? std::optional(std::pair(shard, shards))
+                                                    : std::nullopt;
+}
+
 int printBatch(const BatchResult& result, const std::optional<SobolIndices>& indices,
-               const Options& options) {
-    print(stdout, options.json  ? batchJson(result, indices)
-                  : options.csv ? batchCsv(result)
-                                : batchText(result, indices));
-    return options.check && result.statistics.bad > 0 ? requirementFails : done;
+               const manual::Given& given) {
+    print(stdout, given.has("--json")  ? batchJson(result, indices)
+                  : given.has("--csv") ? batchCsv(result)
+                                       : batchText(result, indices));
+    return given.has("--check") && result.statistics.bad > 0 ? requirementFails : done;
 }
 
 /// Puts the measured blanks of a CSV into the batch; false: refused, which is said.
@@ -65,25 +82,26 @@ bool putMeasuredFile(const std::string& file, Batch& batch) {
 }
 
 /// Puts what the command line says in place of what the file says.
-bool putOptions(const Options& options, Project& project) {
-    if (!project.batch && options.measured.empty()) {
+bool putOptions(const manual::Given& given, Project& project) {
+    if (!project.batch && !given.has("--measured")) {
         return true; // which checkBatch() refuses
     }
     Batch& batch = project.batch ? *project.batch : project.batch.emplace();
-    batch.parts = options.parts.value_or(batch.parts);
-    batch.seed = options.seed.value_or(batch.seed);
-    batch.scenarios = options.scenarios.value_or(batch.scenarios);
-    return options.measured.empty() || putMeasuredFile(options.measured, batch);
+    batch.parts = given.integer("--parts").value_or(batch.parts);
+    batch.seed = given.integer("--seed").value_or(batch.seed);
+    batch.scenarios = choiceOf<Scenarios>(given, "--scenarios").value_or(batch.scenarios);
+    return !given.has("--measured") || putMeasuredFile(given.text("--measured"), batch);
 }
 
 /// Whether the project has a batch that can be run; says what is wrong with it.
-bool isReady(const Project& project, const std::string& name, const Options& options) {
+bool isReady(const Project& project, const std::string& name, const manual::Given& given) {
     const Issues issues = checkBatch(project);
     printIssues(name, issues);
     if (!issues.empty()) {
         return false;
     }
-    if (options.sensitivity && (project.batch->correlation || scatteredFactors(project).empty())) {
+    if (given.integer("--sensitivity")
+        && (project.batch->correlation || scatteredFactors(project).empty())) {
         print(stderr, printable(name) + ": Sobol indices need factors that are not correlated\n");
         return false;
     }
@@ -91,9 +109,9 @@ bool isReady(const Project& project, const std::string& name, const Options& opt
 }
 
 /// Parts of the batch and of the sensitivity, which the progress is told of.
-std::int64_t partsToRun(const ScenarioSource& source, const Options& options, PartRange range) {
+std::int64_t partsToRun(const ScenarioSource& source, const manual::Given& given, PartRange range) {
     const auto factors = static_cast<std::int64_t>(source.factors().size());
-    return range.end - range.first + options.sensitivity.value_or(0) * (factors + 2);
+    return range.end - range.first + given.integer("--sensitivity").value_or(0) * (factors + 2);
 }
 
 /// Says why the file of --rows failed, if it did.
@@ -106,19 +124,20 @@ bool failed(const PartRowsFile& rows) {
     return rows.error().has_value();
 }
 
-int runBatchOf(Project project, const std::string& name, const Options& options) {
-    if (!putOptions(options, project) || !isReady(project, name, options)) {
+int runBatchOf(Project project, const std::string& name, const manual::Given& given) {
+    if (!putOptions(given, project) || !isReady(project, name, given)) {
         return refused;
     }
     const ScenarioSource source(project);
-    const auto [shard, shards] = options.shard.value_or(std::pair(1, 1));
+    const auto shardGiven = shardOf(given.text("--shard"));
+    const auto [shard, shards] = shardGiven.value_or(std::pair(1, 1));
     BatchResult result;
     std::optional<SobolIndices> indices;
     std::optional<PartRowsFile> rows;
-    if (!options.rows.empty()) {
-        rows.emplace(pathFromUtf8(options.rows),
-                     options.force ? SafeFileWriter::Existing::replaced
-                                   : SafeFileWriter::Existing::refused,
+    if (given.has("--rows")) {
+        rows.emplace(pathFromUtf8(given.text("--rows")),
+                     given.has("--force") ? SafeFileWriter::Existing::replaced
+                                          : SafeFileWriter::Existing::refused,
                      PartRowsFile::Form{});
         if (failed(*rows)) {
             return refused;
@@ -126,28 +145,28 @@ int runBatchOf(Project project, const std::string& name, const Options& options)
     }
     {
         BatchOptions run;
-        run.threads = options.threads.value_or(0);
+        run.threads = given.integer("--threads").value_or(0);
         run.range = shardRange(source.parts(), shard, shards);
-        run.meanWidth_um = options.untilWidth_um;
-        BatchWatch watch(partsToRun(source, options, *run.range), options.progress);
+        run.meanWidth_um = given.number("--until-width");
+        BatchWatch watch(partsToRun(source, given, *run.range), given.has("--progress"));
         run.stop = watch.stop();
         run.done = watch.done();
         if (rows) {
             run.sink = rows->begin(source, run.stop);
         }
         result = runBatch(project, run);
-        if (options.sensitivity && !run.stop.stop_requested()) {
-            indices = sobolIndices(project, *options.sensitivity, run);
+        if (given.integer("--sensitivity") && !run.stop.stop_requested()) {
+            indices = sobolIndices(project, *given.integer("--sensitivity"), run);
         }
     }
     if (rows && (failed(*rows) || (caughtSignal() == 0 && !rows->finish() && failed(*rows)))) {
         return refused;
     }
     int status = done;
-    if (options.shard) {
+    if (shardGiven) {
         print(stdout, writeBatchState(result));
     } else {
-        status = printBatch(result, indices, options);
+        status = printBatch(result, indices, given);
     }
     if (caughtSignal() == 0) {
         return status;
@@ -159,34 +178,34 @@ int runBatchOf(Project project, const std::string& name, const Options& options)
 
 } // namespace
 
-int runBatchCommand(const Options& options) {
-    if (!options.rows.empty()
-        && (replacesProject(options.rows, options.operand)
-            || (!options.measured.empty() && isSameFile(options.rows, options.measured)))) {
-        return usageError("--rows would replace what is read: " + options.rows);
+int runBatchCommand(const manual::Given& given) {
+    if (given.has("--shard") && !shardOf(given.text("--shard"))) {
+        return usageError(given.refusal("--shard"));
     }
-    const Surfaces surfaces(options.operand, options.surface);
+    if (given.has("--shard")
+        && (given.has("--until-width") || given.has("--sensitivity") || given.has("--check"))) {
+        return usageError("a shard knows too little for --until-width, --sensitivity or --check");
+    }
+    if (given.has("--rows")
+        && (replacesProject(given.text("--rows"), given.operands.front())
+            || (given.has("--measured")
+                && isSameFile(given.text("--rows"), given.text("--measured"))))) {
+        return usageError("--rows would replace what is read: " + given.text("--rows"));
+    }
+    const Surfaces surfaces(given);
     if (surfaces.status() != done) {
         return surfaces.status();
     }
-    for (const auto& [isGiven, option] :
-         {std::pair(!options.rows.empty(), "--rows"),
-          std::pair(options.shard.has_value(), "--shard"), std::pair(options.csv, "--csv"),
-          std::pair(!options.measured.empty(), "--measured")}) {
-        if (const int failed = isGiven ? surfaces.oneFor(option) : done) {
-            return failed;
-        }
+    if (const int failed = surfaces.oneFor({"--rows", "--shard", "--csv", "--measured"})) {
+        return failed;
     }
-    return surfaces.run(
-        [&options](Project project, std::size_t, const std::string& name) {
-            return runBatchOf(std::move(project), name, options);
-        },
-        options.json);
+    return surfaces.run([&given](Project project, std::size_t, const std::string& name) {
+        return runBatchOf(std::move(project), name, given);
+    });
 }
 
-int runBatchMerge(const Options& options) {
-    std::vector<std::string> files = options.operands;
-    files.insert(files.begin(), options.operand);
+int runBatchMerge(const manual::Given& given) {
+    const std::vector<std::string>& files = given.operands;
     BatchJoiner joiner;
     for (const std::string& file : files) {
         constexpr std::size_t largestShard = std::size_t{256} << 20;
@@ -210,7 +229,7 @@ int runBatchMerge(const Options& options) {
         print(stderr, joinText(joined, joiner.shards(), files));
         return refused;
     }
-    return printBatch(joined.result, {}, options);
+    return printBatch(joined.result, {}, given);
 }
 
 } // namespace sparkout::cli

@@ -2,10 +2,12 @@
 #include "app/cli_dressing.h"
 
 #include "app/io/batch_watch.h"
+#include "app/io/cli_choice.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_report.h"
 #include "app/io/stop_signals.h"
 #include "core/dressing/dressing_json.h"
+#include "core/project/batch.h"
 #include "core/project/optimisation.h"
 #include "core/quality/result_names.h"
 
@@ -71,16 +73,16 @@ std::optional<std::string> refusal(const DressingInterval& interval) {
 
 } // namespace
 
-int runDressingCommand(const Options& options) {
-    const auto setup = loadSetup(options.operand);
+int runDressingCommand(const manual::Given& given) {
+    const auto setup = loadSetup(given.operands.front());
     if (!setup) {
         return refused;
     }
     DressingInterval interval;
     {
         DressingOptions run;
-        BatchWatch watch(run.most, options.progress, "parts");
-        run.scenarios = options.scenarios;
+        BatchWatch watch(run.most, given.has("--progress"), "parts");
+        run.scenarios = choiceOf<Scenarios>(given, "--scenarios");
         run.stop = watch.stop();
         run.onPart = [&watch](std::int64_t part) { *watch.done() = part; };
         interval = dressingInterval(*setup, run);
@@ -89,15 +91,16 @@ int runDressingCommand(const Options& options) {
         return interrupted + caughtSignal();
     }
     if (!interval.issues.empty()) {
-        printIssues(options.operand, interval.issues);
+        printIssues(given.operands.front(), interval.issues);
         return refused;
     }
     if (const auto why = refusal(interval)) {
-        print(stderr, options.operand + ": " + *why + '\n');
+        print(stderr, given.operands.front() + ": " + *why + '\n');
         return interval.fault == DressingFault::noWear ? refused : cannotReachSize;
     }
-    print(stdout, options.json ? dressingJson(*setup, interval) : dressingText(*setup, interval));
-    return options.check && interval.parts == 0 ? requirementFails : done;
+    print(stdout,
+          given.has("--json") ? dressingJson(*setup, interval) : dressingText(*setup, interval));
+    return given.has("--check") && interval.parts == 0 ? requirementFails : done;
 }
 
 } // namespace sparkout::cli

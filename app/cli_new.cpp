@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli_new.h"
 
+#include "app/io/cli_choice.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_report.h"
 #include "core/digits.h"
@@ -12,6 +13,7 @@
 #include "core/project/iso286.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
+#include "core/project/operation.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
 #include "core/study/new_project.h"
@@ -27,35 +29,37 @@ namespace sparkout::cli {
 namespace {
 
 /// A designation as a title: "35k6 × 28".
-std::string titleOf(const Options& options) {
-    return options.operand + " × " + numberText(*options.length_mm);
+std::string titleOf(const manual::Given& given) {
+    return given.operands.front() + " × " + numberText(*given.number("--length"));
 }
 
 /// The drawing that the options describe; what is wrong is said.
-std::optional<StartingDrawing> drawingIn(const Options& options, int& status) {
-    const auto designation = parseSizeDesignation(options.operand);
+std::optional<StartingDrawing> drawingIn(const manual::Given& given, int& status) {
+    const auto designation = parseSizeDesignation(given.operands.front());
     if (!designation) {
-        status = usageError("new needs a size with its field, as 35k6 or 60H7: " + options.operand);
+        status = usageError("new needs a size with its field, as 35k6 or 60H7: "
+                            + given.operands.front());
         return std::nullopt;
     }
     auto drawing = drawingOf(*designation);
     if (!drawing) {
-        print(stderr, printable(options.operand)
+        print(stderr, printable(given.operands.front())
                           + ": no such field is known; allowed: nominal sizes up to 500 mm, grades "
                             "IT4…IT14, deviations d…p and D…P of ISO 286\n");
         status = refused;
         return std::nullopt;
     }
-    drawing->name = titleOf(options);
-    if (options.bore) {
+    drawing->name = titleOf(given);
+    if (given.has("--bore")) {
         drawing->surface = Surface::internal;
     }
-    drawing->operation = options.operation;
-    drawing->length_mm = *options.length_mm;
-    drawing->stock_mm = *options.stock_mm;
-    drawing->tolerance.roughness_ra_um = options.ra_um;
-    drawing->ends.freeAtHeadstock = options.shoulder != "headstock" && options.shoulder != "both";
-    drawing->ends.freeAtTailstock = options.shoulder != "tailstock" && options.shoulder != "both";
+    drawing->operation = choiceOf<Operation>(given, "--operation");
+    drawing->length_mm = *given.number("--length");
+    drawing->stock_mm = *given.number("--stock");
+    drawing->tolerance.roughness_ra_um = given.number("--ra");
+    const std::string& shoulder = given.text("--shoulder");
+    drawing->ends.freeAtHeadstock = shoulder != "headstock" && shoulder != "both";
+    drawing->ends.freeAtTailstock = shoulder != "tailstock" && shoulder != "both";
     return drawing;
 }
 
@@ -114,42 +118,33 @@ std::string startText(const StartingCycle& start) {
     return text + labelled("cycle", stocksText(decidePhases(project, usualPhases(project))));
 }
 
-int missingOption(const Options& options) {
-    return !options.length_mm       ? usageError("new needs --length")
-           : !options.stock_mm      ? usageError("new needs --stock")
-           : options.output.empty() ? usageError("new needs -o")
-                                    : static_cast<int>(done);
-}
-
 } // namespace
 
-int runNewCommand(const Options& options) {
-    if (const int status = missingOption(options)) {
-        return status;
-    }
+int runNewCommand(const manual::Given& given) {
     int status = done;
-    const auto drawing = drawingIn(options, status);
+    const auto drawing = drawingIn(given, status);
     if (!drawing) {
         return status;
     }
     Issues issues;
     const auto entries =
-        startingEntries({options.machine, options.wheel, options.material}, *drawing, issues);
+        startingEntries({given.text("--machine"), given.text("--wheel"), given.text("--material")},
+                        *drawing, issues);
     if (!entries) {
-        printIssues(options.operand, issues);
+        printIssues(given.operands.front(), issues);
         return refused;
     }
     std::error_code ignored;
-    if (!options.force && std::filesystem::exists(pathFromUtf8(options.output), ignored)) {
-        print(stderr, printable(options.output) + ": is there; --force replaces it\n");
+    if (!given.has("--force") && std::filesystem::exists(pathFromUtf8(given.text("-o")), ignored)) {
+        print(stderr, printable(given.text("-o")) + ": is there; --force replaces it\n");
         return refused;
     }
     const StartingAnswer answer = drawnProject(*drawing, *entries);
-    printIssues(options.operand, answer.issues);
+    printIssues(given.operands.front(), answer.issues);
     if (!answer.start) {
         return refused;
     }
-    if (const int failed = save(options.output, writeProject(answer.start->project))) {
+    if (const int failed = save(given.text("-o"), writeProject(answer.start->project))) {
         return failed;
     }
     print(stdout, startText(*answer.start));

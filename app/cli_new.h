@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/io/cli_options.h"
+#include "app/manual/given.h"
 
 namespace sparkout::cli {
 
 /// Writes a project with a starting cycle for a drawing; the exit status.
-[[nodiscard]] int runNewCommand(const Options& options);
+[[nodiscard]] int runNewCommand(const manual::Given& given);
 
 } // namespace sparkout::cli

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-#include <vector>
+#include "app/manual/given.h"
 
 namespace sparkout::cli {
 
-/// `optimize`, with the arguments behind it; the exit status. Progress goes to the standard error.
-[[nodiscard]] int runOptimise(const std::vector<std::string>& arguments);
+/// `optimize`; the exit status. Progress goes to the standard error.
+[[nodiscard]] int runOptimise(const manual::Given& given);
 
 } // namespace sparkout::cli

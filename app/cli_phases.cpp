@@ -78,7 +78,7 @@ std::string phasesText(const Project& project, const PhaseDecision& decision) {
     return text;
 }
 
-int decideOne(const Project& project, const std::string& name, const Options& options) {
+int decideOne(const Project& project, const std::string& name, const manual::Given& given) {
     if (!canDecidePhases(project)) {
         print(stderr, printable(name)
                           + ": /gauge/control: the phases of the stock are decided under gauge "
@@ -86,8 +86,8 @@ int decideOne(const Project& project, const std::string& name, const Options& op
         return refused;
     }
     StockRange range = usualPhases(project);
-    range.from_mm = options.from_mm.value_or(range.from_mm);
-    range.to_mm = options.to_mm.value_or(range.to_mm);
+    range.from_mm = given.number("--from").value_or(range.from_mm);
+    range.to_mm = given.number("--to").value_or(range.to_mm);
     if (range.from_mm > range.to_mm) {
         return usageError("--from " + numberText(range.from_mm) + " lies above --to "
                           + numberText(range.to_mm));
@@ -100,22 +100,20 @@ int decideOne(const Project& project, const std::string& name, const Options& op
     if (caughtSignal() != 0) {
         return interrupted + caughtSignal();
     }
-    print(stdout, options.json ? phasesJson(decision) : phasesText(project, decision));
-    return options.check && !decision.holds() ? requirementFails : done;
+    print(stdout, given.has("--json") ? phasesJson(decision) : phasesText(project, decision));
+    return given.has("--check") && !decision.holds() ? requirementFails : done;
 }
 
 } // namespace
 
-int runPhasesCommand(const Options& options) {
-    const Surfaces surfaces(options.operand, options.surface);
+int runPhasesCommand(const manual::Given& given) {
+    const Surfaces surfaces(given);
     if (surfaces.status() != done) {
         return surfaces.status();
     }
-    return surfaces.run(
-        [&options](const Project& project, std::size_t, const std::string& name) {
-            return decideOne(project, name, options);
-        },
-        options.json);
+    return surfaces.run([&given](const Project& project, std::size_t, const std::string& name) {
+        return decideOne(project, name, given);
+    });
 }
 
 } // namespace sparkout::cli

@@ -64,7 +64,7 @@ std::string remediesText(const Project& project, const RemedyResult& found) {
            + std::to_string(found.found) + (found.found == 1 ? " helps\n" : " help\n");
 }
 
-int findRemediesOf(const Project& project, const Options& options) {
+int findRemediesOf(const Project& project, const manual::Given& given) {
     SimulationResult result;
     RemedyResult found;
     std::vector<ConstraintResult> constraints;
@@ -83,7 +83,7 @@ int findRemediesOf(const Project& project, const Options& options) {
     if (result.status == RunStatus::stopped) {
         return interrupted + caughtSignal();
     }
-    print(stdout, options.json
+    print(stdout, given.has("--json")
                       ? remediesJson(project, found)
                       : stateText(result, found, constraints) + remediesText(project, found));
     return caughtSignal() == 0 ? done : interrupted + caughtSignal();
@@ -91,14 +91,14 @@ int findRemediesOf(const Project& project, const Options& options) {
 
 } // namespace
 
-int runRemediesCommand(const Options& options) {
-    const Surfaces surfaces(options.operand, options.surface);
+int runRemediesCommand(const manual::Given& given) {
+    const Surfaces surfaces(given);
     if (surfaces.status() != done) {
         return surfaces.status();
     }
-    return surfaces.run([&options](const Project& project, std::size_t,
-                                   const std::string&) { return findRemediesOf(project, options); },
-                        options.json);
+    return surfaces.run([&given](const Project& project, std::size_t, const std::string&) {
+        return findRemediesOf(project, given);
+    });
 }
 
 } // namespace sparkout::cli

@@ -77,7 +77,7 @@ std::string sweepText(const SweepResult& sweep) {
     return text;
 }
 
-int runSweepOf(const Project& project, const std::string& name, const Options& options) {
+int runSweepOf(const Project& project, const std::string& name, const manual::Given& given) {
     const Issues issues = checkSweep(project);
     printIssues(name, issues);
     if (!issues.empty()) {
@@ -86,33 +86,31 @@ int runSweepOf(const Project& project, const std::string& name, const Options& o
     SweepResult sweep;
     {
         SweepOptions run;
-        run.threads = options.threads.value_or(0);
-        BatchWatch watch(pointsOf(project), options.progress, "points");
+        run.threads = given.integer("--threads").value_or(0);
+        BatchWatch watch(pointsOf(project), given.has("--progress"), "points");
         run.stop = watch.stop();
         run.done = watch.done();
         sweep = runSweep(project, run);
     }
-    print(stdout, options.json  ? sweepJson(sweep, issueSentence)
-                  : options.csv ? sweepCsv(sweep)
-                                : sweepText(sweep));
+    print(stdout, given.has("--json")  ? sweepJson(sweep, issueSentence)
+                  : given.has("--csv") ? sweepCsv(sweep)
+                                       : sweepText(sweep));
     return caughtSignal() == 0 ? done : interrupted + caughtSignal();
 }
 
 } // namespace
 
-int runSweepCommand(const Options& options) {
-    const Surfaces surfaces(options.operand, options.surface);
+int runSweepCommand(const manual::Given& given) {
+    const Surfaces surfaces(given);
     if (surfaces.status() != done) {
         return surfaces.status();
     }
-    if (const int failed = options.csv ? surfaces.oneFor("--csv") : done) {
+    if (const int failed = surfaces.oneFor({"--csv"})) {
         return failed;
     }
-    return surfaces.run(
-        [&options](const Project& project, std::size_t, const std::string& name) {
-            return runSweepOf(project, name, options);
-        },
-        options.json);
+    return surfaces.run([&given](const Project& project, std::size_t, const std::string& name) {
+        return runSweepOf(project, name, given);
+    });
 }
 
 } // namespace sparkout::cli

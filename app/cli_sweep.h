@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/io/cli_options.h"
+#include "app/manual/given.h"
 
 namespace sparkout::cli {
 
 /// `sweep`; returns the exit status.
-[[nodiscard]] int runSweepCommand(const Options& options);
+[[nodiscard]] int runSweepCommand(const manual::Given& given);
 
 } // namespace sparkout::cli

@@ -2,6 +2,7 @@
 #include "app/display_start.h"
 #include "app/export_command.h"
 #include "app/io/console.h"
+#include "app/manual/given.h"
 #include "app/manual/help_text.h"
 #include "app/portable_folder.h"
 #include "app/report_command.h"
@@ -39,6 +40,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <vector>
 
 using namespace sparkout;
 
@@ -48,33 +50,26 @@ constexpr int pictureTimeout_ms = 60'000;
 constexpr int pictureTick_ms = 200; ///< for queued replots and layouts two of them pass
 constexpr int pictureRound_ms = 30, calmRounds = 3, mostRounds = 100;
 
-QString usage() {
-    return QString::fromStdString(manual::helpText(manual::windowProgram()));
-}
-
+/// The options as the rest of the program takes them.
 struct Options {
+    explicit Options(const manual::Given& words);
+    [[nodiscard]] QString text(const char* option) const;
+
+    const manual::Given& given;
     QString file;
-    QString surface;
-    QString picture;
-    QString report; ///< the kind of report
-    ExportRequest exported;
-    QString output;   ///< the file of either
-    ManyReports many; ///< with its folder: every file a report
     ReportRequest request;
-    QString handoutOption; ///< one of --at, --views, --answers, if given
-    QString language;
-    QString theme;
-    std::optional<int> fontSize;
-    QString view;
-    std::optional<int> stroke;
+    ManyReports many; ///< with its folder: every file a report
+    ExportRequest exported;
     QSize size{1366, 768};
-    bool formatGiven = false; ///< by --format
-    bool portable = false;
-    bool timesStart = false;
-    bool version = false;
-    bool help = false;
-    QString fault; ///< what is wrong with the command line
+    QString fault; ///< what is wrong with them
+
+private:
+    void readReport();
 };
+
+QString Options::text(const char* option) const {
+    return fromSystemText(given.text(option));
+}
 
 bool readSize(const QString& text, QSize& size) {
     const QStringList parts = text.split(u'x');
@@ -85,161 +80,84 @@ bool readSize(const QString& text, QSize& size) {
            && size.height() >= 300 && size.width() <= 10'000 && size.height() <= 10'000;
 }
 
-void readOption(const QStringList& words, qsizetype& i, Options& options) {
-    const QString& word = words[i];
-    if (word != u"-h"
-        && !manual::optionNamed(manual::windowProgram().options, word.toStdString())) {
-        options.fault = QStringLiteral("unknown option: %1").arg(word);
-    } else if (word == u"--version") {
-        options.version = true;
-    } else if (word == u"--help" || word == u"-h") {
-        options.help = true;
-    } else if (word == u"--time-start") {
-        options.timesStart = true;
-    } else if (word == u"--portable") {
-        options.portable = true;
-    } else if (word == u"--force") {
-        options.many.force = true;
-    } else if (i + 1 == words.size()) {
-        options.fault = QStringLiteral("the value of %1 is missing").arg(word);
-    } else if (word == u"--picture") {
-        options.picture = words[++i];
-    } else if (word == u"--report") {
-        options.report = words[++i];
-        if (!report::kindOf(options.report) && !report::paperOf(options.report)) {
-            options.fault = QStringLiteral("there is no report “%1”; there are: %2")
-                                .arg(options.report, reportKeys());
-        }
-    } else if (word == u"-o") {
-        options.output = words[++i];
-    } else if (word == u"-d") {
-        options.many.folder = words[++i];
-    } else if (word == u"--format") {
-        options.many.suffix = words[++i];
-        options.formatGiven = true;
-        if (!report::formatOf(u'.' + options.many.suffix)) {
-            options.fault = QStringLiteral("--format is pdf, html, md or odt");
-        }
-    } else if (word == u"--at" || word == u"--views" || word == u"--answers") {
-        options.handoutOption = word;
-        options.fault = readHandoutOption(word, words[++i], options.request);
-    } else if (word == u"--export") {
-        options.exported.part = words[++i];
-    } else if (word == u"--lang") {
-        options.language = words[++i];
-        if (options.language != u"en" && options.language != u"ru") {
-            options.fault = QStringLiteral("--lang is en or ru");
-        }
-    } else if (word == u"--theme") {
-        options.theme = words[++i];
-        if (!isThemeCode(options.theme)) {
-            options.fault = QStringLiteral("--theme is system, light, dark or contrast");
-        }
-    } else if (word == u"--font-size") {
-        options.fontSize = words[++i].toInt();
-        if (fontSizeFrom(*options.fontSize) != *options.fontSize) {
-            options.fault = QStringLiteral("--font-size is 90, 100, 115 or 130");
-        }
-    } else if (word == u"--surface") {
-        options.surface = words[++i];
-    } else if (word == u"--view") {
-        options.view = words[++i];
-    } else if (word == u"--stroke") {
-        bool read = false;
-        options.stroke = words[++i].toInt(&read);
-        if (!read || *options.stroke < 0) {
-            options.fault = QStringLiteral("--stroke is a whole number from 0 on");
-        }
-    } else if (word == u"--size") {
-        if (!readSize(words[++i], options.size)) {
-            options.fault = QStringLiteral("--size is WIDTHxHEIGHT, 400x300 to 10000x10000");
-        }
-    } else {
-        options.fault = QStringLiteral("unknown option: %1").arg(word);
-    }
-}
-
-/// What is wrong with --report, --export and -o.
+/// What is wrong with the output of a report or an export.
 QString outputFault(const Options& options) {
-    const bool report = !options.report.isEmpty();
-    const bool exported = !options.exported.part.isEmpty();
-    if (!options.many.folder.isEmpty()) {
-        return !report || exported || !options.output.isEmpty() || !options.picture.isEmpty()
-                   ? QStringLiteral("-d goes with --report, and with no other output")
-               : options.many.files.isEmpty() ? QStringLiteral("-d needs a FILE")
-                                              : QString();
-    }
-    if (options.many.force || options.formatGiven) {
-        return QStringLiteral("--format and --force go with -d");
-    }
-    if (!report && !exported && options.output.isEmpty()) {
+    const QString output = options.text("-o");
+    if (output.isEmpty()) {
         return {};
     }
-    if (report == exported || options.output.isEmpty()) {
-        return QStringLiteral("-o goes with --report or with --export");
-    }
-    if (options.file.isEmpty()) {
-        return QStringLiteral("%1 needs a FILE")
-            .arg(report ? QStringLiteral("--report") : QStringLiteral("--export"));
-    }
-    if (!options.picture.isEmpty()) {
-        return QStringLiteral("--picture goes with neither --report nor --export");
-    }
-    if (report && !report::formatOf(options.output)) {
+    if (options.given.has("--report") && !report::formatOf(output)) {
         return QStringLiteral("the file of -o ends in .pdf, .html, .md or .odt");
     }
-    if (exported && !canExport(options.exported)) {
+    if (options.given.has("--export") && !canExport(options.exported)) {
         return QStringLiteral(
             "--export is all (into .xlsx or .json), inputs, cycle, stages, zones, "
             "profiles, requirements, trace, batch, sweep or search (into .xlsx or .csv)");
     }
-    const QString target = QFileInfo(options.output).canonicalFilePath();
+    const QString target = QFileInfo(output).canonicalFilePath();
     return !target.isEmpty() && target == QFileInfo(options.file).canonicalFilePath()
                ? QStringLiteral("the output would take the place of the project")
                : QString();
 }
 
 /// Whether a report takes --at, --views or --answers.
-bool takesOption(const QString& kind, const QString& option) {
+bool takesOption(const QString& kind, QLatin1StringView option) {
     const auto paper = report::paperOf(kind);
-    return kind == u"handout" || (paper == report::Paper::labReport && option == u"--views")
-           || (paper && report::rowOf(*paper).takesStep && option == u"--at");
+    return kind == u"handout"
+           || (paper == report::Paper::labReport && option == QLatin1StringView("--views"))
+           || (paper && report::rowOf(*paper).takesStep && option == QLatin1StringView("--at"));
 }
 
-Options readOptions(const QStringList& words) {
-    Options options;
-    bool optionsOver = false;
-    for (qsizetype i = 0; i < words.size() && options.fault.isEmpty(); ++i) {
-        if (words[i] == u"--" && !optionsOver) {
-            optionsOver = true;
-        } else if (!optionsOver && words[i].startsWith(u'-') && words[i].size() > 1) {
-            readOption(words, i, options);
-        } else {
-            options.many.files += words[i];
+Options::Options(const manual::Given& words) : given(words) {
+    for (const std::string& operand : given.operands) {
+        many.files += fromSystemText(operand);
+    }
+    file = many.files.value(0);
+    exported = {text("--export"), file, text("--surface"), text("-o")};
+    if (many.files.size() > 1 && !given.has("-d")) {
+        fault = QStringLiteral("more than one file");
+    }
+    if (given.has("--size") && !readSize(text("--size"), size)) {
+        fault = QString::fromStdString(given.refusal("--size"));
+    }
+    for (const char* output : {"--picture", "--report", "--export"}) {
+        if (given.has(output) && file.isEmpty()) {
+            fault = QStringLiteral("%1 needs a FILE").arg(QLatin1StringView(output));
         }
     }
-    options.file = options.many.files.value(0);
-    if (options.many.files.size() > 1 && options.many.folder.isEmpty() && options.fault.isEmpty()) {
-        options.fault = QStringLiteral("more than one file");
+    if (given.has("--report") && fault.isEmpty()) {
+        readReport();
     }
-    if (!options.picture.isEmpty() && options.file.isEmpty() && options.fault.isEmpty()) {
-        options.fault = QStringLiteral("--picture needs a FILE");
+    if (fault.isEmpty()) {
+        fault = outputFault(*this);
     }
-    if (!options.surface.isEmpty() && options.picture.isEmpty() && options.report.isEmpty()
-        && options.exported.part.isEmpty() && options.fault.isEmpty()) {
-        options.fault = QStringLiteral("--surface needs --picture, --report or --export");
+}
+
+void Options::readReport() {
+    const QString kind = text("--report");
+    request.paper = report::paperOf(kind);
+    request.kind = report::kindOf(kind).value_or(request.kind);
+    request.file = file;
+    request.surface = text("--surface");
+    request.output = text("-o");
+    many.folder = text("-d");
+    many.suffix = given.has("--format") ? text("--format") : many.suffix;
+    many.force = given.has("--force");
+    if (!report::kindOf(kind) && !request.paper) {
+        fault = QStringLiteral("there is no report “%1”; there are: %2").arg(kind, reportKeys());
+        return;
     }
-    if (!options.handoutOption.isEmpty() && !takesOption(options.report, options.handoutOption)
-        && options.fault.isEmpty()) {
-        options.fault = QStringLiteral("%1 needs --report handout").arg(options.handoutOption);
+    fault = readHandoutOptions(given, request);
+    for (const char* option : {"--at", "--views", "--answers"}) {
+        if (given.has(option) && !takesOption(kind, QLatin1StringView(option))) {
+            fault = QStringLiteral("%1 needs --report handout").arg(QLatin1StringView(option));
+        }
     }
-    options.exported.file = options.file;
-    options.exported.surface = options.surface;
-    options.exported.output = options.output;
-    if (options.fault.isEmpty()) {
-        options.fault = outputFault(options);
-    }
-    return options;
+}
+
+int refuseUsage(const QString& fault) {
+    say(stderr, QStringLiteral("sparkout: %1; see sparkout --help").arg(printableText(fault)));
+    return exitUsage;
 }
 
 bool displayMissing() {
@@ -297,12 +215,12 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
                           || window.findChild<RemedyFinder*>()->running();
         quietTicks = busy ? 0 : quietTicks + 1;
         if (quietTicks == 2) {
-            app.exit(writePicture(window, options.picture) ? 0 : exitRefused);
+            app.exit(writePicture(window, options.text("--picture")) ? 0 : exitRefused);
         }
     });
     QObject::connect(&window, &MainWindow::outcomeShown, &app, [&] {
-        if (options.stroke) {
-            window.cursor().toStroke(*options.stroke);
+        if (const auto stroke = options.given.integer("--stroke")) {
+            window.cursor().toStroke(*stroke);
         }
         ticks.start(pictureTick_ms);
     });
@@ -310,14 +228,14 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
         say(stderr, QStringLiteral("sparkout: the run took too long for a picture"));
         app.exit(exitRefused);
     });
-    if (!openOrSay(window.document(), options.file, options.surface)) {
+    if (!openOrSay(window.document(), options.file, options.text("--surface"))) {
         return exitRefused;
     }
     return app.exec();
 }
 
-Settings settingsFor(const Options& options) {
-    return options.portable ? Settings(PortableFolder::settingsFile()) : Settings();
+Settings settingsFor(const manual::Given& given) {
+    return given.has("--portable") ? Settings(PortableFolder::settingsFile()) : Settings();
 }
 
 /// Ends the program once the window was painted, and says so: whoever started it takes the time.
@@ -340,10 +258,11 @@ public:
 
 int runWindow(QApplication& app, MainWindow& window, const Options& options) {
     std::optional<FirstPaint> firstPaint;
-    if (options.timesStart) {
+    if (options.given.has("--time-start")) {
         firstPaint.emplace(window);
     }
-    const QString state = options.portable ? PortableFolder::stateFolder() : userStateFolder();
+    const QString state =
+        options.given.has("--portable") ? PortableFolder::stateFolder() : userStateFolder();
     window.protect(state);
     window.show();
     if (options.file.isEmpty()) {
@@ -381,32 +300,32 @@ bool showWantedView(MainWindow& window, const QString& name) {
 
 int main(int argc, char** argv) {
     cli::useConsoleOfCaller();
-    QStringList words;
-    std::string unreadable;
-    for (const std::string& word : cli::argumentsOf(argc, argv)) {
-        words += fromSystemText(word);
-        if (systemText(words.last()) != word) {
-            unreadable = word;
+    const std::vector<std::string> words = cli::argumentsOf(argc, argv);
+    for (const std::string& word : words) {
+        if (systemText(fromSystemText(word)) != word) { // another file would be read, or written
+            say(stderr, QStringLiteral("sparkout: “%1” is not UTF-8; sparkout-cli takes such names")
+                            .arg(QString::fromStdString(printable(word))));
+            return exitUsage;
         }
     }
-    if (!unreadable.empty()) { // another file would be read, or written
-        say(stderr, QStringLiteral("sparkout: “%1” is not UTF-8; sparkout-cli takes such names")
-                        .arg(QString::fromStdString(printable(unreadable))));
-        return exitUsage;
+    const manual::Program& program = manual::windowProgram();
+    const manual::Reading reading(program, words);
+    if (!reading.fault.empty()) {
+        return refuseUsage(QString::fromStdString(reading.fault));
     }
-    const Options options = readOptions(words);
-    if (!options.fault.isEmpty()) {
-        say(stderr,
-            QStringLiteral("sparkout: %1\n\n%2").arg(printableText(options.fault), usage()));
-        return exitUsage;
-    }
-    if (options.help || options.version) {
-        say(stdout, options.help ? usage().trimmed()
-                                 : QStringLiteral("sparkout %1").arg(QString::fromUtf8(version)));
+    const manual::Given& given = reading.given;
+    if (reading.asksForHelp || given.has("--version")) {
+        say(stdout, reading.asksForHelp
+                        ? QString::fromStdString(manual::helpText(program, program)).trimmed()
+                        : QStringLiteral("sparkout %1").arg(QString::fromUtf8(version)));
         return 0;
     }
-    const bool picture = !options.picture.isEmpty();
-    const bool hidden = picture || !options.output.isEmpty() || !options.many.folder.isEmpty();
+    const Options options(given);
+    if (!options.fault.isEmpty()) {
+        return refuseUsage(options.fault);
+    }
+    const bool picture = given.has("--picture");
+    const bool hidden = picture || given.has("-o") || given.has("-d");
     if (hidden && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
@@ -431,23 +350,18 @@ int main(int argc, char** argv) {
     QApplication::setApplicationName(QStringLiteral("sparkout"));
     QApplication::setApplicationVersion(QString::fromUtf8(version));
     QGuiApplication::setDesktopFileName(QStringLiteral("org.sparkout.sparkout"));
-    if (options.portable && !PortableFolder::make()) {
+    if (given.has("--portable") && !PortableFolder::make()) {
         return exitUsage;
     }
-    Settings settings = hidden ? Settings::transient() : settingsFor(options);
+    Settings settings = hidden ? Settings::transient() : settingsFor(given);
     settings.setAllInputs(!hidden && settings.allInputs()); // a picture has the usual ones
     Language language;
-    language.apply(options.language.isEmpty() ? settings.language() : options.language);
-    applyTheme(themeFrom(options.theme.isEmpty() ? settings.theme() : options.theme));
+    language.apply(given.has("--lang") ? options.text("--lang") : settings.language());
+    applyTheme(themeFrom(given.has("--theme") ? options.text("--theme") : settings.theme()));
     PortableFolder::addItsFonts(); // the style has taken the system's for some kinds of widgets
-    if (!options.report.isEmpty()) {
+    if (given.has("--report")) {
         ReportRequest request = options.request;
-        request.paper = report::paperOf(options.report);
-        request.kind = report::kindOf(options.report).value_or(request.kind);
-        request.file = options.file;
-        request.surface = options.surface;
-        request.output = options.output;
-        const Settings own = settingsFor(options); // else nothing of the user's is read
+        const Settings own = settingsFor(given); // else nothing of the user's is read
         request.company = own.company();
         const QString logoFault = report::Logo::fault(request.company.logo);
         if (!request.paper && !logoFault.isEmpty()) {
@@ -455,15 +369,15 @@ int main(int argc, char** argv) {
                             .arg(logoFault));
         }
         request.institution = report::Institution::fromKept(own.titlePage());
-        return options.many.folder.isEmpty() ? writeReport(request)
-                                             : writeReports(request, options.many);
+        return given.has("-d") ? writeReports(request, options.many) : writeReport(request);
     }
-    if (!options.output.isEmpty()) {
+    if (given.has("--export")) {
         return writeExport(options.exported);
     }
-    applyFontSize(options.fontSize.value_or(fontSizeFrom(settings.fontSize())));
+    applyFontSize(fontSizeFrom(given.has("--font-size") ? options.text("--font-size").toInt()
+                                                        : settings.fontSize()));
     MainWindow window(settings, language);
-    if (!showWantedView(window, options.view)) {
+    if (!showWantedView(window, options.text("--view"))) {
         return exitUsage;
     }
     return picture ? makePicture(app, window, options) : runWindow(app, window, options);

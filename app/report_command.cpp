@@ -13,6 +13,7 @@
 #include "ui/report/documents/passport_measured.h"
 #include "ui/report/format/report_text.h"
 #include "ui/text/number_text.h"
+#include "ui/text/system_text.h"
 #include "ui/text/texts.h"
 
 #include <QDir>
@@ -39,26 +40,25 @@ BatchOutcomePtr runWatched(const Project& project) {
 
 } // namespace
 
-QString readHandoutOption(const QString& option, const QString& value, ReportRequest& request) {
-    if (option == u"--at") {
-        const auto step = report::readStepWish(value);
-        request.handout.step = step.value_or(report::StepWish());
-        request.stepAsked = true;
-        return step ? QString()
-                    : QStringLiteral("--at is a step as 12,nz,z1,e1,r1,k9, not “%1”").arg(value);
+QString readHandoutOptions(const manual::Given& given, ReportRequest& request) {
+    request.stepAsked = given.has("--at");
+    if (request.stepAsked) {
+        const auto step = report::readStepWish(fromSystemText(given.text("--at")));
+        if (!step) {
+            return QString::fromStdString(given.refusal("--at"));
+        }
+        request.handout.step = *step;
     }
-    if (option == u"--views") {
-        const auto views = report::readHandoutViews(value);
-        request.viewsAsked = true;
-        request.handout.views = views.value_or(std::set<report::HandoutView>());
-        return views
-                   ? QString()
-                   : QStringLiteral("--views are feeds, cycle, profiles, limits, grid, with commas "
-                                    "between, not “%1”")
-                         .arg(value);
+    request.viewsAsked = given.has("--views");
+    if (request.viewsAsked) {
+        const auto views = report::readHandoutViews(fromSystemText(given.text("--views")));
+        if (!views) {
+            return QString::fromStdString(given.refusal("--views"));
+        }
+        request.handout.views = *views;
     }
-    request.handout.answers = value == u"on";
-    return value == u"on" || value == u"off" ? QString() : QStringLiteral("--answers is on or off");
+    request.handout.answers = given.text("--answers") != "off";
+    return {};
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/manual/given.h"
 #include "ui/report/course/course_papers.h"
 #include "ui/report/course/institution.h"
 #include "ui/report/documents/report_kinds.h"
@@ -27,9 +28,8 @@ struct ReportRequest {
     bool viewsAsked = false; ///< by --views
 };
 
-/// Reads --at, --views or --answers; what is wrong with its value, or empty.
-[[nodiscard]] QString readHandoutOption(const QString& option, const QString& value,
-                                        ReportRequest& request);
+/// Reads --at, --views and --answers; what is wrong with their values, or empty.
+[[nodiscard]] QString readHandoutOptions(const manual::Given& given, ReportRequest& request);
 
 /// `sparkout --report KIND FILE -o OUT`: writes a report of a project and returns the exit status.
 /// A batch tells its progress on stderr; Ctrl+C ends it and leaves a file that was there.

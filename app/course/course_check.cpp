@@ -94,18 +94,18 @@ bool endsAs(std::string_view file, std::string_view extension) {
 
 } // namespace
 
-int runCourseCheck(const CourseOptions& options) {
-    const std::string& file = options.operands.front();
+int runCourseCheck(const manual::Given& given) {
+    const std::string& file = given.operands.front();
     const bool isLesson = endsAs(file, ".sparkout-lesson"), isWork = endsAs(file, ".sparkout-work");
     if (!isLesson && !isWork) {
-        return checkProjectFile(file, options.json);
+        return checkProjectFile(file, given.has("--json"));
     }
     const auto content = readOrSay(file, limits::fileBytes);
     if (!content) {
         return refused;
     }
-    return isLesson ? checkLessonFile(file, *content, options.json)
-                    : checkWorkFile(file, *content, options.json);
+    return isLesson ? checkLessonFile(file, *content, given.has("--json"))
+                    : checkWorkFile(file, *content, given.has("--json"));
 }
 
 } // namespace sparkout::cli

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/course/course_options.h"
+#include "app/manual/given.h"
 
 namespace sparkout::cli {
 
 /// `course check`: a lesson, a work, or the kept runs of a project, held against the engine.
-int runCourseCheck(const CourseOptions& options);
+int runCourseCheck(const manual::Given& given);
 
 } // namespace sparkout::cli

@@ -64,24 +64,24 @@ ClassWorks worksOf(const std::vector<std::string>& files) {
 }
 
 /// The list of students and the teacher's table, where they are given; false: one has faults.
-bool readWish(const CourseOptions& options, GradeWish& wish) {
-    if (!options.group.empty()) {
-        auto group = loadGroup(options.group);
+bool readWish(const manual::Given& given, GradeWish& wish) {
+    if (given.has("--group")) {
+        auto group = loadGroup(given.text("--group"));
         if (!group) {
             return false;
         }
         wish.group = std::move(*group);
     }
-    if (options.answers.empty()) {
+    if (!given.has("--answers")) {
         return true;
     }
-    const auto content = readOrSay(options.answers, mostTableBytes);
+    const auto content = readOrSay(given.text("--answers"), mostTableBytes);
     if (!content) {
         return false;
     }
     ReadBestTable table = readBestTable(*content);
     if (table.faultLine > 0) {
-        print(stderr, printable(options.answers) + ':' + std::to_string(table.faultLine)
+        print(stderr, printable(given.text("--answers")) + ':' + std::to_string(table.faultLine)
                           + ": this is no line of a table of best answers\n");
         return false;
     }
@@ -185,21 +185,21 @@ int sayThere(const std::string& file) {
 }
 
 /// Marks that were worked on by hand may stand there: they are not written over by a slip.
-int saveBook(const xlsx::Book& book, const CourseOptions& options) {
+int saveBook(const xlsx::Book& book, const manual::Given& given) {
     const std::string bytes = xlsx::bytesOf(book);
     if (bytes.empty()) {
-        print(stderr, printable(options.output) + ": the table is too long for a workbook\n");
+        print(stderr, printable(given.text("-o")) + ": the table is too long for a workbook\n");
         return refused;
     }
-    SafeFileWriter file(pathFromUtf8(options.output), options.force
-                                                          ? SafeFileWriter::Existing::replaced
-                                                          : SafeFileWriter::Existing::refused);
+    SafeFileWriter file(pathFromUtf8(given.text("-o")), given.has("--force")
+                                                            ? SafeFileWriter::Existing::replaced
+                                                            : SafeFileWriter::Existing::refused);
     if (file.write(bytes) && file.finish()) {
-        print(stdout, printable(options.output) + '\n');
+        print(stdout, printable(given.text("-o")) + '\n');
         return done;
     }
     if (file.error()->systemError == EEXIST) {
-        return sayThere(options.output);
+        return sayThere(given.text("-o"));
     }
     print(stderr, describe(*file.error()));
     return refused;
@@ -207,23 +207,26 @@ int saveBook(const xlsx::Book& book, const CourseOptions& options) {
 
 } // namespace
 
-int runCourseGrade(const CourseOptions& options) {
-    std::error_code ignored; // what cannot be asked is reported by the writer
-    if (options.xlsx && !options.force
-        && std::filesystem::exists(pathFromUtf8(options.output), ignored)) {
-        return sayThere(options.output); // before the time that marking takes
+int runCourseGrade(const manual::Given& given) {
+    if (given.has("--xlsx") && pathFromUtf8(given.text("-o")).extension() != ".xlsx") {
+        return usageError("-o needs a name that ends with .xlsx: " + given.text("-o"));
     }
-    const auto lesson = loadLesson(options.operands[0]);
+    std::error_code ignored; // what cannot be asked is reported by the writer
+    if (given.has("--xlsx") && !given.has("--force")
+        && std::filesystem::exists(pathFromUtf8(given.text("-o")), ignored)) {
+        return sayThere(given.text("-o")); // before the time that marking takes
+    }
+    const auto lesson = loadLesson(given.operands[0]);
     GradeWish wish;
-    if (!lesson || !readWish(options, wish)) {
+    if (!lesson || !readWish(given, wish)) {
         return refused;
     }
-    const auto files = worksIn(options.operands[1]);
+    const auto files = worksIn(given.operands[1]);
     if (!files) {
         return refused;
     }
     if (files->empty() && wish.group.empty()) {
-        print(stderr, printable(options.operands[1]) + ": there are no works\n");
+        print(stderr, printable(given.operands[1]) + ": there are no works\n");
         return refused;
     }
     std::vector<GradedWork> works;
@@ -238,12 +241,12 @@ int runCourseGrade(const CourseOptions& options) {
         printIssues(work.file, work.issues);
     }
     int status = done;
-    if (options.xlsx) {
-        status = saveBook(gradeBook(*lesson, works), options);
+    if (given.has("--xlsx")) {
+        status = saveBook(gradeBook(*lesson, works), given);
     } else {
-        print(stdout, options.json  ? gradesJson(works)
-                      : options.csv ? gradesCsv(*lesson, works)
-                                    : gradesText(*lesson, works));
+        print(stdout, given.has("--json")  ? gradesJson(works)
+                      : given.has("--csv") ? gradesCsv(*lesson, works)
+                                           : gradesText(*lesson, works));
     }
     if (caughtSignal() == 0 || works.size() >= files->size()) {
         return status;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/course/course_options.h"
+#include "app/manual/given.h"
 
 namespace sparkout::cli {
 
 /// `course grade`: marks the works of a folder.
-int runCourseGrade(const CourseOptions& options);
+int runCourseGrade(const manual::Given& given);
 
 } // namespace sparkout::cli

@@ -12,6 +12,7 @@
 #include "core/printable.h"
 #include "words/lesson_words.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <utility>
 
@@ -58,12 +59,12 @@ std::vector<OutputFile> outputs(const Lesson& lesson, const MadeVariants& made,
 }
 
 /// Works that were handed in may stand there: none is written over by a slip.
-int writeAll(const std::vector<OutputFile>& files, const CourseOptions& options) {
+int writeAll(const std::vector<OutputFile>& files, const manual::Given& given) {
     std::error_code error; // a folder that cannot be made is reported by the first file
-    std::filesystem::create_directory(pathFromUtf8(options.folder), error);
+    std::filesystem::create_directory(pathFromUtf8(given.text("-d")), error);
     bool stands = false;
     for (const OutputFile& file : files) {
-        if (!options.force && std::filesystem::exists(pathFromUtf8(file.path), error)) {
+        if (!given.has("--force") && std::filesystem::exists(pathFromUtf8(file.path), error)) {
             print(stderr, printable(file.path) + ": is there already and is kept\n");
             stands = true;
         }
@@ -83,17 +84,18 @@ int writeAll(const std::vector<OutputFile>& files, const CourseOptions& options)
 
 } // namespace
 
-int runCourseVariants(const CourseOptions& options) {
-    const std::string& file = options.operands.front();
+int runCourseVariants(const manual::Given& given) {
+    const std::string& file = given.operands.front();
     const auto lesson = loadLesson(file);
-    const auto students = lesson ? loadGroup(options.group) : std::nullopt;
+    const auto students = lesson ? loadGroup(given.text("--group")) : std::nullopt;
     if (!students) {
         return refused;
     }
     MadeVariants made;
     {
         BatchWatch watch(static_cast<std::int64_t>(students->size()), false, "variants");
-        made = makeVariants(*lesson, students->size(), *options.seed, watch.stop(),
+        made = makeVariants(*lesson, students->size(),
+                            static_cast<std::uint32_t>(*given.integer("--seed")), watch.stop(),
                             [&watch](const VariantTry& tried) {
                                 *watch.done() = static_cast<std::int64_t>(tried.made);
                             });
@@ -109,7 +111,7 @@ int runCourseVariants(const CourseOptions& options) {
         printRefused(file, made, students->size());
         return nothingFeasible;
     }
-    return writeAll(outputs(*lesson, made, *students, options.folder), options);
+    return writeAll(outputs(*lesson, made, *students, given.text("-d")), given);
 }
 
 } // namespace sparkout::cli

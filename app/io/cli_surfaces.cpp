@@ -12,8 +12,9 @@
 
 namespace sparkout::cli {
 
-Surfaces::Surfaces(const std::string& file, const std::string& surface) : m_file(file) {
-    auto setup = loadSetup(file);
+Surfaces::Surfaces(const manual::Given& given) : m_given(given), m_file(given.operands.front()) {
+    const std::string& surface = given.text("--surface");
+    auto setup = loadSetup(m_file);
     m_status = setup ? done : refused;
     if (!setup) {
         return;
@@ -36,15 +37,20 @@ Surfaces::Surfaces(const std::string& file, const std::string& surface) : m_file
         const std::string name = m_setup.surfaces[i].name.substr(0, most);
         names += (i > 0 ? ", " : "") + std::to_string(i + 1) + (name.empty() ? "" : " " + name);
     }
-    m_status = usageError(file + " has no surface " + surface + "; it has: " + names);
+    m_status = usageError(m_file + " has no surface " + surface + "; it has: " + names);
 }
 
 bool Surfaces::isWhole() const {
     return m_isWhole;
 }
 
-int Surfaces::oneFor(const std::string& option) const {
-    return isWhole() ? usageError(option + " needs one surface: name it by --surface") : done;
+int Surfaces::oneFor(std::initializer_list<const char*> options) const {
+    for (const char* option : options) {
+        if (isWhole() && m_given.has(option)) {
+            return usageError(std::string(option) + " needs one surface: name it by --surface");
+        }
+    }
+    return done;
 }
 
 std::string Surfaces::nameOf(std::size_t surface) const {
@@ -67,11 +73,12 @@ int Surfaces::runOne(const Setup& setup, const Command& command, std::size_t sur
     return command(std::move(worn.project), surface, nameOf(surface));
 }
 
-int Surfaces::run(const Command& command, bool json) const {
-    return run(m_setup, command, json);
+int Surfaces::run(const Command& command) const {
+    return run(m_setup, command);
 }
 
-int Surfaces::run(const Setup& setup, const Command& command, bool json) const {
+int Surfaces::run(const Setup& setup, const Command& command) const {
+    const bool json = m_given.has("--json");
     if (!isWhole()) {
         return runOne(setup, command, m_chosen.front());
     }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <limits>
+#include <string>
 #include <string_view>
 #include <vector>
 
-/// What the programs take on their command lines, in both languages. `--help`, the manual pages and
-/// the completion of the shells are written from it, and the programs accept no option that is not
-/// in it.
+/// What the programs take on their command lines, in both languages: an option is one row. The
+/// parser (given.h), `--help`, the manual pages and the completion of the shells read the rows.
 namespace sparkout::manual {
 
 enum class Tongue { english, russian };
@@ -20,22 +22,94 @@ struct Text {
     }
 };
 
-/// What a value is, for the completion of shells.
-enum class Kind { none, anything, project, file, folder, choice };
-
-struct Option {
-    const char* name;    ///< "--json", "-o"
-    const char* value;   ///< as it is shown: "N", "OUT.csv"; empty: it takes none
-    Kind kind;           ///< of its value
-    const char* choices; ///< with spaces between, of a choice
-    Text text;           ///< what it does
+enum class Kind {
+    none,
+    anything, ///< a text, which may be empty
+    text,
+    project,
+    file,
+    folder,
+    choice,
+    integer,
+    integers, ///< with commas between
+    number
 };
 
+/// The value of an option: how it is shown, and what the parser accepts.
+struct Value {
+    Kind kind = Kind::none;
+    const char* shown = "";   ///< "N", "OUT.csv"; of a choice empty: the choices
+    const char* is = "";      ///< what it must be: "a length in mm"
+    const char* choices = ""; ///< with spaces between; of a text those that are proposed
+    double low = 0, high = 0; ///< of a number
+};
+
+inline constexpr double aboveZero = 1e-9; ///< the lowest number that is "above 0"
+inline constexpr int highestInteger = std::numeric_limits<int>::max();
+
+constexpr Value textLike(const char* shown, const char* is, const char* proposed = "") {
+    return {Kind::text, shown, is, proposed};
+}
+constexpr Value projectFile(const char* shown) {
+    return {Kind::project, shown, "a file name"};
+}
+constexpr Value file(const char* shown) {
+    return {Kind::file, shown, "a file name"};
+}
+constexpr Value folder(const char* shown) {
+    return {Kind::folder, shown, "a folder"};
+}
+constexpr Value choice(const char* choices, const char* shown = "") {
+    return {Kind::choice, shown, "", choices};
+}
+constexpr Value integer(const char* shown, int low, int high) {
+    return {Kind::integer, shown, "a number", "", double(low), double(high)};
+}
+constexpr Value integers(const char* shown, int low, int high) {
+    return {Kind::integers, shown, "numbers", "", double(low), double(high)};
+}
+constexpr Value number(const char* shown, const char* is, double low, double high) {
+    return {Kind::number, shown, is, "", low, high};
+}
+
+struct Option {
+    const char* name = "";      ///< "--json", "-o"
+    const char* shortName = ""; ///< "-h"
+    Value value{};
+    bool isRequired = false;
+    const char* needs = ""; ///< options, with spaces between, of which one must stand beside it
+    const char* group = ""; ///< of the options of a group one alone may be given
+    Text text;              ///< what it does
+
+    [[nodiscard]] bool isNamed(std::string_view word) const {
+        return word == name || (!word.empty() && word == shortName);
+    }
+};
+
+/// Of every program and command.
+inline constexpr Option helpOption{.name = "--help",
+                                   .shortName = "-h",
+                                   .text = {"prints this text", "печатает список параметров"}};
+
+/// What a command takes beside options.
+struct Operands {
+    const char* shown = ""; ///< "FILE"
+    Kind kind = Kind::none;
+    const char* is = ""; ///< "a file"
+    std::size_t least = 0, most = 0;
+};
+
+inline constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
+
+/// It has commands of its own, or does something.
 struct Command {
-    const char* name;
-    Kind operand;
+    const char* name = ""; ///< in full: "course grade"
+    Operands operands{};
     Text text;
-    std::vector<Option> options;
+    std::vector<Option> options{};
+    std::vector<Command> commands{};
+
+    [[nodiscard]] std::string_view lastWord() const;
 };
 
 struct Status {
@@ -43,14 +117,11 @@ struct Status {
     Text text;
 };
 
-struct Program {
-    const char* name;
-    Text purpose;                      ///< in half a line
-    std::vector<const char*> synopsis; ///< lines as typed, the same in both languages
+/// Its text is its purpose, in half a line.
+struct Program : Command {
+    std::vector<const char*> forms; ///< of a program without commands: lines as typed
     Text description;
-    std::vector<Option> options;   ///< of a program without commands, or of all commands
-    std::vector<Command> commands; ///< the first argument of all
-    std::vector<Text> notes;       ///< paragraphs
+    std::vector<Text> notes; ///< paragraphs
     std::vector<Status> statuses;
 };
 
@@ -58,7 +129,18 @@ struct Program {
 [[nodiscard]] const Program& commandLineProgram(); ///< sparkout-cli
 
 /// Null: it has no command or option of that name.
-[[nodiscard]] const Command* commandNamed(const Program& program, std::string_view name);
-[[nodiscard]] const Option* optionNamed(const std::vector<Option>& options, std::string_view name);
+[[nodiscard]] const Command* commandNamed(const Command& among, std::string_view lastWord);
+[[nodiscard]] const Option* optionNamed(const Command& command, std::string_view name);
+
+/// Of a command, with --help.
+[[nodiscard]] std::vector<Option> optionsOf(const Command& command);
+
+/// The command and all below it, each before its own.
+[[nodiscard]] std::vector<const Command*> withAllBelow(const Command& command);
+
+/// The words of "a b c".
+[[nodiscard]] std::vector<std::string_view> wordsOf(std::string_view text);
+[[nodiscard]] std::string valueShown(const Option& option); ///< "N", "part|system"
+[[nodiscard]] std::string asTyped(const Option& option);    ///< "--parts N"
 
 } // namespace sparkout::manual

@@ -5,62 +5,52 @@ namespace sparkout::manual {
 
 namespace {
 
-constexpr Option json{
-    "--json", "", Kind::none, "", {"prints one JSON object", "печатает один объект JSON"}};
+constexpr Operands oneFile{"FILE", Kind::project, "a file", 1, 1};
+constexpr Option json{.name = "--json",
+                      .group = "output",
+                      .text = {"prints one JSON object", "печатает один объект JSON"}};
 constexpr Option surface{
-    "--surface",
-    "NAME|N|all",
-    Kind::anything,
-    "",
-    {"the surface of a file of several, by its name or its number from 1, or all",
-     "поверхность файла нескольких поверхностей, по имени или по номеру (с 1), или "
-     "all — все"}};
-constexpr Option threads{"--threads",
-                         "N",
-                         Kind::anything,
-                         "",
-                         {"threads, instead of one a processor; the answer is the same",
-                          "число потоков вместо одного на процессор; ответ тот же"}};
-constexpr Option progress{"--progress",
-                          "",
-                          Kind::none,
-                          "",
-                          {"prints progress to stderr, even when that is not a terminal",
-                           "печатает ход расчёта в stderr, даже если это не терминал"}};
+    .name = "--surface",
+    .value = textLike("NAME|N|all", "a name, a number from 1 or all"),
+    .text = {"the surface of a file of several, by its name or its number from 1, or all",
+             "поверхность файла нескольких поверхностей, по имени или по номеру (с 1), или "
+             "all — все"}};
+constexpr Option threads{.name = "--threads",
+                         .value = integer("N", 1, 1024),
+                         .text = {"threads, instead of one a processor; the answer is the same",
+                                  "число потоков вместо одного на процессор; ответ тот же"}};
+constexpr Option progress{.name = "--progress",
+                          .text = {"prints progress to stderr, even when that is not a terminal",
+                                   "печатает ход расчёта в stderr, даже если это не терминал"}};
 
 Option csv(Text text) {
-    return {"--csv", "", Kind::none, "", text};
+    return {.name = "--csv", .group = "output", .text = text};
 }
 
 Option check(Text text) {
-    return {"--check", "", Kind::none, "", text};
+    return {.name = "--check", .text = text};
 }
 
 Command simulateCommand() {
     return {"simulate",
-            Kind::project,
+            oneFile,
             {"runs the cycle of a project file", "рассчитывает цикл файла проекта"},
             {surface,
              json,
              check({"exit status 4 when a requirement is not met",
                     "код завершения 4, если требование нарушено"}),
-             {"--batch",
-              "",
-              Kind::none,
-              "",
-              {"runs the batch of the project, too, and judges the cycle for it",
-               "рассчитывает и партию проекта и говорит, годен ли цикл для неё"}},
-             {"--trace",
-              "OUT.csv",
-              Kind::file,
-              "",
-              {"writes a row for every visit of a radius",
-               "пишет строку на каждое прохождение радиуса под кругом"}}}};
+             {.name = "--batch",
+              .text = {"runs the batch of the project, too, and judges the cycle for it",
+                       "рассчитывает и партию проекта и говорит, годен ли цикл для неё"}},
+             {.name = "--trace",
+              .value = file("OUT.csv"),
+              .text = {"writes a row for every visit of a radius",
+                       "пишет строку на каждое прохождение радиуса под кругом"}}}};
 }
 
 Command remediesCommand() {
     return {"remedies",
-            Kind::project,
+            oneFile,
             {"finds up to three changes of one setting, or a starting cycle, with which an unfit "
              "cycle meets all requirements or a cycle close to a limit has room: each is the "
              "middle of an interval of values that were run, for every stock and the batch, and "
@@ -78,98 +68,96 @@ Command remediesCommand() {
 Command optimizeCommand() {
     return {
         "optimize",
-        Kind::project,
+        oneFile,
         {"finds the quickest cycle of the file's grid that meets every requirement",
          "находит самый быстрый цикл сетки файла, при котором выполнены все требования"},
         {surface,
-         {"--robust",
-          "",
-          Kind::none,
-          "",
-          {"the cycle must be fit for every stock within half an infeed of the stated one: under "
-           "gauge control this is decided, under position control it is tried on 500 stocks drawn "
-           "at random, with the confidence stated; a file whose optimisation has the scenarios "
-           "corners or batch is searched for those without this option",
-           "цикл должен быть годен для всех припусков в пределах подачи на шаг: при "
-           "управлении от прибора это решается точно, при управлении по положению проверяется на "
-           "500 "
-           "случайных припусках с указанием доверительной вероятности; файл, в котором для поиска "
-           "заданы сценарии corners или batch, рассчитывается для них и без этого параметра"}},
-         {"--refine",
-          "",
-          Kind::none,
-          "",
-          {"continues from the best cycle of the grid between its levels, in the machine's steps: "
-           "a quicker fit cycle, if one is found; it is not proved",
-           "ищет дальше от лучшего цикла сетки, между её уровнями, шагами станка: более быстрый "
-           "годный цикл, если встретится; он не доказан"}},
-         {"--front",
-          "",
-          Kind::none,
-          "",
-          {"beyond the answer the best cycle of each number of stages, and slower cycles farther "
-           "from their limits: time against margin",
-           "кроме ответа лучший цикл для каждого числа ступеней и более медленные циклы, которые "
-           "дальше от пределов: запас против времени"}},
-         {"--method",
-          "search|full|dp|labels",
-          Kind::choice,
-          "search full dp labels",
-          {"search: proves the answer from few runs; full: runs every cycle; for plunge grinding "
-           "also "
-           "two heuristics, which prove nothing and may find no cycle where there is one: dp, the "
-           "dynamic programming that was published, and labels, which keeps more ways to each "
-           "stock "
-           "level",
-           "search: доказывает ответ немногими расчётами; full: рассчитывает все циклы; для "
-           "врезного "
-           "шлифования ещё две эвристики, которые ничего не доказывают и могут не найти "
-           "существующего цикла: dp — опубликованное динамическое программирование, labels — "
-           "больше "
-           "путей к каждому уровню припуска"}},
-         {"--stages",
-          "N,…",
-          Kind::anything,
-          "",
-          {"numbers of stages to try, instead of the file's",
-           "проверяемые числа ступеней вместо заданных в файле"}},
-         {"--time-limit",
-          "S",
-          Kind::anything,
-          "",
-          {"ends search, refinement and front after this number of seconds, as Ctrl+C does: the "
-           "best cycle so far is kept, with the time that no cycle is quicker than",
-           "прекращает поиск, уточнение и запасы по времени через столько секунд, как Ctrl+C: "
-           "остаётся лучшее из "
-           "найденного и время, быстрее которого цикла нет"}},
-         {"--threads",
-          "N",
-          Kind::anything,
-          "",
-          {"of the full search, instead of one a processor; the answer is the same",
-           "число потоков полного поиска вместо одного на процессор; ответ тот же"}},
-         {"--resume",
-          "FILE",
-          Kind::file,
-          "",
-          {"of the full search: keeps its progress in this file, every second and at a stop; the "
-           "same command with the same file goes on where it was stopped or killed, and gives the "
-           "same answer",
-           "для полного поиска: сохраняет его ход в этом файле каждую секунду и при остановке; та "
-           "же команда с тем же файлом продолжает с места, где поиск остановили или прервали, и "
-           "даёт тот же ответ"}},
+         {.name = "--robust",
+          .text =
+              {"the cycle must be fit for every stock within half an infeed of the stated one: "
+               "under "
+               "gauge control this is decided, under position control it is tried on 500 stocks "
+               "drawn "
+               "at random, with the confidence stated; a file whose optimisation has the scenarios "
+               "corners or batch is searched for those without this option",
+               "цикл должен быть годен для всех припусков в пределах подачи на шаг: при "
+               "управлении от прибора это решается точно, при управлении по положению проверяется "
+               "на "
+               "500 "
+               "случайных припусках с указанием доверительной вероятности; файл, в котором для "
+               "поиска "
+               "заданы сценарии corners или batch, рассчитывается для них и без этого параметра"}},
+         {.name = "--refine",
+          .text = {"continues from the best cycle of the grid between its levels, in the machine's "
+                   "steps: "
+                   "a quicker fit cycle, if one is found; it is not proved",
+                   "ищет дальше от лучшего цикла сетки, между её уровнями, шагами станка: более "
+                   "быстрый "
+                   "годный цикл, если встретится; он не доказан"}},
+         {.name = "--front",
+          .text = {"beyond the answer the best cycle of each number of stages, and slower cycles "
+                   "farther "
+                   "from their limits: time against margin",
+                   "кроме ответа лучший цикл для каждого числа ступеней и более медленные циклы, "
+                   "которые "
+                   "дальше от пределов: запас против времени"}},
+         {.name = "--method",
+          .value = choice("search full dp labels"),
+          .text =
+              {"search: proves the answer from few runs; full: runs every cycle; for plunge "
+               "grinding "
+               "also "
+               "two heuristics, which prove nothing and may find no cycle where there is one: dp, "
+               "the "
+               "dynamic programming that was published, and labels, which keeps more ways to each "
+               "stock "
+               "level",
+               "search: доказывает ответ немногими расчётами; full: рассчитывает все циклы; для "
+               "врезного "
+               "шлифования ещё две эвристики, которые ничего не доказывают и могут не найти "
+               "существующего цикла: dp — опубликованное динамическое программирование, labels — "
+               "больше "
+               "путей к каждому уровню припуска"}},
+         {.name = "--stages",
+          .value = integers("N,…", 1, 5),
+          .text = {"numbers of stages to try, instead of the file's",
+                   "проверяемые числа ступеней вместо заданных в файле"}},
+         {.name = "--time-limit",
+          .value = number("S", "a number of seconds", 0, 1e9),
+          .text =
+              {"ends search, refinement and front after this number of seconds, as Ctrl+C does: "
+               "the "
+               "best cycle so far is kept, with the time that no cycle is quicker than",
+               "прекращает поиск, уточнение и запасы по времени через столько секунд, как Ctrl+C: "
+               "остаётся лучшее из "
+               "найденного и время, быстрее которого цикла нет"}},
+         {.name = "--threads",
+          .value = integer("N", 1, 1024),
+          .text = {"of the full search, instead of one a processor; the answer is the same",
+                   "число потоков полного поиска вместо одного на процессор; ответ тот же"}},
+         {.name = "--resume",
+          .value = file("FILE"),
+          .text = {"of the full search: keeps its progress in this file, every second and at a "
+                   "stop; the "
+                   "same command with the same file goes on where it was stopped or killed, and "
+                   "gives the "
+                   "same answer",
+                   "для полного поиска: сохраняет его ход в этом файле каждую секунду и при "
+                   "остановке; та "
+                   "же команда с тем же файлом продолжает с места, где поиск остановили или "
+                   "прервали, и "
+                   "даёт тот же ответ"}},
          json,
-         {"-o",
-          "OUT.sparkout",
-          Kind::project,
-          "",
-          {"writes the project with the cycle found", "записывает проект с найденным циклом"}}}};
+         {.name = "-o",
+          .value = projectFile("OUT.sparkout"),
+          .text = {"writes the project with the cycle found",
+                   "записывает проект с найденным циклом"}}}};
 }
 
 Command validateCommand() {
     return {
         "validate",
-        Kind::project,
+        oneFile,
         {"checks a project file: one line a fault", "проверяет файл проекта: по строке на ошибку"},
         {}};
 }
@@ -177,64 +165,53 @@ Command validateCommand() {
 std::vector<Option> batchOptions() {
     return {
         surface,
-        {"--parts",
-         "N",
-         Kind::anything,
-         "",
-         {"parts, instead of the file's", "число деталей вместо заданного в файле"}},
-        {"--seed",
-         "S",
-         Kind::anything,
-         "",
-         {"seed, instead of the file's", "номер выборки вместо заданного в файле"}},
-        {"--scenarios",
-         "HOW",
-         Kind::choice,
-         "corners latin_hypercube sobol random",
-         {"corners, latin_hypercube, sobol or random, instead of the file's",
-          "способ выборки вместо заданного в файле: corners, latin_hypercube, sobol или random"}},
-        {"--measured",
-         "BLANKS.csv",
-         Kind::file,
-         "",
-         {"CSV whose columns are headed by factors (stock_mm, initial_runout_mm, …): their values "
-          "take the place of the file's laws",
-          "CSV со столбцами факторов (stock_mm, initial_runout_mm, …): их значения вместо законов "
-          "распределения файла"}},
-        {"--until-width",
-         "W",
-         Kind::anything,
-         "",
-         {"ends as soon as every 95 % interval of a mean is W µm wide at most",
-          "заканчивает, когда каждый интервал 95 % среднего не шире W мкм"}},
-        {"--sensitivity",
-         "N",
-         Kind::anything,
-         "",
-         {"Sobol indices, from N·(factors + 2) parts more",
-          "индексы Соболя, ещё по N·(факторов + 2) деталям"}},
+        {.name = "--parts",
+         .value = integer("N", 1, 1'000'000),
+         .text = {"parts, instead of the file's", "число деталей вместо заданного в файле"}},
+        {.name = "--seed",
+         .value = integer("S", 0, highestInteger),
+         .text = {"seed, instead of the file's", "номер выборки вместо заданного в файле"}},
+        {.name = "--scenarios",
+         .value = choice("corners latin_hypercube sobol random", "HOW"),
+         .text = {"corners, latin_hypercube, sobol or random, instead of the file's",
+                  "способ выборки вместо заданного в файле: corners, latin_hypercube, sobol или "
+                  "random"}},
+        {.name = "--measured",
+         .value = file("BLANKS.csv"),
+         .text = {"CSV whose columns are headed by factors (stock_mm, initial_runout_mm, …): their "
+                  "values "
+                  "take the place of the file's laws",
+                  "CSV со столбцами факторов (stock_mm, initial_runout_mm, …): их значения вместо "
+                  "законов "
+                  "распределения файла"}},
+        {.name = "--until-width",
+         .value = number("W", "a width in µm", aboveZero, 1e9),
+         .text = {"ends as soon as every 95 % interval of a mean is W µm wide at most",
+                  "заканчивает, когда каждый интервал 95 % среднего не шире W мкм"}},
+        {.name = "--sensitivity",
+         .value = integer("N", 1, 65'536),
+         .text = {"Sobol indices, from N·(factors + 2) parts more",
+                  "индексы Соболя, ещё по N·(факторов + 2) деталям"}},
         threads,
-        {"--rows",
-         "OUT.csv",
-         Kind::file,
-         "",
-         {"writes a row for every part: its factors, all quantities, and whether each requirement "
-          "is met; the same for any number of threads, and no file when it is ended by Ctrl+C",
-          "пишет строку на деталь: её факторы, все показатели, выполнено ли каждое требование; "
-          "одинаково при любом числе потоков; если прервано Ctrl+C, файла нет"}},
-        {"--force",
-         "",
-         Kind::none,
-         "",
-         {"--rows may take the place of a file", "--rows может заменить существующий файл"}},
-        {"--shard",
-         "I/N",
-         Kind::anything,
-         "",
-         {"runs the I-th of N shards and prints it for batch-merge",
-          "рассчитывает I-ю из N частей и печатает её для batch-merge"}},
+        {.name = "--rows",
+         .value = file("OUT.csv"),
+         .text =
+             {"writes a row for every part: its factors, all quantities, and whether each "
+              "requirement "
+              "is met; the same for any number of threads, and no file when it is ended by Ctrl+C",
+              "пишет строку на деталь: её факторы, все показатели, выполнено ли каждое требование; "
+              "одинаково при любом числе потоков; если прервано Ctrl+C, файла нет"}},
+        {.name = "--force",
+         .needs = "--rows",
+         .text = {"--rows may take the place of a file",
+                  "--rows может заменить существующий файл"}},
         json,
         csv({"prints a row for every characteristic", "печатает строку на каждую характеристику"}),
+        {.name = "--shard",
+         .value = textLike("I/N", "I/N, I from 1 to N"),
+         .group = "output",
+         .text = {"runs the I-th of N shards and prints it for batch-merge",
+                  "рассчитывает I-ю из N частей и печатает её для batch-merge"}},
         check({"exit status 4 when a part is rejected",
                "код завершения 4, если требование нарушено у какой-либо детали"}),
         progress};
@@ -243,7 +220,7 @@ std::vector<Option> batchOptions() {
 Command batchCommand() {
     return {
         "batch",
-        Kind::project,
+        oneFile,
         {"runs the batch of a project file: its parts differ by the factors given there. Ctrl+C "
          "ends it; what is done until then is evaluated and printed",
          "рассчитывает партию файла проекта: детали отличаются заданными в нём факторами. Ctrl+C "
@@ -254,7 +231,7 @@ Command batchCommand() {
 Command mergeCommand() {
     return {
         "batch-merge",
-        Kind::file,
+        {"SHARD…", Kind::file, "a file", 1, anyNumber},
         {"joins the shards of a batch: the answer is that of one run; a changed, missing, doubled "
          "or foreign shard is named and refused. For a cluster with Slurm there is batch.sbatch",
          "соединяет части партии: ответ тот же, что у одного расчёта; изменённая, недостающая, "
@@ -268,7 +245,7 @@ Command mergeCommand() {
 
 Command sweepCommand() {
     return {"sweep",
-            Kind::project,
+            oneFile,
             {"runs the sweep of a project file: one or two inputs varied over their ranges",
              "рассчитывает варьирование файла проекта: одна или две величины меняются в своих "
              "диапазонах"},
@@ -279,7 +256,7 @@ Command sweepCommand() {
 Command phasesCommand() {
     return {
         "phases",
-        Kind::project,
+        oneFile,
         {"decides for which stocks of the blank the cycle meets every requirement, under gauge "
          "control: where the last step of a stage falls changes with the stock, and the size "
          "with it. Every stock of the range is decided, none is sampled",
@@ -287,150 +264,146 @@ Command phasesCommand() {
          "от прибора: от припуска зависит, куда придётся последний шаг ступени, а от него "
          "размер. Решено о каждом припуске диапазона, выборки нет"},
         {surface,
-         {"--from",
-          "MM",
-          Kind::anything,
-          "",
-          {"minimum stock per side in mm, instead of the file's less half the maximum infeed of a "
-           "stage",
-           "наименьший припуск на сторону в мм вместо припуска файла за вычетом половины "
-           "наибольшей подачи на шаг"}},
-         {"--to",
-          "MM",
-          Kind::anything,
-          "",
-          {"maximum stock per side in mm, instead of the file's plus half the maximum infeed of "
-           "a stage",
-           "наибольший припуск на сторону в мм вместо припуска файла с прибавлением половины "
-           "наибольшей подачи на шаг"}},
+         {.name = "--from",
+          .value = number("MM", "a stock per side in mm", aboveZero, 1e3),
+          .text = {"minimum stock per side in mm, instead of the file's less half the maximum "
+                   "infeed of a "
+                   "stage",
+                   "наименьший припуск на сторону в мм вместо припуска файла за вычетом половины "
+                   "наибольшей подачи на шаг"}},
+         {.name = "--to",
+          .value = number("MM", "a stock per side in mm", aboveZero, 1e3),
+          .text =
+              {"maximum stock per side in mm, instead of the file's plus half the maximum infeed "
+               "of "
+               "a stage",
+               "наибольший припуск на сторону в мм вместо припуска файла с прибавлением половины "
+               "наибольшей подачи на шаг"}},
          json,
          check({"exit status 4 when the cycle is unfit for a stock",
                 "код завершения 4, если цикл не годен хотя бы при одном припуске"})}};
 }
 
 Command dressingCommand() {
-    return {"dressing",
-            Kind::project,
-            {"runs part after part with the wheel as left by the parts before, by the wear in the "
-             "file, until the first part that is not good: the parts between two dressings. With "
-             "the rates of optimisation/cost also the number of parts after which dressing is "
-             "quickest and cheapest",
-             "рассчитывает деталь за деталью с кругом, каким его оставили предыдущие по износу из "
-             "файла, до первой негодной: число деталей между двумя правками. Если задана "
-             "optimisation/cost, также через сколько деталей правка выгоднее всего по времени и по "
-             "стоимости"},
-            {{"--scenarios",
-              "HOW",
-              Kind::choice,
-              "corners latin_hypercube sobol random",
+    return {
+        "dressing",
+        oneFile,
+        {"runs part after part with the wheel as left by the parts before, by the wear in the "
+         "file, until the first part that is not good: the parts between two dressings. With "
+         "the rates of optimisation/cost also the number of parts after which dressing is "
+         "quickest and cheapest",
+         "рассчитывает деталь за деталью с кругом, каким его оставили предыдущие по износу из "
+         "файла, до первой негодной: число деталей между двумя правками. Если задана "
+         "optimisation/cost, также через сколько деталей правка выгоднее всего по времени и по "
+         "стоимости"},
+        {{.name = "--scenarios",
+          .value = choice("corners latin_hypercube sobol random", "HOW"),
+          .text =
               {"the cycle must also be fit for the parts of the surface's batch, chosen by "
                "corners, latin_hypercube, sobol or random",
                "каждая деталь должна быть годна и для деталей партии поверхности, выбранных как "
                "corners, latin_hypercube, sobol или random"}},
-             json,
-             check({"exit status 4 when no part is good",
-                    "код завершения 4, если не годна ни одна деталь"}),
-             progress}};
+         json,
+         check({"exit status 4 when no part is good",
+                "код завершения 4, если не годна ни одна деталь"}),
+         progress}};
 }
 
 std::vector<Option> measuredOptions() {
     return {
         surface,
-        {"--data",
-         "TABLE.csv",
-         Kind::file,
-         "",
-         {"reads a table of parts or traces, too: a CSV file in either dialect whose headings name "
-          "quantities and units (\"Diameter, mm\", \"Диаметр, мм\", \"t, s\", \"P [kW]\"), or "
-          "lines "
-          "time|key|value",
-          "читает ещё и таблицу деталей или записей: CSV любого диалекта, заголовки которого "
-          "называют величины и единицы («Diameter, mm», «Диаметр, мм», «t, s», «P [kW]»), или "
-          "строки "
-          "time|key|value"}},
-        {"--fit",
-         "PARAMETER,…",
-         Kind::anything,
-         "",
-         {"finds parameters from the traces and diameters: alpha, beta, compliance (of all, or "
-          "compliance:N of one zone or section), flow_stress, dullness, chip_power, "
-          "friction_power, "
-          "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout, gauge_lag, "
-          "gauge_drift, of finished parts gauge_setting; beta=1.2~0.1 has the mean and the "
-          "standard "
-          "deviation of what is known before; names what the data cannot tell and what "
-          "to measure; exit status 4 when the model does not fit",
-          "находит параметры по записям и диаметрам: alpha, beta, compliance (всех мест или "
-          "compliance:N одной зоны или сечения), flow_stress, dullness, chip_power, "
-          "friction_power, "
-          "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout, gauge_lag, "
-          "gauge_drift, по готовым деталям gauge_setting; beta=1.2~0.1 — с тем, что известно "
-          "заранее: "
-          "среднее и его стандартное отклонение; называет то, чего по данным определить "
-          "нельзя, и что измерить; код завершения 4, если модель не подходит"}},
-        {"--loss",
-         "none|huber|tukey",
-         Kind::choice,
-         "none huber tukey",
-         {"of --fit: outliers weigh less (huber) or hardly count (tukey)",
-          "для --fit: выбросы весят меньше (huber) или почти не учитываются (tukey)"}},
-        {"-o",
-         "OUT.sparkout",
-         Kind::project,
-         "",
-         {"saves the project with the inputs that --fit has found, each with what it was "
-          "calibrated on; nothing where it has found no values to use",
-          "сохраняет проект с исходными данными, найденными --fit, и с тем, по чему каждое "
-          "откалибровано; ничего, если пригодных значений не найдено"}},
-        {"--roundness",
-         "",
-         Kind::none,
-         "",
-         {"instead: the form of each zone or section after the cycle as a roundness machine states "
-          "it, about the four reference circles, not filtered and after the Gaussian filter of ISO "
-          "16610-21 at 15, 50 and 150 undulations per revolution",
-          "вместо этого: форма каждой зоны или сечения после цикла, как её указывает кругломер, "
-          "относительно четырёх базовых окружностей, без фильтра и после фильтра Гаусса по ISO "
-          "16610-21 с границей 15, 50 и 150 волн на оборот"}},
-        {"--profile",
-         "TABLE.csv",
-         Kind::file,
-         "",
-         {"the same for a recorded section beside it: a table of angle [°] and radius [mm], or of "
-          "deviations where the heading names µm",
-          "то же для записанного сечения: таблица угла [°] и радиуса [мм] или отклонений, если в "
-          "заголовке указаны мкм"}},
-        {"--trial",
-         "PARAMETER,…",
-         Kind::anything,
-         "",
-         {"instead: which of 24 short trials determines these parameters best, by feed, spark-out "
-          "and what is recorded, with the 95 % intervals to expect",
-          "вместо этого: какой из 24 коротких опытов лучше определяет эти параметры, по подаче, "
-          "выхаживанию и записываемым величинам, с ожидаемыми интервалами 95 %"}},
-        {"--stiffness-sheet",
-         "",
-         Kind::none,
-         "",
-         {"instead: the steps, places and load of a stiffness trial",
-          "вместо этого: порядок, места и нагрузка опыта на жёсткость"}},
-        {"--stiffness",
-         "TABLE.csv",
-         Kind::file,
-         "",
-         {"instead: stiffness of headstock and tailstock from a table of place [mm], load [N] and "
-          "deflection [µm]",
-          "вместо этого: жёсткость передней и задней бабки по таблице мест [мм], нагрузок [Н] и "
-          "отжатий [мкм]"}},
-        {"--indicator",
-         "part|system",
-         Kind::choice,
-         "part system",
-         {"part: it shows the part against the bed; system: against the wheel head, whose "
-          "stiffness "
-          "three places give too, with two it is the file's",
-          "part: индикатор показывает деталь относительно станины; system: относительно "
-          "шлифовальной бабки, жёсткость которой дают три места, при двух она берётся из файла"}},
+        {.name = "--data",
+         .value = file("TABLE.csv"),
+         .text =
+             {"reads a table of parts or traces, too: a CSV file in either dialect whose headings "
+              "name "
+              "quantities and units (\"Diameter, mm\", \"Диаметр, мм\", \"t, s\", \"P [kW]\"), or "
+              "lines "
+              "time|key|value",
+              "читает ещё и таблицу деталей или записей: CSV любого диалекта, заголовки которого "
+              "называют величины и единицы («Diameter, mm», «Диаметр, мм», «t, s», «P [kW]»), или "
+              "строки "
+              "time|key|value"}},
+        {.name = "--fit",
+         .value = textLike("PARAMETER,…", "parameters, as alpha,beta,size_offset"),
+         .text =
+             {"finds parameters from the traces and diameters: alpha, beta, compliance (of all, or "
+              "compliance:N of one zone or section), flow_stress, dullness, chip_power, "
+              "friction_power, "
+              "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout, "
+              "gauge_lag, "
+              "gauge_drift, of finished parts gauge_setting; beta=1.2~0.1 has the mean and the "
+              "standard "
+              "deviation of what is known before; names what the data cannot tell and what "
+              "to measure; exit status 4 when the model does not fit",
+              "находит параметры по записям и диаметрам: alpha, beta, compliance (всех мест или "
+              "compliance:N одной зоны или сечения), flow_stress, dullness, chip_power, "
+              "friction_power, "
+              "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout, "
+              "gauge_lag, "
+              "gauge_drift, по готовым деталям gauge_setting; beta=1.2~0.1 — с тем, что известно "
+              "заранее: "
+              "среднее и его стандартное отклонение; называет то, чего по данным определить "
+              "нельзя, и что измерить; код завершения 4, если модель не подходит"}},
+        {.name = "--loss",
+         .value = choice("none huber tukey"),
+         .needs = "--fit",
+         .text = {"of --fit: outliers weigh less (huber) or hardly count (tukey)",
+                  "для --fit: выбросы весят меньше (huber) или почти не учитываются (tukey)"}},
+        {.name = "-o",
+         .value = projectFile("OUT.sparkout"),
+         .needs = "--fit",
+         .text = {"saves the project with the inputs that --fit has found, each with what it was "
+                  "calibrated on; nothing where it has found no values to use",
+                  "сохраняет проект с исходными данными, найденными --fit, и с тем, по чему каждое "
+                  "откалибровано; ничего, если пригодных значений не найдено"}},
+        {.name = "--roundness",
+         .text =
+             {"instead: the form of each zone or section after the cycle as a roundness machine "
+              "states "
+              "it, about the four reference circles, not filtered and after the Gaussian filter of "
+              "ISO "
+              "16610-21 at 15, 50 and 150 undulations per revolution",
+              "вместо этого: форма каждой зоны или сечения после цикла, как её указывает "
+              "кругломер, "
+              "относительно четырёх базовых окружностей, без фильтра и после фильтра Гаусса по ISO "
+              "16610-21 с границей 15, 50 и 150 волн на оборот"}},
+        {.name = "--profile",
+         .value = file("TABLE.csv"),
+         .text = {"the same for a recorded section beside it: a table of angle [°] and radius "
+                  "[mm], or of "
+                  "deviations where the heading names µm",
+                  "то же для записанного сечения: таблица угла [°] и радиуса [мм] или отклонений, "
+                  "если в "
+                  "заголовке указаны мкм"}},
+        {.name = "--trial",
+         .value = textLike("PARAMETER,…", "parameters, as alpha,beta"),
+         .text = {"instead: which of 24 short trials determines these parameters best, by feed, "
+                  "spark-out "
+                  "and what is recorded, with the 95 % intervals to expect",
+                  "вместо этого: какой из 24 коротких опытов лучше определяет эти параметры, по "
+                  "подаче, "
+                  "выхаживанию и записываемым величинам, с ожидаемыми интервалами 95 %"}},
+        {.name = "--stiffness-sheet",
+         .text = {"instead: the steps, places and load of a stiffness trial",
+                  "вместо этого: порядок, места и нагрузка опыта на жёсткость"}},
+        {.name = "--stiffness",
+         .value = file("TABLE.csv"),
+         .text = {"instead: stiffness of headstock and tailstock from a table of place [mm], load "
+                  "[N] and "
+                  "deflection [µm]",
+                  "вместо этого: жёсткость передней и задней бабки по таблице мест [мм], нагрузок "
+                  "[Н] и "
+                  "отжатий [мкм]"}},
+        {.name = "--indicator",
+         .value = choice("part system"),
+         .needs = "--stiffness --stiffness-sheet",
+         .text = {"part: it shows the part against the bed; system: against the wheel head, whose "
+                  "stiffness "
+                  "three places give too, with two it is the file's",
+                  "part: индикатор показывает деталь относительно станины; system: относительно "
+                  "шлифовальной бабки, жёсткость которой дают три места, при двух она берётся из "
+                  "файла"}},
         json,
         check({"exit status 4 when the model disagrees with the parts, or the data leave a "
                "parameter undetermined",
@@ -442,7 +415,7 @@ std::vector<Option> measuredOptions() {
 Command measuredCommand() {
     return {
         "measured",
-        Kind::project,
+        oneFile,
         {"compares what was measured, in the file's section measured, with the predicted batch: "
          "for each zone or section and quantity the mean with its 95 % interval, the predicted "
          "range, Fisher's ratio of the variances, the share of the parts inside",
@@ -453,77 +426,80 @@ Command measuredCommand() {
 }
 
 Command courseCommand() {
-    return {
-        "course",
-        Kind::anything,
-        {"laboratory works for a class; a lesson is a file .sparkout-lesson. check: the faults of "
-         "a "
-         "lesson and what each step finds in its project as given; the seals and answers of a "
-         "student's work (.sparkout-work); the kept runs of a project. variants: a work for each "
-         "student of a list, valid, not solved as given, with a proved best cycle near to the "
-         "lesson's in time and margin, no two alike, and beside them assignments.csv to hand out "
-         "and teacher-best-answers.csv to keep. grade: marks the works of a folder, every answer "
-         "computed again from the lesson; edited, foreign and copied works are named",
-         "лабораторные работы для группы; занятие — файл .sparkout-lesson. check: ошибки занятия и "
-         "то, что каждый шаг находит в его проекте; печати и ответы работы студента "
-         "(.sparkout-work); запомненные расчёты проекта. variants: работа каждому студенту списка: "
-         "допустимая, не решённая сразу, с доказанным лучшим циклом, близким к циклу занятия по "
-         "времени и запасу, без повторов, и рядом assignments.csv для раздачи и "
-         "teacher-best-answers.csv для преподавателя. grade: проверяет работы папки, каждый ответ "
-         "рассчитан заново по занятию; изменённые, чужие и списанные работы названы"},
-        {{"--group",
-          "LIST.csv",
-          Kind::file,
-          "",
-          {"of variants: the students, a table of names and groups; of grade: names those whose "
-           "works are missing",
-           "для variants: студенты, таблица с именами и группами; для grade: называет тех, чьих "
-           "работ нет"}},
-         {"--seed",
-          "S",
-          Kind::anything,
-          "",
-          {"of variants: the same seed gives the same variants",
-           "для variants: один и тот же номер выборки даёт одни и те же варианты"}},
-         {"-d",
-          "DIR",
-          Kind::folder,
-          "",
-          {"of variants: the folder for the works", "для variants: папка для работ"}},
-         {"--answers",
-          "TABLE.csv",
-          Kind::file,
-          "",
-          {"of grade: the table of best answers; without it they are searched for",
-           "для grade: таблица лучших ответов; без неё они отыскиваются"}},
-         csv({"of grade: prints a row for every work",
-              "для grade: печатает строку на каждую работу"}),
-         {"--xlsx",
-          "",
-          Kind::none,
-          "",
-          {"of grade: writes a workbook with a row for every work, and the steps on a second sheet",
-           "для grade: записывает книгу XLSX со строкой на каждую работу и с шагами на втором "
-           "листе"}},
-         {"-o",
-          "OUT.xlsx",
-          Kind::file,
-          "",
-          {"of grade: the workbook that --xlsx writes",
-           "для grade: книга, которую записывает --xlsx"}},
+    const Command check{
+        "course check",
+        {"FILE", Kind::file, "a file", 1, 1},
+        {"states the faults of a lesson and what each step finds in its project as given; the "
+         "seals and answers of a student's work (.sparkout-work); the kept runs of a project",
+         "показывает ошибки занятия и то, что каждый шаг находит в его проекте; печати и ответы "
+         "работы студента (.sparkout-work); запомненные расчёты проекта"},
+        {json}};
+    const Command variants{
+        "course variants",
+        {"LESSON", Kind::file, "a lesson", 1, 1},
+        {"writes a work for each student of a list, valid, not solved as given, with a proved best "
+         "cycle near to the lesson's in time and margin, no two alike; beside them "
+         "stand assignments.csv to hand out and teacher-best-answers.csv to keep",
+         "записывает работу каждому студенту списка: допустимую, не решённую сразу, с доказанным "
+         "лучшим циклом, близким к циклу занятия по времени и запасу, без повторов, и рядом "
+         "assignments.csv для раздачи и teacher-best-answers.csv для преподавателя"},
+        {{.name = "--group",
+          .value = file("LIST.csv"),
+          .isRequired = true,
+          .text = {"the students, a table of names and groups",
+                   "студенты, таблица с именами и группами"}},
+         {.name = "--seed",
+          .value = integer("S", 0, highestInteger),
+          .isRequired = true,
+          .text = {"the same seed gives the same variants",
+                   "один и тот же номер выборки даёт одни и те же варианты"}},
+         {.name = "-d",
+          .value = folder("DIR"),
+          .isRequired = true,
+          .text = {"the folder for the works", "папка для работ"}},
+         {.name = "--force",
+          .text = {"works that are there are replaced", "имеющиеся работы заменяются"}}}};
+    const Command grade{
+        "course grade",
+        {"LESSON DIR", Kind::file, "a lesson and a folder of works", 2, 2},
+        {"marks the works of a folder, every answer computed again from the lesson; edited, "
+         "foreign and copied works are named",
+         "проверяет работы папки, каждый ответ рассчитан заново по занятию; изменённые, чужие и "
+         "списанные работы названы"},
+        {{.name = "--group",
+          .value = file("LIST.csv"),
+          .text = {"the students: those whose works are missing are named",
+                   "студенты: те, чьих работ нет, названы"}},
+         {.name = "--answers",
+          .value = file("TABLE.csv"),
+          .text = {"the table of best answers; without it they are searched for",
+                   "таблица лучших ответов; без неё они отыскиваются"}},
          json,
-         {"--force",
-          "",
-          Kind::none,
-          "",
-          {"of variants: works that are there are replaced; of grade: the workbook is",
-           "для variants: имеющиеся работы заменяются; для grade: заменяется имеющаяся книга"}}}};
+         csv({"prints a row for every work", "печатает строку на каждую работу"}),
+         {.name = "--xlsx",
+          .needs = "-o",
+          .group = "output",
+          .text = {"writes a workbook with a row for every work, and the steps on a second sheet",
+                   "записывает книгу XLSX со строкой на каждую работу и с шагами на втором листе"}},
+         {.name = "-o",
+          .value = file("OUT.xlsx"),
+          .needs = "--xlsx",
+          .text = {"the workbook that --xlsx writes", "книга, которую записывает --xlsx"}},
+         {.name = "--force",
+          .needs = "--xlsx",
+          .text = {"a workbook that is there is replaced", "имеющаяся книга заменяется"}}}};
+    return {"course",
+            {},
+            {"laboratory works for a class; a lesson is a file .sparkout-lesson",
+             "лабораторные работы для группы; занятие — файл .sparkout-lesson"},
+            {},
+            {check, variants, grade}};
 }
 
 Command newCommand() {
     return {
         "new",
-        Kind::anything,
+        {"SIZE", Kind::anything, "a size with its field, as 35k6", 1, 1},
         {"writes a project with a starting cycle for a surface of a drawing: the size with its "
          "field, as 35k6 or for a bore 60H7, and what is said of it below. Work speed, feeds, "
          "stocks and spark-out follow from diameter, stock, tolerance, material, wheel and "
@@ -535,113 +511,79 @@ Command newCommand() {
          "припуски и выхаживание следуют из диаметра, припуска, допуска, материала, круга и "
          "станка, с шагом станка; печатается, что ограничивает черновую глубину резания и при "
          "каких припусках цикл годен; в проекте есть обычный поиск около него"},
-        {{"--length", "MM", Kind::anything, "", {"ground length in mm", "длина шлифования в мм"}},
-         {"--stock",
-          "MM",
-          Kind::anything,
-          "",
-          {"minimum stock per side in mm", "наименьший припуск на сторону в мм"}},
-         {"--bore",
-          "",
-          Kind::none,
-          "",
-          {"a bore, also where the field is written in small letters",
-           "отверстие, даже если поле записано строчными буквами"}},
-         {"--operation",
-          "plunge|traverse",
-          Kind::choice,
-          "plunge traverse",
-          {"instead of plunge grinding where the wheel covers the length, else traverse grinding",
-           "вместо врезного шлифования, если круг перекрывает длину, иначе с продольной подачей"}},
-         {"--shoulder",
-          "headstock|tailstock|both",
-          Kind::choice,
-          "headstock tailstock both",
-          {"an end that the wheel cannot run over; a plain cylinder has none",
-           "конец, за который круг выйти не может; у гладкого цилиндра таких нет"}},
-         {"--ra", "UM", Kind::anything, "", {"required Ra in µm", "требуемая Ra в мкм"}},
-         {"--machine",
-          "NAME",
-          Kind::anything,
-          "",
-          {"of the catalogue, instead of 3М151, for a bore 3К227; part of a name will do",
-           "станок каталога вместо 3М151, для отверстия 3К227; достаточно части названия"}},
-         {"--wheel",
-          "NAME",
-          Kind::anything,
-          "",
-          {"of the catalogue, instead of its first, for a bore the widest that goes into it",
-           "круг каталога вместо первого, для отверстия — самого большого, входящего в него"}},
-         {"--material",
-          "NAME",
-          Kind::anything,
-          "",
-          {"of the catalogue, instead of hardened 40Х",
-           "материал каталога вместо закалённой стали 40Х"}},
-         {"-o", "OUT.sparkout", Kind::file, "", {"the project", "файл проекта"}},
-         {"--force",
-          "",
-          Kind::none,
-          "",
-          {"replaces a file that is there", "заменяет имеющийся файл"}}}};
+        {{.name = "--length",
+          .value = number("MM", "a length in mm", 0.1, 1e4),
+          .isRequired = true,
+          .text = {"ground length in mm", "длина шлифования в мм"}},
+         {.name = "--stock",
+          .value = number("MM", "a stock per side in mm", 0.01, 5),
+          .isRequired = true,
+          .text = {"minimum stock per side in mm", "наименьший припуск на сторону в мм"}},
+         {.name = "--bore",
+          .text = {"a bore, also where the field is written in small letters",
+                   "отверстие, даже если поле записано строчными буквами"}},
+         {.name = "--operation",
+          .value = choice("plunge traverse"),
+          .text = {"instead of plunge grinding where the wheel covers the length, else traverse "
+                   "grinding",
+                   "вместо врезного шлифования, если круг перекрывает длину, иначе с продольной "
+                   "подачей"}},
+         {.name = "--shoulder",
+          .value = choice("headstock tailstock both"),
+          .text = {"an end that the wheel cannot run over; a plain cylinder has none",
+                   "конец, за который круг выйти не может; у гладкого цилиндра таких нет"}},
+         {.name = "--ra",
+          .value = number("UM", "Ra in µm", aboveZero, 1e2),
+          .text = {"required Ra in µm", "требуемая Ra в мкм"}},
+         {.name = "--machine",
+          .value = textLike("NAME", "a name of the catalogue"),
+          .text = {"of the catalogue, instead of 3М151, for a bore 3К227; part of a name will do",
+                   "станок каталога вместо 3М151, для отверстия 3К227; достаточно части названия"}},
+         {.name = "--wheel",
+          .value = textLike("NAME", "a name of the catalogue"),
+          .text =
+              {"of the catalogue, instead of its first, for a bore the widest that goes into it",
+               "круг каталога вместо первого, для отверстия — самого большого, входящего в него"}},
+         {.name = "--material",
+          .value = textLike("NAME", "a name of the catalogue"),
+          .text = {"of the catalogue, instead of hardened 40Х",
+                   "материал каталога вместо закалённой стали 40Х"}},
+         {.name = "-o",
+          .value = file("OUT.sparkout"),
+          .isRequired = true,
+          .text = {"the project", "файл проекта"}},
+         {.name = "--force",
+          .text = {"replaces a file that is there", "заменяет имеющийся файл"}}}};
 }
 
 Command examplesCommand() {
     return {
         "examples",
-        Kind::folder,
+        {"DIR", Kind::folder, "a folder", 1, 1},
         {"writes the example projects into a folder, which is made if need be; where one of them "
          "was edited there, nothing is written",
          "записывает проекты-примеры в папку, создавая её при необходимости; если какой-либо из "
          "них там изменён, ничего не записывается"},
-        {{"--force",
-          "",
-          Kind::none,
-          "",
-          {"replaces those that were edited", "заменяет изменённые"}}}};
+        {{.name = "--force", .text = {"replaces those that were edited", "заменяет изменённые"}}}};
 }
 
 } // namespace
 
 const Program& commandLineProgram() {
     static const Program program{
-        "sparkout-cli",
-        {"cylindrical grinding cycles, computed pass by pass",
-         "расчёт циклов круглого шлифования по проходам"},
-        {"new SIZE --length MM --stock MM [--bore] [--operation plunge|traverse]\n"
-         "[--shoulder headstock|tailstock|both] [--ra UM] [--machine NAME]\n"
-         "[--wheel NAME] [--material NAME] -o OUT.sparkout [--force]",
-         "simulate FILE [--surface NAME|N|all] [--batch] [--json] [--check] [--trace OUT.csv]",
-         "remedies FILE [--surface NAME|N|all] [--json]",
-         "optimize FILE [--surface NAME|N|all] [--robust] [--refine] [--front]\n"
-         "[--method search|full|dp|labels] [--stages N,…]\n"
-         "[--time-limit S] [--threads N] [--json] [-o OUT.sparkout]",
-         "validate FILE",
-         "batch FILE [--surface NAME|N|all] [option…] [--shard I/N | --json | --csv]",
-         "batch-merge SHARD… [--json | --csv] [--check]",
-         "sweep FILE [--surface NAME|N|all] [--threads N] [--json | --csv] [--progress]",
-         "phases FILE [--surface NAME|N|all] [--from MM] [--to MM] [--json] [--check]",
-         "dressing FILE [--scenarios HOW] [--json] [--check] [--progress]",
-         "measured FILE [--surface NAME|N|all] [--data TABLE.csv]\n"
-         "[--fit PARAMETER,… [--loss none|huber|tukey] [-o OUT.sparkout]]\n"
-         "[--json] [--check] [--progress]",
-         "measured FILE [--surface NAME|N|all] [--json] --roundness [--profile TABLE.csv]\n"
-         "| --trial PARAMETER,… | --stiffness-sheet\n"
-         "| --stiffness TABLE.csv [--indicator part|system]",
-         "examples DIR [--force]", "course check FILE [--json]",
-         "course variants LESSON --group LIST.csv --seed S -d DIR [--force]",
-         "course grade LESSON DIR [--group LIST.csv] [--answers TABLE.csv]\n"
-         "[--csv | --json | --xlsx -o OUT.xlsx [--force]]",
-         "--version | --help"},
+        {"sparkout-cli",
+         {},
+         {"cylindrical grinding cycles, computed pass by pass",
+          "расчёт циклов круглого шлифования по проходам"},
+         {{.name = "--version", .text = {"prints the version", "печатает версию"}}},
+         {newCommand(), simulateCommand(), remediesCommand(), optimizeCommand(), validateCommand(),
+          batchCommand(), mergeCommand(), sweepCommand(), phasesCommand(), dressingCommand(),
+          measuredCommand(), examplesCommand(), courseCommand()}},
+        {},
         {"Computes without a window: for scripts, long batches and computers without a display. It "
          "reads the project files of the window and gives the same numbers, digit for digit.",
          "Считает без окна: для скриптов, больших партий и компьютеров без экрана. Читает файлы "
          "проектов окна и даёт те же числа, до последнего знака."},
-        {{"--version", "", Kind::none, "", {"prints the version", "печатает версию"}},
-         {"--help", "", Kind::none, "", {"prints this text", "печатает список параметров"}}},
-        {newCommand(), simulateCommand(), remediesCommand(), optimizeCommand(), validateCommand(),
-         batchCommand(), mergeCommand(), sweepCommand(), phasesCommand(), dressingCommand(),
-         measuredCommand(), examplesCommand(), courseCommand()},
         {{"A file may hold several surfaces of a part that are ground in one set-up. simulate, "
           "remedies, optimize, batch, sweep, phases and measured take each in its order, or the "
           "one "

@@ -16,12 +16,25 @@ std::string briefly(const Text& text) {
     return std::string(all.substr(0, all.find_first_of(";:.(\"")));
 }
 
-std::string namesOf(const std::vector<Option>& options) {
+std::string namesOf(const Command& command) {
     std::string all;
-    for (const Option& option : options) {
+    for (const Option& option : optionsOf(command)) {
         all += (all.empty() ? "" : " ") + std::string(option.name);
     }
     return all;
+}
+
+std::string commandNames(const Command& command) {
+    std::string all;
+    for (const Command& each : command.commands) {
+        all += std::string(each.lastWord()) + ' ';
+    }
+    return all;
+}
+
+/// How a value completes: as a choice also where other values are taken, too.
+Kind completionOf(const Value& value) {
+    return *value.choices != '\0' ? Kind::choice : value.kind;
 }
 
 const char* kindName(Kind kind) {
@@ -30,10 +43,8 @@ const char* kindName(Kind kind) {
     case Kind::file: return "file";
     case Kind::folder: return "folder";
     case Kind::choice: return "choice";
-    case Kind::none:
-    case Kind::anything: break;
+    default: return "anything";
     }
-    return "anything";
 }
 
 std::string functionName(const Program& program) {
@@ -46,24 +57,39 @@ std::string functionName(const Program& program) {
 // -----------------------------------------------------------------------------------------
 
 /// What stands after an option, by the word before.
-std::string bashValues(const std::vector<Option>& options, const std::string& indent) {
+std::string bashValues(const Command& command, const std::string& indent) {
     std::string all;
-    for (const Option& option : options) {
-        if (option.kind == Kind::none) {
+    for (const Option& option : command.options) {
+        const Kind kind = completionOf(option.value);
+        if (kind == Kind::none) {
             continue;
         }
-        all += indent + "    " + option.name + ") kind=\"" + kindName(option.kind) + '"';
-        if (option.kind == Kind::choice) {
-            all += std::string(" words=\"") + option.choices + '"';
+        all += indent + "    " + option.name + ") kind=\"" + kindName(kind) + '"';
+        if (kind == Kind::choice) {
+            all += std::string(" words=\"") + option.value.choices + '"';
         }
         all += " ;;\n";
     }
     return all.empty() ? all : indent + "case $prev in\n" + all + indent + "esac\n";
 }
 
-std::string bashState(Kind operand, const std::vector<Option>& options, const std::string& indent) {
-    return indent + "kind=\"" + kindName(operand) + "\" options=\"" + namesOf(options) + "\"\n"
-           + bashValues(options, indent);
+/// Goes down to the command that is typed, the word of which has this number.
+std::string bashLevel(const Command& command, int word, const std::string& indent) {
+    if (command.commands.empty()) {
+        const bool isWord = command.operands.kind == Kind::anything; // beside which options stand
+        return indent + "kind=\"" + (isWord ? "word" : kindName(command.operands.kind))
+               + "\" options=\"" + namesOf(command) + "\"\n" + bashValues(command, indent);
+    }
+    const std::string number = std::to_string(word);
+    std::string all = indent + "if ((COMP_CWORD == " + number + ")); then\n" + indent
+                      + "    mapfile -t COMPREPLY < <(compgen -W \"" + commandNames(command)
+                      + namesOf(command) + "\" -- \"$cur\")\n" + indent + "    return\n" + indent
+                      + "fi\n" + indent + "case ${COMP_WORDS[" + number + "]} in\n";
+    for (const Command& each : command.commands) {
+        all += indent + "    " + std::string(each.lastWord()) + ")\n"
+               + bashLevel(each, word + 1, indent + "        ") + indent + "        ;;\n";
+    }
+    return all + indent + "    *) return ;;\n" + indent + "esac\n";
 }
 
 constexpr const char* bashEnd = R"(    case $kind in
@@ -95,23 +121,7 @@ std::string bashCompletion(const Program& program) {
     std::string all = "# bash: " + notice + function + "() {\n";
     all += "    local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]}\n"
            "    local kind words=\"\" options\n    COMPREPLY=()\n";
-    if (program.commands.empty()) {
-        all += bashState(Kind::project, program.options, "    ");
-    } else {
-        std::string commands;
-        for (const Command& command : program.commands) {
-            commands += std::string(command.name) + ' ';
-        }
-        all += "    if ((COMP_CWORD == 1)); then\n        mapfile -t COMPREPLY < <(compgen -W \""
-               + commands + namesOf(program.options)
-               + "\" -- \"$cur\")\n        return\n    fi\n    case ${COMP_WORDS[1]} in\n";
-        for (const Command& command : program.commands) {
-            all += std::string("        ") + command.name + ")\n"
-                   + bashState(command.operand, command.options, "            ")
-                   + "            ;;\n";
-        }
-        all += "        *) return ;;\n    esac\n";
-    }
+    all += bashLevel(program, 1, "    ");
     return all + bashEnd + "complete -F " + function + ' ' + program.name + '\n';
 }
 
@@ -137,45 +147,48 @@ std::string zshAction(Kind kind, const char* choices) {
     case Kind::file: return "_files";
     case Kind::folder: return "_files -/";
     case Kind::choice: return std::string("(") + choices + ")";
-    case Kind::none:
-    case Kind::anything: break;
+    default: return " ";
     }
-    return " ";
 }
 
-std::string zshArguments(Kind operand, const std::vector<Option>& options,
-                         const std::string& indent) {
+std::string zshArguments(const Command& command, const std::string& indent) {
     std::string all = indent + "_arguments";
-    for (const Option& option : options) {
+    for (const Option& option : optionsOf(command)) {
         all += " \\\n" + indent + "    '" + option.name + '[' + zshText(briefly(option.text)) + ']';
-        if (option.kind != Kind::none) {
-            all += ':' + zshText(option.value) + ':' + zshAction(option.kind, option.choices);
+        if (const Kind kind = completionOf(option.value); kind != Kind::none) {
+            all += ':' + zshText(valueShown(option)) + ':' + zshAction(kind, option.value.choices);
         }
         all += '\'';
     }
+    const Kind operand = command.operands.kind;
     return all + " \\\n" + indent + "    '*:" + kindName(operand) + ':' + zshAction(operand, "")
            + "'\n";
+}
+
+std::string zshLevel(const Command& command, const std::string& indent) {
+    if (command.commands.empty()) {
+        return zshArguments(command, indent);
+    }
+    std::string all = indent + "local -a commands=(\n";
+    for (const Command& each : command.commands) {
+        all += indent + "    '" + std::string(each.lastWord()) + ':' + zshText(briefly(each.text))
+               + "'\n";
+    }
+    all += indent + ")\n" + indent + "if ((CURRENT == 2)); then\n" + indent
+           + "    _describe command commands\n" + indent + "    compadd -- " + namesOf(command)
+           + '\n' + indent + "    return\n" + indent + "fi\n" + indent + "shift words\n" + indent
+           + "((CURRENT--))\n" + indent + "case $words[1] in\n";
+    for (const Command& each : command.commands) {
+        all += indent + "    " + std::string(each.lastWord()) + ")\n"
+               + zshLevel(each, indent + "        ") + indent + "        ;;\n";
+    }
+    return all + indent + "esac\n";
 }
 
 } // namespace
 
 std::string zshCompletion(const Program& program) {
-    std::string all = std::string("#compdef ") + program.name + "\n# zsh: " + notice;
-    if (program.commands.empty()) {
-        return all + zshArguments(Kind::project, program.options, "");
-    }
-    all += "local -a commands=(\n";
-    for (const Command& command : program.commands) {
-        all += std::string("    '") + command.name + ':' + zshText(briefly(command.text)) + "'\n";
-    }
-    all += ")\nif ((CURRENT == 2)); then\n    _describe command commands\n    compadd -- "
-           + namesOf(program.options)
-           + "\n    return\nfi\nshift words\n((CURRENT--))\ncase $words[1] in\n";
-    for (const Command& command : program.commands) {
-        all += std::string("    ") + command.name + ")\n"
-               + zshArguments(command.operand, command.options, "        ") + "        ;;\n";
-    }
-    return all + "esac\n";
+    return std::string("#compdef ") + program.name + "\n# zsh: " + notice + zshLevel(program, "");
 }
 
 // --- fish
@@ -200,13 +213,17 @@ std::string fishCandidates(Kind kind, const char* choices) {
 }
 
 std::string fishOption(const std::string& begin, const Option& option) {
-    const std::string_view name = option.name;
-    const bool isLong = name.starts_with("--");
-    std::string all = begin + (isLong ? " -l " : " -s ") + std::string(name.substr(isLong ? 2 : 1));
-    const std::string candidates = fishCandidates(option.kind, option.choices);
-    if (option.kind == Kind::file) {
+    std::string all = begin;
+    for (const std::string_view name : {option.name, option.shortName}) {
+        all += name.empty()             ? ""
+               : name.starts_with("--") ? " -l " + std::string(name.substr(2))
+                                        : " -s " + std::string(name.substr(1));
+    }
+    const Kind kind = completionOf(option.value);
+    const std::string candidates = fishCandidates(kind, option.value.choices);
+    if (kind == Kind::file) {
         all += " -r -F";
-    } else if (option.kind != Kind::none) {
+    } else if (kind != Kind::none) {
         all += " -x";
     }
     if (!candidates.empty()) {
@@ -220,27 +237,36 @@ std::string fishOperand(const std::string& begin, Kind kind) {
     return begin + (candidates.empty() ? " -F" : " -k -a " + fishQuoted(candidates)) + '\n';
 }
 
+/// `here` is true once the words down to the command are typed.
+std::string fishLevel(const std::string& begin, const Command& command, const std::string& here) {
+    const auto where = [&begin](const std::string& condition) {
+        return begin + (condition.empty() ? "" : " -n " + fishQuoted(condition));
+    };
+    const std::string joint = here.empty() ? "" : "; and ";
+    const std::string none =
+        command.commands.empty() ? here
+        : here.empty()           ? "__fish_use_subcommand"
+                       : here + "; and not __fish_seen_subcommand_from " + commandNames(command);
+    std::string all;
+    for (const Option& option : optionsOf(command)) {
+        all += fishOption(where(none), option);
+    }
+    if (command.commands.empty()) {
+        return all + fishOperand(where(here), command.operands.kind);
+    }
+    for (const Command& each : command.commands) {
+        const std::string word(each.lastWord());
+        all += where(none) + " -a " + word + " -d " + fishQuoted(briefly(each.text)) + '\n'
+               + fishLevel(begin, each, here + joint + "__fish_seen_subcommand_from " + word);
+    }
+    return all;
+}
+
 } // namespace
 
 std::string fishCompletion(const Program& program) {
     const std::string begin = std::string("complete -c ") + program.name;
-    std::string all = "# fish: " + notice + begin + " -f\n";
-    const std::string first = begin + (program.commands.empty() ? "" : " -n __fish_use_subcommand");
-    for (const Option& option : program.options) {
-        all += fishOption(first, option);
-    }
-    if (program.commands.empty()) {
-        return all + fishOperand(begin, Kind::project);
-    }
-    for (const Command& command : program.commands) {
-        all += first + " -a " + command.name + " -d " + fishQuoted(briefly(command.text)) + '\n';
-        const std::string seen = begin + " -n '__fish_seen_subcommand_from " + command.name + "'";
-        for (const Option& option : command.options) {
-            all += fishOption(seen, option);
-        }
-        all += fishOperand(seen, command.operand);
-    }
-    return all;
+    return "# fish: " + notice + begin + " -f\n" + fishLevel(begin, program, "");
 }
 
 } // namespace sparkout::manual

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/manual/help_text.h"
 
-#include <algorithm>
 #include <string_view>
+#include <vector>
 
 namespace sparkout::manual {
 
@@ -29,9 +29,7 @@ std::string entry(const std::string& term, std::string_view text, std::size_t co
     }
     all.append(column - at, ' ');
     at = column;
-    while (!text.empty()) {
-        const std::string_view word = text.substr(0, text.find(' '));
-        text.remove_prefix(std::min(word.size() + 1, text.size()));
+    for (const std::string_view word : wordsOf(text)) {
         if (at > column && at + 1 + widthOf(word) > lineWidth) {
             all += '\n';
             all.append(column, ' ');
@@ -48,45 +46,88 @@ std::string entry(const std::string& term, std::string_view text, std::size_t co
 }
 
 std::string entryOf(const Option& option) {
-    std::string term = std::string("  ") + option.name;
-    if (*option.value != '\0') {
-        term += std::string(" ") + option.value;
-    }
-    return entry(term, option.text.english, optionColumn);
+    const std::string other = *option.shortName == '\0' ? "" : std::string(", ") + option.shortName;
+    return entry("  " + asTyped(option) + other, option.text.english, optionColumn);
 }
 
-/// A line of the synopsis; what follows it stands below what follows the command.
-std::string usageLine(const Program& program, std::string_view line) {
-    const std::size_t command = program.commands.empty() ? 0 : line.find(' ') + 1;
-    const std::string begin = std::string("  ") + program.name + ' ';
+/// A command and what it takes, broken at the width with what follows below what it takes.
+std::string broken(const std::string& begin, const std::vector<std::string>& parts,
+                   std::size_t width) {
     std::string all = begin;
-    for (const char c : line) {
-        all += c;
-        if (c == '\n') {
-            all.append(begin.size() + command, ' ');
+    std::size_t at = widthOf(begin);
+    for (const std::string& part : parts) {
+        if (at > widthOf(begin) && at + 1 + widthOf(part) > width) {
+            all += '\n' + std::string(widthOf(begin), ' ');
+            at = widthOf(begin);
         }
+        all += ' ' + part;
+        at += 1 + widthOf(part);
     }
     return all + '\n';
 }
 
-} // namespace
-
-std::string helpText(const Program& program) {
-    std::string all = std::string(program.name) + ": " + program.purpose.english + "\n\n";
-    for (const char* line : program.synopsis) {
-        all += usageLine(program, line);
+/// The operands of a command and its options, in brackets those that may be left out; those that
+/// exclude each other stand together.
+std::vector<std::string> partsOf(const Command& command) {
+    std::vector<std::string> parts{command.operands.shown};
+    for (const Option& option : command.options) {
+        std::string part;
+        bool isFirst = true;
+        for (const Option& other : command.options) {
+            const std::string_view group = other.group;
+            if (&other == &option || (!group.empty() && group == option.group)) {
+                isFirst = isFirst && (!part.empty() || &other == &option);
+                part += (part.empty() ? "" : " | ") + asTyped(other);
+            }
+        }
+        if (isFirst) {
+            parts.push_back(option.isRequired ? part : '[' + part + ']');
+        }
     }
-    all += '\n' + entry("", program.description.english, 0) + '\n';
-    for (const Command& command : program.commands) {
-        all += entry(command.name, command.text.english, commandColumn);
-        for (const Option& option : command.options) {
+    return parts;
+}
+
+/// The words of a line as typed; what stands in brackets is one.
+std::vector<std::string> partsOf(std::string_view form) {
+    std::vector<std::string> parts;
+    for (const std::string_view word : wordsOf(form)) {
+        const bool isOpen =
+            !parts.empty() && parts.back().starts_with('[') && !parts.back().ends_with(']');
+        if (isOpen) {
+            parts.back() += ' ' + std::string(word);
+        } else {
+            parts.emplace_back(word);
+        }
+    }
+    return parts;
+}
+
+std::string blockOf(const Command& command) {
+    std::string all;
+    for (const Command* each : withAllBelow(command)) {
+        all += entry(each->name, each->text.english, commandColumn);
+        for (const Option& option : each->options) {
             all += entryOf(option);
         }
+    }
+    return all;
+}
+
+bool isWhole(const Program& program, const Command& command) {
+    return &command == &program;
+}
+
+std::string wholeHelp(const Program& program) {
+    std::string all = std::string(program.name) + ": " + program.text.english + "\n\n";
+    all += usageLines(program, program, lineWidth, "  ");
+    all += '\n' + entry("", program.description.english, 0) + '\n';
+    for (const Command& command : program.commands) {
+        all += blockOf(command);
     }
     if (!program.commands.empty()) {
         all += '\n';
     }
-    for (const Option& option : program.options) {
+    for (const Option& option : optionsOf(program)) {
         all += entryOf(option);
     }
     all += '\n';
@@ -98,6 +139,40 @@ std::string helpText(const Program& program) {
         all += entry(std::string("  ") + status.codes, status.text.english, statusColumn);
     }
     return all;
+}
+
+} // namespace
+
+std::string usageLines(const Program& program, const Command& command, std::size_t width,
+                       const std::string& indent) {
+    const std::string begin = indent + program.name;
+    std::string all;
+    if (isWhole(program, command)) {
+        for (const char* form : program.forms) {
+            all += broken(begin, partsOf(form), width);
+        }
+    }
+    for (const Command* each : withAllBelow(command)) {
+        if (each->commands.empty() && !isWhole(program, *each)) {
+            all += broken(begin + ' ' + each->name, partsOf(*each), width);
+        }
+    }
+    if (isWhole(program, command) && program.forms.empty()) {
+        std::string alone;
+        for (const Option& option : optionsOf(program)) {
+            alone += (alone.empty() ? "" : " | ") + asTyped(option);
+        }
+        all += broken(begin, {alone}, width);
+    }
+    return all;
+}
+
+std::string helpText(const Program& program, const Command& command) {
+    if (isWhole(program, command)) {
+        return wholeHelp(program);
+    }
+    return usageLines(program, command, lineWidth, "  ") + '\n' + blockOf(command) + '\n'
+           + entryOf(helpOption);
 }
 
 } // namespace sparkout::manual

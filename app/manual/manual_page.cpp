@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/manual/manual_page.h"
 
+#include "app/manual/help_text.h"
+
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 #include <string_view>
 
 namespace sparkout::manual {
@@ -39,18 +42,23 @@ std::string entry(const std::string& term, const char* text) {
 
 std::string entryOf(const Option& option, Tongue tongue) {
     std::string term = "\\fB" + roff(option.name) + "\\fR";
-    if (*option.value != '\0') {
-        term += " \\fI" + roff(option.value) + "\\fR";
+    if (*option.shortName != '\0') {
+        term += ", \\fB" + roff(option.shortName) + "\\fR";
+    }
+    if (const std::string value = valueShown(option); !value.empty()) {
+        term += " \\fI" + roff(value) + "\\fR";
     }
     return entry(term, option.text.in(tongue));
 }
 
 std::string commandsOf(const Program& program, Tongue tongue) {
     std::string all;
-    for (const Command& command : program.commands) {
-        all += ".SS " + roff(command.name) + '\n' + roff(command.text.in(tongue)) + '\n';
-        for (const Option& option : command.options) {
-            all += entryOf(option, tongue);
+    for (const Command& top : program.commands) {
+        for (const Command* command : withAllBelow(top)) {
+            all += ".SS " + roff(command->name) + '\n' + roff(command->text.in(tongue)) + '\n';
+            for (const Option& option : command->options) {
+                all += entryOf(option, tongue);
+            }
         }
     }
     return all;
@@ -71,18 +79,21 @@ std::string manualPage(const Program& program, Tongue tongue, const std::string&
     std::string all = ".\\\" Written from the table of the program's options (app/manual).\n";
     all += ".TH " + roff(title) + " 1 \"\" \"Sparkout " + version + "\" \"" + manualName.in(tongue)
            + "\"\n";
-    all += head(nameHead, tongue) + roff(program.name) + " \\- " + roff(program.purpose.in(tongue))
+    all += head(nameHead, tongue) + roff(program.name) + " \\- " + roff(program.text.in(tongue))
            + '\n';
     all += head(synopsisHead, tongue) + ".nf\n";
-    for (const char* line : program.synopsis) {
-        all += "\\fB" + roff(program.name) + "\\fR " + roff(line) + '\n';
+    constexpr std::size_t synopsisWidth = 72; // of 80, indented
+    std::istringstream lines(usageLines(program, program, synopsisWidth));
+    for (std::string line; std::getline(lines, line);) {
+        const std::string_view name = line.starts_with(program.name) ? program.name : "";
+        all += "\\fB" + roff(name) + "\\fR" + roff(line.substr(name.size())) + '\n';
     }
     all += ".fi\n" + head(descriptionHead, tongue) + roff(program.description.in(tongue)) + '\n';
     if (!program.commands.empty()) {
         all += head(commandsHead, tongue) + commandsOf(program, tongue);
     }
     all += head(optionsHead, tongue);
-    for (const Option& option : program.options) {
+    for (const Option& option : optionsOf(program)) {
         all += entryOf(option, tongue);
     }
     all += head(notesHead, tongue);

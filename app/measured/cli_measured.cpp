@@ -167,7 +167,7 @@ std::string holdOutText(const Project& project, const HoldOutRow& row) {
 }
 
 /// Runs the batch that predicts, and judges; the exit status.
-int judge(const Project& project, const std::string& name, const Options& options,
+int judge(const Project& project, const std::string& name, const manual::Given& given,
           MeasuredAnswer& answer) {
     if (statisticsOfMeasured(project).empty()) {
         return done;
@@ -179,22 +179,23 @@ int judge(const Project& project, const std::string& name, const Options& option
         return refused;
     }
     BatchOptions run;
-    BatchWatch watch(predicting.batch->parts, options.progress, "parts");
+    BatchWatch watch(predicting.batch->parts, given.has("--progress"), "parts");
     run.stop = watch.stop();
     run.done = watch.done();
     answer.rows = judgeAdequacy(project, runBatchUnchecked(predicting, run));
     return done;
 }
 
-int statusOf(const MeasuredAnswer& answer, const Options& options) {
+int statusOf(const MeasuredAnswer& answer, const manual::Given& given) {
     if (answer.fit) {
         switch (answer.fit->status) {
         case IdentificationStatus::fitted:
-            if (options.check && !answer.fit->outOfStep.empty()) {
+            if (given.has("--check") && !answer.fit->outOfStep.empty()) {
                 return requirementFails;
             }
             break;
-        case IdentificationStatus::cannotTell: return options.check ? requirementFails : done;
+        case IdentificationStatus::cannotTell:
+            return given.has("--check") ? requirementFails : done;
         case IdentificationStatus::doesNotFit: return requirementFails;
         case IdentificationStatus::notRun:
             return answer.fit->issues.empty() ? cannotReachSize : refused;
@@ -202,26 +203,27 @@ int statusOf(const MeasuredAnswer& answer, const Options& options) {
         }
     }
     const bool agrees = std::ranges::all_of(answer.holdOut, &HoldOutRow::agrees);
-    return options.check && !(agrees && speaksForModel(answer.rows)) ? requirementFails : done;
+    return given.has("--check") && !(agrees && speaksForModel(answer.rows)) ? requirementFails
+                                                                            : done;
 }
 
 /// Saves the inputs that were found, in the set-up that they are of.
 int saveFound(const Project& project, const Identification& found, Setup setup, std::size_t surface,
-              const Options& options) {
-    const std::string& data = options.data.empty() ? options.operand : options.data;
+              const manual::Given& given) {
+    const std::string& data = !given.has("--data") ? given.operands.front() : given.text("--data");
     const Project made =
         withCalibration(project, found, utf8(pathFromUtf8(data).filename()), today());
     for (GroundSurface& other : setup.surfaces) {
         copyShared(made, other.project);
     }
     setup.surfaces[surface].project = made;
-    return save(options.output, writeSetup(setup));
+    return save(given.text("-o"), writeSetup(setup));
 }
 
 int measureOne(Project project, const Surfaces& surfaces, std::size_t surface,
                const std::string& name, const std::vector<FittedParameter>& parameters,
-               const Options& options) {
-    if (!options.data.empty() && !readInto(project, options.data)) {
+               const manual::Given& given) {
+    if (given.has("--data") && !readInto(project, given.text("--data"))) {
         return refused;
     }
     if (!project.measured
@@ -231,7 +233,7 @@ int measureOne(Project project, const Surfaces& surfaces, std::size_t surface,
         return refused;
     }
     MeasuredAnswer answer{.rows = {}, .holdOut = {}, .fit = {}, .parameters = parameters};
-    if (const int failed = judge(project, name, options, answer)) {
+    if (const int failed = judge(project, name, given, answer)) {
         return failed;
     }
     if (caughtSignal() == 0) {
@@ -244,12 +246,12 @@ int measureOne(Project project, const Surfaces& surfaces, std::size_t surface,
                               {parameters,
                                {},
                                !answer.rows.empty(),
-                               robustLossOf(options.loss).value_or(RobustLoss::none)},
+                               robustLossOf(given.text("--loss")).value_or(RobustLoss::none)},
                               watch.stop());
         printIssues(answer.fit->values.empty() ? name : name + ", with these values",
                     answer.fit->issues);
     }
-    if (options.json) {
+    if (given.has("--json")) {
         print(stdout, measuredJson(project, answer));
     } else {
         for (const AdequacyRow& row : answer.rows) {
@@ -263,54 +265,54 @@ int measureOne(Project project, const Surfaces& surfaces, std::size_t surface,
     if (caughtSignal() != 0) {
         return interrupted + caughtSignal();
     }
-    if (!options.output.empty()) {
+    if (given.has("-o")) {
         if (answer.fit->status != IdentificationStatus::fitted) {
             print(stderr,
-                  printable(options.output) + ": not saved, for there are no values to use\n");
+                  printable(given.text("-o")) + ": not saved, for there are no values to use\n");
         } else if (const int failed =
-                       saveFound(project, *answer.fit, surfaces.setup(), surface, options)) {
+                       saveFound(project, *answer.fit, surfaces.setup(), surface, given)) {
             return failed;
         }
     }
-    return statusOf(answer, options);
+    return statusOf(answer, given);
 }
 
 } // namespace
 
-int runMeasuredCommand(const Options& options) {
+int runMeasuredCommand(const manual::Given& given) {
+    const bool statesForm = given.has("--roundness") || given.has("--profile");
+    const bool findsStiffness = given.has("--stiffness-sheet") || given.has("--stiffness");
+    const bool fits = given.has("--fit") || given.has("--data");
+    if (int(statesForm) + int(given.has("--trial")) + int(findsStiffness) + int(fits) > 1) {
+        return usageError("only one of --roundness, --trial, --stiffness and --fit");
+    }
+    if (isSameFile(given.text("-o"), given.operands.front())) {
+        return usageError("-o would replace the project that is read: " + given.text("-o"));
+    }
     std::vector<FittedParameter> parameters;
-    const std::string& wanted = options.trial.empty() ? options.fit : options.trial;
-    if (!wanted.empty()) {
-        const auto requested = fittedParametersOf(wanted);
+    const char* const wish = given.has("--trial") ? "--trial" : "--fit";
+    if (given.has(wish)) {
+        const auto requested = fittedParametersOf(given.text(wish));
         if (!requested) {
-            return usageError(std::string(options.trial.empty() ? "--fit" : "--trial")
-                              + " needs parameters out of " + knownParameters() + "; "
-                              + parameterHint());
+            return usageError(std::string(wish) + " needs parameters out of " + knownParameters()
+                              + "; " + parameterHint());
         }
         parameters = *requested;
     }
-    const Surfaces surfaces(options.operand, options.surface);
+    const Surfaces surfaces(given);
     if (surfaces.status() != done) {
         return surfaces.status();
     }
-    for (const auto& [option, file] :
-         {std::pair("--data", &options.data), std::pair("-o", &options.output),
-          std::pair("--profile", &options.profile), std::pair("--stiffness", &options.stiffness)}) {
-        if (const int failed = file->empty() ? done : surfaces.oneFor(option)) {
-            return failed;
-        }
+    if (const int failed = surfaces.oneFor({"--data", "-o", "--profile", "--stiffness"})) {
+        return failed;
     }
-    return surfaces.run(
-        [&](const Project& project, std::size_t surface, const std::string& name) {
-            return options.roundness || !options.profile.empty()
-                       ? stateRoundness(project, name, options)
-                   : options.sheet || !options.stiffness.empty()
-                       ? findStiffness(project, name, options)
-                   : !options.trial.empty()
-                       ? designTrialOf(project, name, parameters, options)
-                       : measureOne(project, surfaces, surface, name, parameters, options);
-        },
-        options.json);
+    return surfaces.run([&](const Project& project, std::size_t surface, const std::string& name) {
+        return statesForm       ? stateRoundness(project, name, given)
+               : findsStiffness ? findStiffness(project, name, given)
+               : given.has("--trial")
+                   ? designTrialOf(project, name, parameters, given)
+                   : measureOne(project, surfaces, surface, name, parameters, given);
+    });
 }
 
 } // namespace sparkout::cli

@@ -77,10 +77,10 @@ std::optional<ClosedProfile> readProfile(const Project& project, const std::stri
 
 } // namespace
 
-int stateRoundness(const Project& project, const std::string& name, const Options& options) {
+int stateRoundness(const Project& project, const std::string& name, const manual::Given& given) {
     std::optional<ClosedProfile> recorded;
-    if (!options.profile.empty()) {
-        recorded = readProfile(project, options.profile);
+    if (given.has("--profile")) {
+        recorded = readProfile(project, given.text("--profile"));
         if (!recorded) {
             return refused;
         }
@@ -109,7 +109,7 @@ int stateRoundness(const Project& project, const std::string& name, const Option
                             {"readings", readingsJson(recorded->radii_mm)}};
         text += readingsText("recorded", recorded->radii_mm);
     }
-    print(stdout, options.json ? json.dump(2) + '\n' : text);
+    print(stdout, given.has("--json") ? json.dump(2) + '\n' : text);
     return done;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/io/cli_options.h"
+#include "app/manual/given.h"
 #include "core/project/project.h"
 
 #include <string>
@@ -10,6 +10,6 @@ namespace sparkout::cli {
 
 /// `measured --roundness`, with `--profile` beside a recorded section; returns the exit status.
 [[nodiscard]] int stateRoundness(const Project& project, const std::string& name,
-                                 const Options& options);
+                                 const manual::Given& given);
 
 } // namespace sparkout::cli

@@ -53,7 +53,7 @@ int printSheet(const Project& project, bool json) {
     return done;
 }
 
-StiffnessRequest requestOf(const StiffnessTable& table, const Options& options) {
+StiffnessRequest requestOf(const StiffnessTable& table, const manual::Given& given) {
     StiffnessRequest request;
     request.readings = table.readings;
     std::set<double> places;
@@ -61,7 +61,7 @@ StiffnessRequest requestOf(const StiffnessTable& table, const Options& options) 
         places.insert(reading.position_mm);
     }
     constexpr std::size_t enoughForWheelHead = 3;
-    if (options.indicator == "system") {
+    if (given.text("--indicator") == "system") {
         request.deflection = DeflectionOf::system;
         request.findWheelHead = places.size() >= enoughForWheelHead;
     }
@@ -120,20 +120,20 @@ std::string stiffnessText(const StiffnessTrial& trial, const std::vector<Complia
 
 } // namespace
 
-int findStiffness(const Project& project, const std::string& name, const Options& options) {
-    if (options.stiffness.empty()) {
-        return printSheet(project, options.json);
+int findStiffness(const Project& project, const std::string& name, const manual::Given& given) {
+    if (!given.has("--stiffness")) {
+        return printSheet(project, given.has("--json"));
     }
-    const auto text = readOrSay(options.stiffness, limits::measuredBytes);
+    const auto text = readOrSay(given.text("--stiffness"), limits::measuredBytes);
     if (!text) {
         return refused;
     }
     const StiffnessTable table = readStiffnessTable(*text);
     if (!table.faults.empty()) {
-        printFaults(options.stiffness, table.faults);
+        printFaults(given.text("--stiffness"), table.faults);
         return refused;
     }
-    const StiffnessTrial trial = stiffnessFromTrial(project, requestOf(table, options));
+    const StiffnessTrial trial = stiffnessFromTrial(project, requestOf(table, given));
     if (trial.status != StiffnessTrialStatus::found) {
         std::string units;
         for (const StiffnessUnit unit : trial.negative) {
@@ -146,10 +146,10 @@ int findStiffness(const Project& project, const std::string& name, const Options
     std::vector<CompliantPoint> points;
     if (project.machine->stiffness_n_um) {
         points = compliantPoints(
-            withStiffness(project, trial, options.stiffness, {}, table.readings.size()));
+            withStiffness(project, trial, given.text("--stiffness"), {}, table.readings.size()));
     }
-    print(stdout, options.json ? stiffnessJson(trial, points).dump(2) + '\n'
-                               : stiffnessText(trial, points));
+    print(stdout, given.has("--json") ? stiffnessJson(trial, points).dump(2) + '\n'
+                                      : stiffnessText(trial, points));
     return done;
 }
 

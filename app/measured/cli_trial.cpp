@@ -74,7 +74,7 @@ std::string trialText(const Project& project, const Trial& trial, std::size_t ra
 } // namespace
 
 int designTrialOf(const Project& project, const std::string& name,
-                  const std::vector<FittedParameter>& parameters, const Options& options) {
+                  const std::vector<FittedParameter>& parameters, const manual::Given& given) {
     const TrialRequest request{parameters, {}};
     const BatchWatch watch(BatchWatch::uncounted, false, "trials");
     const TrialDesign design = designTrial(project, request, watch.stop());
@@ -101,8 +101,9 @@ int designTrialOf(const Project& project, const std::string& name,
         json["trials"].push_back(trialJson(project, trial));
         text += trialText(project, trial, json["trials"].size());
     }
-    print(stdout, options.json ? json.dump(2) + '\n' : text);
-    return options.check && !design.trials.front().cannotTell.empty() ? requirementFails : done;
+    print(stdout, given.has("--json") ? json.dump(2) + '\n' : text);
+    return given.has("--check") && !design.trials.front().cannotTell.empty() ? requirementFails
+                                                                             : done;
 }
 
 } // namespace sparkout::cli

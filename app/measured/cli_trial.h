@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/io/cli_options.h"
+#include "app/manual/given.h"
 #include "core/identification/fitted_parameter.h"
 #include "core/project/project.h"
 
@@ -13,6 +13,6 @@ namespace sparkout::cli {
 /// `measured --trial`; returns the exit status.
 [[nodiscard]] int designTrialOf(const Project& project, const std::string& name,
                                 const std::vector<FittedParameter>& parameters,
-                                const Options& options);
+                                const manual::Given& given);
 
 } // namespace sparkout::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the manual pages of the programs in both languages and the completion of their command
 // lines, below a folder as below share/: sparkout-manual FOLDER. With --options it prints a line
-// for each option instead: program, command or "-", name.
+// for each option instead: program, the words of the command, name.
 #include "app/manual/command_line.h"
 #include "app/manual/completion.h"
 #include "app/manual/manual_page.h"
@@ -45,12 +45,11 @@ bool writeAll(const Program& program, const std::string& folder) {
 }
 
 void printOptions(const Program& program) {
-    for (const Option& option : program.options) {
-        std::printf("%s - %s\n", program.name, option.name);
-    }
-    for (const Command& command : program.commands) {
-        for (const Option& option : command.options) {
-            std::printf("%s %s %s\n", program.name, command.name, option.name);
+    for (const Command* command : withAllBelow(program)) {
+        const bool isWhole = command == &program;
+        const std::string words = isWhole ? "" : ' ' + std::string(command->name);
+        for (const Option& option : isWhole ? optionsOf(program) : command->options) {
+            std::printf("%s%s %s\n", program.name, words.c_str(), option.name);
         }
     }
 }

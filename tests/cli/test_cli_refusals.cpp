@@ -33,7 +33,6 @@ private slots:
         addRow("option of another command", QStringList{"validate", "a", "--json"});
         addRow("no trace file", QStringList{"simulate", "a", "--trace"});
         addRow("empty trace file", QStringList{"simulate", "a", "--trace", ""});
-        addRow("help of a command", QStringList{"simulate", "--help"});
     }
 
     void usageErrors() {

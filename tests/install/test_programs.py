@@ -82,8 +82,9 @@ def desktop(prefix):
 
 
 def options():
-    """(program, command or "-", option) of the table."""
-    return [tuple(line.split()) for line in run(manual, "--options").splitlines()]
+    """(program, words of the command, option) of the table."""
+    lines = [line.split() for line in run(manual, "--options").splitlines()]
+    return [(program, words, option) for program, *words, option in lines]
 
 
 def manuals(prefix, environment):
@@ -105,8 +106,8 @@ def manuals(prefix, environment):
                 assert option in text, option
             flag = " -l " + option[2:] if option.startswith("--") else " -s " + option[1:]
             assert flag in fish, option
-            if command != "-":
-                said = ran(str(prefix / "bin" / program), command, option, env=environment)
+            if command:
+                said = ran(str(prefix / "bin" / program), *command, option, env=environment)
                 assert said.returncode == 2 and "unknown option" not in said.stderr, (command, option)
         # Each option that is named anywhere is one.
         known = {row[2] for row in rows if row[0] == program}
@@ -123,7 +124,7 @@ def choices(prefix, environment):
     bash = (prefix / "share/bash-completion/completions/sparkout").read_text(encoding="utf-8")
     for option, wrong in (("--report", ["-o", "a.pdf", example]), ("--view", ["--picture", "a.png", example])):
         said = ran(str(prefix / "bin/sparkout"), option, "nothing", *wrong, env=environment).stderr
-        there = re.search(r"there are: (.*)", said).group(1).split(", ")
+        there = re.search(r"there are: ([^;\n]*)", said).group(1).split(", ")
         stated = re.search(rf'{option}\) kind="choice" words="(.*?)"', bash).group(1).split()
         assert there == stated, (option, there, stated)
 
@@ -141,6 +142,10 @@ def completion(prefix):
     assert completed(prefix, "sparkout-cli", "batch", "--sc") == ["--scenarios"]
     assert completed(prefix, "sparkout-cli", "batch", "--scenarios", "l") == ["latin_hypercube"]
     assert completed(prefix, "sparkout-cli", "simulate", "wheel-d") == ["wheel-dull.sparkout"]
+    assert completed(prefix, "sparkout-cli", "new", "--len") == ["--length"]
+    assert completed(prefix, "sparkout-cli", "measured", "--he") == ["--help"]
+    assert completed(prefix, "sparkout-cli", "course", "v") == ["variants"]
+    assert completed(prefix, "sparkout-cli", "course", "grade", "--x") == ["--xlsx"]
     assert completed(prefix, "sparkout", "--lang", "") == ["en", "ru"]
     assert completed(prefix, "sparkout", "--theme", "con") == ["contrast"]
     assert "setups" in completed(prefix, "sparkout", "-d", "")

@@ -435,7 +435,8 @@ private slots:
         std::mt19937_64 random(31);
         std::uniform_real_distribution<double> share(0, 1);
         int found = 0;
-        for (unsigned seed = 0; seed < searches(80); ++seed) {
+        const unsigned count = searches(80);
+        for (unsigned seed = 0; seed < count; ++seed) {
             Project p = smallCase(seed);
             const auto places = static_cast<std::size_t>(placeCount(p));
             const double field_um = p.part->upper_deviation_um - p.part->lower_deviation_um;
@@ -458,7 +459,7 @@ private slots:
             }
         }
         std::printf("searches of printed forms with a cycle: %d\n", found);
-        QVERIFY(found > 10);
+        QVERIFY(found > static_cast<int>(count) / 8);
     }
 };
 
