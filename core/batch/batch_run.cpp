@@ -42,7 +42,7 @@ public:
     [[nodiscard]] const std::vector<Characteristic>& characteristics() const {
         return m_characteristics;
     }
-    [[nodiscard]] bool over() const { return m_over; } ///< the sink wanted no more
+    [[nodiscard]] bool over() const { return m_over; } ///< whether the sink wants no more parts
 
 private:
     [[nodiscard]] std::int64_t partAt(std::int64_t place) const {

@@ -12,10 +12,10 @@ namespace sparkout {
 /// Why a text is no state of a batch.
 enum class StateFault {
     none,
-    otherFormat,  ///< not of this kind at all
+    otherFormat,  ///< not a batch state
     tooDeep,      ///< nested deeper than limits::depth, as no state is
-    otherVersion, ///< of a version that this one does not read
-    changed,      ///< its checksum is not that of its contents
+    otherVersion, ///< a version that this program does not read
+    changed,      ///< the checksum does not match the contents
     impossible    ///< contents no batch writes
 };
 
@@ -23,7 +23,7 @@ enum class StateFault {
 struct ReadBatchState {
     StateFault fault = StateFault::none;
     std::optional<BatchResult> result;
-    std::optional<Issue> issue; ///< of an impossible one: what no batch writes, at its JSON pointer
+    std::optional<Issue> issue; ///< the impossible value, at its JSON pointer
 
     explicit operator bool() const { return result.has_value(); }
 };

@@ -9,8 +9,8 @@ namespace sparkout {
 /// no more than mostFailing() of all are.
 inline constexpr int freshPartCount = 500;
 
-/// The project with so many parts in its batch, drawn at random and independently of each other:
-/// other ones for every `draw` from 1 on, and than those of the batch itself.
+/// The project with a batch of so many parts, drawn at random and independently; each `draw` from 1
+/// on gives different parts, and none gives those of the batch itself.
 [[nodiscard]] Project withFreshParts(Project project, int draw, int count = freshPartCount);
 
 } // namespace sparkout

@@ -17,7 +17,7 @@ namespace {
 using Cells = std::vector<std::string_view>;
 using Names = std::initializer_list<const char*>;
 
-/// A heading without what lists write differently: "Ф.И.О." is "фио".
+/// A heading without variations of spelling: "Ф.И.О." becomes "фио".
 std::string comparedHeading(std::string_view heading) {
     std::string name = lowerCase(withSingleSpaces(heading));
     std::erase(name, '.');
@@ -38,7 +38,7 @@ std::string cellAt(const Cells& cells, std::size_t column) {
     return column < cells.size() ? withSingleSpaces(cells[column]) : std::string();
 }
 
-/// Where a list has what.
+/// The columns of a list.
 class Columns {
 public:
     /// False: these are no headings.
@@ -87,7 +87,7 @@ public:
 private:
     std::vector<std::size_t> m_names{0};
     std::size_t m_group = 1;
-    std::size_t m_headings = 0; ///< 0: there are none
+    std::size_t m_headings = 0; ///< number of the row of headings; 0: none
 };
 
 } // namespace

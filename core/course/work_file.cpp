@@ -80,7 +80,7 @@ ReadWork readWorkJson(const json& root, Issues found, const std::stop_token& sto
     checkEntries(work, faults);
     if (faults.empty()) {
         read.work = std::move(work);
-    } else { // before warnings, of which the list may be full
+    } else { // placed before warnings, since the list may be full
         issues.insert(issues.begin(), faults.begin(), faults.end());
         issues.resize(std::min(issues.size(), limits::issues));
     }

@@ -21,7 +21,7 @@ struct ReadWork {
     Issues issues;            ///< those of its lesson below "/lesson"
 };
 
-/// Reads and checks a work within the limits of a project file. All faults at once.
+/// Reads and checks a work within the limits of a project file. Returns all faults at once.
 [[nodiscard]] ReadWork readWork(std::string_view text, const std::stop_token& stop = {});
 
 /// The text of a work: the same work, the same bytes.

@@ -42,7 +42,7 @@ Range allowedValues(FactorKind kind, Operation operation) {
     return {1e-3, 1e3}; // a factor on γ: between a thousandth and a thousand times
 }
 
-/// Of the inputs that say how zones scatter.
+/// The inputs that describe the scatter of the zones.
 struct ZoneRows {
     FactorKind kind;
     const char* key;

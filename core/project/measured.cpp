@@ -54,7 +54,8 @@ private:
         }
     }
 
-    /// Fewer sections than when it was measured: the data stay, but nothing is held against them.
+    /// A part with fewer sections than when it was measured keeps the data, but nothing is compared
+    /// with them.
     void checkPlace(int place, const std::string& path) {
         if (place >= m_places) {
             add(IssueCode::outOfRange, Severity::warning, path + "/place", Count{place},

@@ -10,7 +10,7 @@ namespace sparkout {
 
 namespace {
 
-/// Takes the first key off a path.
+/// Removes the first key from a path.
 std::string_view takeKey(std::string_view& path) {
     if (path.starts_with('/')) {
         path.remove_prefix(1);
@@ -23,8 +23,8 @@ std::string_view takeKey(std::string_view& path) {
 
 enum class Missing { stop, create, defaults };
 
-/// The struct a path goes on in below an object row; null when there is none. What is only read
-/// from (`defaults`) stays shared with other projects.
+/// The struct below an object row in which a path continues; null if there is none. A struct that
+/// is only read (`defaults`) stays shared with other projects.
 void* descend(const Field& field, void* owner, std::string_view& path, Missing missing) {
     if (field.kind == Kind::object || field.kind == Kind::optionalObject) {
         return missing == Missing::defaults ? const_cast<void*>(field.objectIn(owner))
@@ -59,7 +59,7 @@ Member walk(Project& project, std::string_view path, Missing missing, const Fiel
         }
         owner = descend(*field, owner, path, missing);
         if (!owner && missing == Missing::defaults && field->kind == Kind::optionalObject) {
-            owner = const_cast<void*>(field->nested->defaults); // only read from
+            owner = const_cast<void*>(field->nested->defaults); // never written to
         }
         if (!owner) {
             return {};
@@ -79,7 +79,7 @@ Member findMember(Project& project, std::string_view path, bool create) {
 
 ConstMember findMember(const Project& project, std::string_view path) {
     const Member member =
-        walk(const_cast<Project&>(project), path, Missing::defaults, nullptr); // only read from
+        walk(const_cast<Project&>(project), path, Missing::defaults, nullptr); // never written to
     return {member.field, member.owner};
 }
 
@@ -111,7 +111,7 @@ void setNumberIn(const Field& field, void* owner, std::optional<double> value) {
 
 const Field* nearestField(const Project& project, std::string_view path) {
     const Field* nearest = nullptr;
-    walk(const_cast<Project&>(project), path, Missing::defaults, &nearest); // only read from
+    walk(const_cast<Project&>(project), path, Missing::defaults, &nearest); // never written to
     return nearest;
 }
 

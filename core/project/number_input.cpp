@@ -9,7 +9,7 @@ namespace sparkout {
 
 namespace {
 
-/// A number found: what it is, the struct that holds its member, and where in the member it is.
+/// Receives a number, the struct that holds its member, and the index within the member.
 using NumberVisit = std::function<void(NumberInput&&, const void* owner, std::size_t part)>;
 
 class NumberWalk {

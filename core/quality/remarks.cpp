@@ -29,7 +29,7 @@ bool endsOversize(const SimulationResult& result) {
                : deviation < part.lower_deviation_um / units::umPerMm - diameterSlack_mm;
 }
 
-/// In whole hundredths of a micrometre.
+/// Rounded to hundredths of a micrometre.
 Amount shortMm(double value) {
     return {std::round(value * 1e5) / 1e5, "mm"};
 }
@@ -61,7 +61,7 @@ void addDwells(const Project& project, Issues& found) {
     if (!project.operation->travels) {
         return;
     }
-    constexpr double noticed = 0.02; // of the dwell
+    constexpr double noticed = 0.02; // share of the dwell
     const Machine& machine = *project.machine;
     const std::pair<const char*, double> dwells[] = {{"entry", machine.dwell_entry_s},
                                                      {"exit", machine.dwell_exit_s}};

@@ -9,7 +9,7 @@ namespace sparkout {
 
 namespace {
 
-/// Nothing for a stage that removed nothing.
+/// Empty for a stage without removal.
 std::optional<std::string> peakPlace(const Peak& peak) {
     return peak.value > 0 ? std::optional(placeText(peak.at)) : std::nullopt;
 }
