@@ -21,14 +21,15 @@ struct ReadSetup {
     Issues issues; ///< errors, or warnings beside a set-up
 };
 
-/// Reads and validates a file of either version. All faults at once; of what is shared each once.
+/// Reads and validates a file of either version. Returns all faults at once; a fault of a shared
+/// value is listed once.
 [[nodiscard]] ReadSetup readSetup(std::string_view text, const std::stop_token& stop = {});
 
 /// The text of a set-up: the same set-up, the same bytes; of a single surface without name, times
 /// and wear that of its project.
 [[nodiscard]] std::string writeSetup(const Setup& setup);
 
-/// Whether two set-ups hold the same values.
+/// Whether two set-ups have the same values.
 [[nodiscard]] bool sameSetup(const Setup& a, const Setup& b);
 
 } // namespace sparkout

@@ -11,8 +11,8 @@ class QSortFilterProxyModel;
 
 namespace sparkout {
 
-/// A combo box with a long list: what is typed, in the closed box or above its open list, leaves
-/// the entries that hold every word of it, whatever the case.
+/// A combo box with a long list: text typed in the closed box or above its open list filters the
+/// entries by words, ignoring case.
 class SearchCombo : public QComboBox {
     Q_OBJECT
 

@@ -58,7 +58,7 @@ public:
         return scaledPixmap(size, mode, state, 1);
     }
 
-    /// The size is in device pixels already.
+    /// The size is in device pixels.
     QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State state,
                          qreal scale) override {
         const QSize pixels = actualSize(size, mode, state);

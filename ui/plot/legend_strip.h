@@ -16,7 +16,7 @@ public:
 
     void setEntries(LegendEntries entries);
     [[nodiscard]] const LegendEntries& entries() const { return m_entries; }
-    [[nodiscard]] QRect entryRect(int index) const; ///< in the widget
+    [[nodiscard]] QRect entryRect(int index) const; ///< in widget coordinates
     void retranslate();
 
     [[nodiscard]] bool hasHeightForWidth() const override { return true; }

@@ -7,7 +7,7 @@
 
 namespace sparkout {
 
-/// The numbers of an axis with a true minus, very small and large ones with a power of ten.
+/// The numbers of an axis with a typographic minus; very small and large ones with a power of ten.
 class NumberTicker : public QCPAxisTicker {
 protected:
     QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {

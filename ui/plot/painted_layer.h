@@ -23,7 +23,7 @@ protected:
         return m_rect ? m_rect->rect() : QCPLayerable::clipRect();
     }
 
-    QCPAxisRect* m_rect = nullptr; ///< null: anywhere
+    QCPAxisRect* m_rect = nullptr; ///< null: the whole plot
 
 private:
     Edges m_edges;

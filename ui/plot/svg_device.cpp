@@ -102,7 +102,7 @@ private:
     int m_dotsPerInch;
     QString m_body;
     QString m_clipPaths;                 ///< <clipPath> elements
-    QHash<QString, QString> m_clipNames; ///< by path data, in device coordinates
+    QHash<QString, QString> m_clipNames; ///< names by path data, in device coordinates
     QString m_clipName;
     bool m_clipping = false;
     QPainterPath m_clip;
@@ -168,7 +168,7 @@ void SvgEngine::readClip(const QPaintEngineState& now) {
     }
 }
 
-/// Clip paths are in device coordinates, hence a group of their own outside the transform.
+/// Clip paths are in device coordinates, hence in a group outside the transform.
 void SvgEngine::put(const QString& element) {
     QString text = element;
     if (!m_transform.isIdentity()) {

@@ -8,7 +8,7 @@ namespace sparkout {
 
 namespace {
 
-/// As it is pasted: a spreadsheet takes tabs and line ends for those of the table.
+/// The pasted form of a cell: a spreadsheet interprets tabs and line ends as those of the table.
 QString pastedCell(const CsvCell& cell, const TableDialect& dialect) {
     if (const auto* number = std::get_if<double>(&cell)) {
         return QString::fromStdString(CsvLine(dialect).number(*number).end({}));

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-/// Tables on their way to a spreadsheet.
+/// Tables for spreadsheets.
 namespace sparkout {
 
 /// A cell: empty, a number, or a text. A number that is not finite counts as empty.
@@ -22,7 +22,7 @@ struct CsvTable {
     QStringList header;
     std::vector<std::vector<CsvCell>> rows;
     bool byPlace = false;  ///< the first column names a place; a workbook has a sheet for each
-    bool ownUnits = false; ///< every row has a unit of its own, so columns have no common digits
+    bool ownUnits = false; ///< every row has its own unit, so columns have no common decimals
 
     [[nodiscard]] bool empty() const { return rows.empty(); }
 };
@@ -32,8 +32,8 @@ enum class CsvDialect {
     english,      ///< commas, decimal points (RFC 4180)
 };
 
-/// UTF-8 with a byte-order mark, by which Excel knows it; lines ended by CR LF; cells as CsvLine
-/// writes them.
+/// UTF-8 with a byte-order mark, by which Excel recognises it; lines end with CR LF; cells as
+/// CsvLine writes them.
 [[nodiscard]] QByteArray csvBytes(const CsvTable& table, CsvDialect dialect);
 
 /// The byte-order mark, and a line of cells.

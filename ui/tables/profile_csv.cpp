@@ -16,10 +16,10 @@ namespace sparkout {
 
 namespace {
 
-constexpr qsizetype longestQuote = 60; // of a refused text in a message
+constexpr qsizetype longestQuote = 60; // characters of a refused text in a message
 
 struct TextRow {
-    int line = 0; ///< of the file, from 1
+    int line = 0; ///< line of the file, from 1
     QStringList cells;
     QChar delimiter;
     [[nodiscard]] QString text() const { return cells.join(delimiter); }
@@ -72,7 +72,7 @@ bool countsBeforeTheComma(const std::vector<TextRow>& rows) {
     return step > 0;
 }
 
-/// Whether commas stand between columns: most lines that hold one are no number as a whole.
+/// Whether commas separate columns: most lines with a comma are not a number as a whole.
 bool commaSeparates(const std::vector<TextRow>& rows) {
     int with = 0;
     int numbers = 0;

@@ -32,7 +32,7 @@ namespace {
 /// radii.
 constexpr int moreDecimals = 1;
 
-/// Of the number, not of its exponent.
+/// Replaces the minus of a number, but not of its exponent.
 QString trueMinus(const QString& number) {
     return number.startsWith(u'-') ? u'−' + number.mid(1) : number;
 }
@@ -60,7 +60,7 @@ QString stepText(const FormulaStep& step) {
     if (step.result.unit && *step.result.unit) {
         result += QChar::Nbsp + unitText(step.result.unit);
     }
-    // A step without terms states a number: it has no numbers to put in.
+    // A step without terms states a number: there are no numbers to insert.
     return step.terms.empty() ? symbols + QStringLiteral(" = ") + result
                               : QStringList{symbols, numbers, result}.join(QStringLiteral(" = "));
 }

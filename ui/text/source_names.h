@@ -9,7 +9,7 @@
 
 namespace sparkout {
 
-/// A source in words, in the present language: "MODEL-5" → "model page, section 5, traverse
+/// The text of a source in the current language: "MODEL-5" → "model page, section 5, traverse
 /// cycle". Empty for a key that core/SOURCES.md does not have.
 [[nodiscard]] QString sourceText(std::string_view key);
 

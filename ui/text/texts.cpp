@@ -84,7 +84,7 @@ QString withSubscripts(QString text) {
     return text;
 }
 
-/// Issues in the present language, with the numbers and names of the window.
+/// Issues in the current language, with the window's number format and names.
 class WindowWording : public Wording {
 protected:
     std::string translated(const char* context, const std::string& text) const override {
@@ -195,7 +195,7 @@ QString fileIssueText(const Issue& issue) {
 
 namespace {
 
-/// What stands beside the surfaces in the file of a set-up.
+/// An entry besides the surfaces in the file of a set-up.
 struct SetupPart {
     const char* key;
     const StructInfo& (*table)();
