@@ -38,7 +38,7 @@ namespace {
 constexpr QSize usualSize(940, 620);
 const QString settingsName = QStringLiteral("catalogue");
 
-/// The numbers one tells entries apart by.
+/// The keys of the main numbers of an entry.
 std::vector<std::string> mainKeys(CatalogueKind kind) {
     switch (kind) {
     case CatalogueKind::materials:
@@ -71,7 +71,7 @@ const Field* fieldAt(const StructInfo& table, const std::string& key) {
                                                 : fieldAt(*field->nested, key.substr(slash + 1));
 }
 
-/// All contents in sight, by scrolling where they are wide; rows to the edge where they are not.
+/// Makes the contents visible, by scrolling if they are too wide, and fills the width otherwise.
 void fitColumns(QTreeWidget& tree) {
     tree.header()->setStretchLastSection(false);
     for (int column = 0; column < tree.columnCount(); ++column) {
@@ -323,7 +323,7 @@ void CatalogueDialog::showChosen() {
     showPreview();
 }
 
-/// What stays as it is because its stiffness is not taken is left out.
+/// Leaves out values that do not change since the stiffness is not taken.
 void CatalogueDialog::showPreview() {
     const CatalogueItem* item = chosen();
     if (!item) {

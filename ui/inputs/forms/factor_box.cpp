@@ -37,7 +37,7 @@ namespace {
 
 constexpr std::size_t largestTable = 8u << 20; // bytes
 
-/// In the order of the forms.
+/// in the order of the forms
 constexpr std::array formNames{QT_TRANSLATE_NOOP("sparkout::FactorBox", "constant"),
                                QT_TRANSLATE_NOOP("sparkout::FactorBox", "uniform"),
                                QT_TRANSLATE_NOOP("sparkout::FactorBox", "normal"),

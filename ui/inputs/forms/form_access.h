@@ -14,7 +14,7 @@ class QWidget;
 
 namespace sparkout {
 
-/// What may be done with the inputs: all of them, or what a step of a lesson lets a student do.
+/// The allowed access to inputs: all of them, or what a step of a lesson allows.
 class FormAccess {
     Q_DECLARE_TR_FUNCTIONS(FormAccess)
 public:
@@ -29,14 +29,14 @@ public:
     [[nodiscard]] bool hasShown(std::string_view path) const;
     [[nodiscard]] QString lockText() const; ///< why a locked input is
 
-    /// Locks a widget, or undoes that: what was not locked stays as it is.
+    /// Locks a widget, or undoes that; what this did not lock stays unchanged.
     static void lock(QWidget& widget, bool locked);
-    static bool hide(QWidget& widget, bool hidden); ///< the same; true: it was undone
+    static bool hide(QWidget& widget, bool hidden); ///< hides or undoes that; true if it was undone
 
 private:
     [[nodiscard]] Access given(std::string_view path) const;
 
-    std::optional<LessonStep> m_step; ///< with its access alone
+    std::optional<LessonStep> m_step; ///< only its access rules
     bool m_isAwaited = false;
 };
 

@@ -5,7 +5,7 @@
 
 namespace sparkout {
 
-/// Edits a cell of the stage table in place: numbers, and the spark-out of the last stage. Under
+/// Edits cells of the stage table in place: numbers, and the spark-out of the last stage. Under
 /// stock and time it paints the stage's share as a bar.
 class StageDelegate : public ListDelegate {
     Q_OBJECT

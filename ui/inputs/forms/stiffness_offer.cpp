@@ -26,7 +26,8 @@ namespace sparkout {
 namespace {
 
 constexpr double nmOfMm = 1e6;
-constexpr std::size_t mostGammas = 3; ///< zones or sections, else the least and the largest γ
+constexpr std::size_t mostGammas =
+    3; ///< zones or sections; more are shown as the least and the largest γ
 
 bool isSameStiffness(const std::optional<Stiffness>& a, const std::optional<Stiffness>& b) {
     return a.has_value() == b.has_value()
@@ -44,7 +45,7 @@ QString beforeAndAfter(const OutcomePtr& before, const OutcomePtr& after,
     return shown(before) + QStringLiteral(" → ") + shown(after);
 }
 
-/// In the unit of the view "Compliance".
+/// in the unit of the view "Compliance"
 QString gammasShown(const Outcome& outcome) {
     const auto& sections = outcome.result.sections;
     const auto shown = [](const auto& section) {
@@ -139,7 +140,7 @@ bool StiffnessOffer::isTaken() const {
     return !m_offered || m_take->isChecked();
 }
 
-/// Of the stiffness alone: both runs have the other values of the machine.
+/// The effect of the stiffness alone: both runs have the other values of the machine.
 void StiffnessOffer::askForEffect() {
     Project without = m_with, with = m_with;
     without.machine->stiffness_n_um = m_project.machine->stiffness_n_um;

@@ -24,7 +24,7 @@ using Figures = CharacteristicFigures;
 
 const QString dash = QStringLiteral("–");
 
-/// Those that a view shows: of ±3s of a normal quantity, and the median.
+/// The displayed percentiles: those of ±3s of a normal quantity, and the median.
 struct ShownPercentile {
     const char* key;
     double order;

@@ -13,7 +13,7 @@ namespace {
 
 using style::Drawn;
 
-constexpr double valueRoom = 1.1; ///< above the highest value
+constexpr double valueRoom = 1.1; ///< headroom above the highest value
 constexpr int opacity = 110;
 
 constexpr CompliancePart stacked[] = {CompliancePart::wheelHead, CompliancePart::headstock,
@@ -73,7 +73,7 @@ void ComplianceCurves::fillUsed() {
     m_used->setData(at, gamma, true);
 }
 
-/// What is hidden leaves the stack; the sum stays what it is.
+/// A hidden part leaves the stack; the sum is unchanged.
 void ComplianceCurves::applyChoice() {
     const auto n = static_cast<qsizetype>(places().size());
     QVector<double> x(n), height(n, 0.0), sum(n);
@@ -211,7 +211,7 @@ QString ComplianceCurves::valuesAt(double x_mm) const {
              parts.join(QStringLiteral(" + ")));
 }
 
-/// In traverse grinding γ of the zone a place lies in; sections are points.
+/// In traverse grinding γ of the zone that contains a place; sections are points.
 std::optional<double> ComplianceCurves::groundWith(double x_mm) const {
     std::size_t zone = 0;
     for (const CompliantPoint& point : compliantPoints(m_outcome->result.project)) {

@@ -18,7 +18,8 @@ inline constexpr double nmPerMm = 1e6; ///< γ is drawn in nm/N
 class ComplianceCurves : public LengthCurves {
     Q_DECLARE_TR_FUNCTIONS(ComplianceCurves)
 public:
-    static constexpr int sumKey = 100, usedKey = 101; ///< of the legend; below: a CompliancePart
+    static constexpr int sumKey = 100,
+                         usedKey = 101; ///< keys of the legend; lower ones: a CompliancePart
 
     ComplianceCurves(ViewPlot& plot, QCPAxisRect& rect);
 
@@ -48,7 +49,7 @@ private:
 
     OutcomePtr m_outcome;
     QCPGraph* m_base;                   ///< the axis, for the first fill
-    std::array<QCPGraph*, 4> m_stack{}; ///< of the parts up to bending
+    std::array<QCPGraph*, 4> m_stack{}; ///< parts up to bending
     QCPGraph* m_sum;
     QCPGraph* m_used;
 };

@@ -10,8 +10,8 @@ namespace sparkout {
 
 using CouplingPtr = std::shared_ptr<const CouplingComparison>;
 
-/// The mean diameters of the sections as the models with independent and with coupled sections
-/// have them, and the difference.
+/// The mean diameters of the sections by the models with independent and with coupled sections, and
+/// their difference.
 class CouplingCurves : public LengthCurves {
     Q_DECLARE_TR_FUNCTIONS(CouplingCurves)
 public:
@@ -19,7 +19,7 @@ public:
 
     CouplingCurves(ViewPlot& plot, QCPAxisRect& rect);
 
-    void show(CouplingPtr comparison); ///< null: nothing to show
+    void show(CouplingPtr comparison); ///< null: hides the curves
     [[nodiscard]] const CouplingComparison* comparison() const { return m_comparison.get(); }
     [[nodiscard]] QCPGraph* differenceGraph() const { return m_difference; }
     [[nodiscard]] QString summary() const;

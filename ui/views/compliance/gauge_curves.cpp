@@ -17,7 +17,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::size_t mostSections = 6; ///< drawn as lines of their own
+constexpr std::size_t mostSections = 6; ///< drawn individually
 
 } // namespace
 
@@ -70,7 +70,7 @@ std::vector<GaugeCurves::Drawn> GaugeCurves::drawn() const {
     return places;
 }
 
-/// All of a few, else some from end to end.
+/// All if they are few, otherwise a selection from end to end.
 std::vector<std::size_t> GaugeCurves::drawnSections() const {
     const std::size_t all = m_outcome ? m_outcome->result.sections.size() : 0;
     const std::size_t count = std::min(all, mostSections);

@@ -13,23 +13,23 @@ namespace sparkout {
 using GaugePlacementPtr = std::shared_ptr<const GaugePlacement>;
 
 /// The diameters of all zones or sections over the place of the gauge, the one farthest from the
-/// middle of the field, the best place and the present one.
+/// middle of the tolerance, the best place and the current one.
 class GaugeCurves : public LengthCurves {
     Q_DECLARE_TR_FUNCTIONS(GaugeCurves)
 public:
     static constexpr int spreadKey = 200, farthestKey = 201, bestKey = 202, presentKey = 203,
-                         sectionKey = 300; ///< of the legend; sections count on
+                         sectionKey = 300; ///< keys of the legend; sections follow
 
     GaugeCurves(ViewPlot& plot, QCPAxisRect& rect);
 
-    /// @param outcome the run whose gauge stands at `present_mm`
+    /// @param outcome the run with the gauge at `present_mm`
     void show(GaugePlacementPtr placement, OutcomePtr outcome, double present_mm);
 
     [[nodiscard]] const GaugePlacement* placement() const { return m_placement.get(); }
     [[nodiscard]] const GaugePosition* best() const;
-    /// Of all diameters the greatest distance from the middle of the field [µm].
+    /// The greatest distance of a diameter from the middle of the tolerance [µm].
     [[nodiscard]] double farthest_um(const GaugePosition& position) const;
-    [[nodiscard]] double farthestNow_um() const; ///< in the run shown
+    [[nodiscard]] double farthestNow_um() const; ///< for the shown run
     [[nodiscard]] QCPGraph* farthestGraph() const { return m_farthest; }
     [[nodiscard]] QCPGraph* bestGraph() const { return m_best; }
     [[nodiscard]] QCPGraph* presentGraph() const { return m_present; }
@@ -41,7 +41,7 @@ public:
     void restyle() override;
 
 private:
-    /// A position of the gauge drawn at a place: in traverse each stands for its zone.
+    /// A position of the gauge and where it is drawn: in traverse it represents a zone.
     struct Drawn {
         double x_mm;
         const GaugePosition* position;
