@@ -36,7 +36,7 @@ enum class FigureName {
     stageDepth,
     stageForce,
     stagePower,
-    // double stroke or revolution, or one of its steps, in a zone or section
+    // zone or section
     compliance,
     deviationLeast,
     deviationMost,
@@ -45,7 +45,7 @@ enum class FigureName {
     roundness,
     roughness,
     placeForce,
-    // batch, and the mean diameter of a zone or section over it
+    // double stroke or revolution, or one of its steps, in a zone or section
     programmedFeed,
     actualFeed,
     lag,
@@ -55,7 +55,7 @@ enum class FigureName {
     runoutAfter,
     damagedLayer,
     burnLimit,
-    // search
+    // batch, and the mean diameter of a zone or section over it
     batchBad,
     batchMean,
     batchDeviation,

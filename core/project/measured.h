@@ -32,7 +32,7 @@ enum class TraceQuantity { gauge_size, wheel_power, spindle_current, normal_forc
 struct MeasuredPart {
     std::string part;                 ///< the part's number or name
     int place = 0;                    ///< zone or section, from 0
-    std::vector<double> diameters_mm; ///< one, or several round the part
+    std::vector<double> diameters_mm; ///< one, or several around the part
     std::optional<double> roundness_um;
     std::optional<double> radial_runout_um;
     std::optional<double> cylindricity_um;
@@ -41,7 +41,7 @@ struct MeasuredPart {
     std::string note;
 };
 
-/// one diameter, or several around the part
+/// A quantity over the time of one cycle.
 struct MeasuredTrace {
     TraceQuantity quantity = TraceQuantity::gauge_size;
     std::optional<int> place;              ///< zone or section; not given: the gauge's

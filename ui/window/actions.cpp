@@ -97,7 +97,7 @@ Actions::Actions(QMainWindow& window)
     for (const report::KindRow& row : report::kinds()) {
         reports.push_back(makeReportActions(row.key, &window));
     }
-    reports.front().print->setShortcut(QKeySequence::Print); // what is printed day by day
+    reports.front().print->setShortcut(QKeySequence::Print); // the daily printout
     for (const report::PaperRow& row : report::papersOfWorks()) {
         papers.push_back(makeReportActions(row.key, &window));
     }
@@ -188,7 +188,7 @@ void Actions::followLesson(bool isRunning, bool isCovered) {
     for (QAction* action : {previousStep, nextStep, leaveLesson}) {
         action->setEnabled(isRunning);
     }
-    for (const ReportActions& paper : papers) { // they show nothing that the work does not
+    for (const ReportActions& paper : papers) { // they show only what the work does
         paper.menu->menuAction()->setEnabled(isRunning);
         for (QAction* action : paper.all()) {
             action->setEnabled(isRunning);

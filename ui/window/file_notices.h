@@ -15,8 +15,7 @@ class Document;
 class NoticeBar;
 class Settings;
 
-/// What the user should know of the files without being asked: open read-only, changed by another
-/// program, recovered, not protected.
+/// Notices about files: opened read-only, changed by another program, recovered, not protected.
 class FileNotices : public QObject {
     Q_OBJECT
 
@@ -24,7 +23,7 @@ public:
     FileNotices(Document& document, const Settings& settings, FileGuard& guard, NoticeBar& bar,
                 QWidget* window);
 
-    void showOpened(const Issues& issues); ///< of the file that was read
+    void showOpened(const Issues& issues); ///< about the file that was read
     void showReadOnly();
     void showRecovered(const RecoveryHeader& header);
     void showDamagedSettings();

@@ -14,7 +14,7 @@ namespace sparkout::report {
 struct DrawnDimension {
     QString nominal; ///< "⌀30h6"
     QString upper, lower;
-    bool isSymmetric = false; ///< "±0.008", in full height, in place of both
+    bool isSymmetric = false; ///< "±0.008", in full height, for both
 
     [[nodiscard]] static DrawnDimension of(const Part& part);
 };

@@ -46,7 +46,7 @@ FormGrid HeadGrids::inventory() {
         cells.push_back({form::text(form::inventory.at(static_cast<std::size_t>(row)))});
         cells.resize(form::inventoryWidths.size());
         for (std::size_t i = 0; i < 2 * form::changes.size(); ++i) {
-            const bool isNamed = row + 1 == rows; // below what is entered by hand
+            const bool isNamed = row + 1 == rows; // below cells to be filled in by hand
             cells.push_back({isNamed
                                  ? form::text(form::changes.at(i % form::changes.size()).caption)
                                  : QString()});

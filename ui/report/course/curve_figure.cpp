@@ -86,7 +86,7 @@ Figure CurveFigure::blank(const CurvePrediction& goal, const Project& project) {
     if (least != goal.at.end()) {
         style::setSafeRange(*plot.xAxis, *least, *most);
     }
-    // The scale of the values is the student's: it would say how large they are.
+    // The student scales the values: a scale would reveal their size.
     plot.yAxis->setTickLabels(false);
     style::setSafeRange(*plot.yAxis, 0, gridLines);
     const QSharedPointer<QCPAxisTickerFixed> lines(new QCPAxisTickerFixed);

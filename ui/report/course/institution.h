@@ -8,7 +8,7 @@
 
 namespace sparkout::report {
 
-/// Where the works are done: what their title pages have beside the work. All of it may be empty.
+/// The place of the works: additional data for their title pages. All may be empty.
 struct Institution {
     QString ministry;
     QString university;
@@ -20,7 +20,7 @@ struct Institution {
 
     friend bool operator==(const Institution&, const Institution&) = default;
 
-    /// As settings keep it; what is empty is left out.
+    /// The form kept in the settings, without empty values.
     [[nodiscard]] QVariantMap kept() const;
     [[nodiscard]] static Institution fromKept(const QVariantMap& kept);
 };
@@ -29,7 +29,7 @@ struct Institution {
 struct InstitutionField {
     const char* key;
     QString Institution::*value;
-    const char* label; ///< in English, to be translated in the context Institution
+    const char* label; ///< in English, translated in the context Institution
 };
 [[nodiscard]] std::span<const InstitutionField> institutionFields();
 

@@ -185,8 +185,7 @@ private:
         }
     }
 
-    /// Key and words of what the formulas of the deepest cut are from, beside the model's own
-    /// description.
+    /// Keys and texts of the sources of the deepest cut's formulas, besides the model description.
     [[nodiscard]] std::vector<QStringList> citedRows() const {
         std::vector<QStringList> rows;
         const OutcomePtr outcome = evaluate(m_work.lesson.base.surfaces.front().project, {});

@@ -77,7 +77,7 @@ bool isOtherForm(const Leaf& leaf, bool isNumber) {
                   : leaf.field->kind == sparkout::Kind::optionalInteger;
 }
 
-/// What is typed stays as it is; a wheel that other surfaces wore has all the digits of a double.
+/// Typed values stay unchanged; a wheel worn by other surfaces has all the digits of a double.
 QString inNineDigits(double value) {
     constexpr qsizetype typed = 12;
     const QString exact = printedNumber(value);

@@ -30,7 +30,7 @@ QString fullTitle(const Report& report) {
                                     : report.title + QStringLiteral(" – ") + report.subject;
 }
 
-/// The properties once more, as newer readers want them.
+/// The properties as XMP, required by newer readers.
 QByteArray xmp(const Report& report) {
     return QStringLiteral("<?xpacket begin=\"\uFEFF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
                           "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF "
@@ -47,7 +47,7 @@ QByteArray xmp(const Report& report) {
         .toUtf8();
 }
 
-constexpr double layoutShare = 0.3; ///< of the time a PDF takes, about
+constexpr double layoutShare = 0.3; ///< approximate share of the time for a PDF
 
 bool paintRange(const Pages& pages, QPagedPaintDevice& device, int first, int last,
                 bool marks = false, const KeepGoing& keepGoing = {}) {

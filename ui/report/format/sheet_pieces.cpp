@@ -50,7 +50,7 @@ private:
     std::map<std::pair<int, int>, Id> m_cells;
 };
 
-/// What the lines of the drawing take [units of the page].
+/// The area of the drawing's lines [units of the page].
 QRectF boxOf(const FormSheet& sheet) {
     QRectF box;
     for (std::size_t i = sheet.drawing.lines.from; i < sheet.drawing.lines.to; ++i) {

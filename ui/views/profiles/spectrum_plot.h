@@ -41,7 +41,7 @@ private:
         QCPBars* blank = nullptr;
         QCPBars* profile = nullptr;
         QCPBarsGroup* sideBySide = nullptr;
-        std::vector<Harmonic> left; ///< of the profile
+        std::vector<Harmonic> left; ///< spectrum of the profile
         Zone zone = Zone::section;
         int section = 0;
     };
@@ -50,14 +50,15 @@ private:
     }
     void rebuild(std::size_t count);
     void buildCell(Cell& cell, QCPLayoutGrid& into, int column);
-    [[nodiscard]] QCPAxis* amplitudeAxis() const; ///< of the first cell; the others follow it
-    [[nodiscard]] double highestBar() const;      ///< [µm]
+    [[nodiscard]] QCPAxis*
+    amplitudeAxis() const;                   ///< axis of the first cell, which the others follow
+    [[nodiscard]] double highestBar() const; ///< [µm]
     void fitAmplitudes();
 
     std::vector<Harmonic> m_blank;
     std::vector<Cell> m_cells;
     QCPTextElement* m_caption = nullptr;
-    QCPRange m_fitted; ///< of the amplitudes, as they were fitted last
+    QCPRange m_fitted; ///< amplitudes of the last fit
     bool m_logarithmic = true;
 };
 

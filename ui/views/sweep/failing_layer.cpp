@@ -9,7 +9,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr float areaOpacity = 0.15F; ///< of the colour's opacity
+constexpr float areaOpacity = 0.15F; ///< relative to the colour's opacity
 
 } // namespace
 

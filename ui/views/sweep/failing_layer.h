@@ -8,8 +8,8 @@
 
 namespace sparkout {
 
-/// Ranges of the horizontal axis that fail: hatched over the height of an axis rect, so that they
-/// are seen without colour, too, and never narrower than a line.
+/// Draws the failing ranges of the horizontal axis: hatched over the height of an axis rect, so
+/// that they are visible without colour, too, and at least as wide as a line.
 class FailingLayer : public PaintedLayer {
     Q_OBJECT
 public:
@@ -17,8 +17,8 @@ public:
 
     void setRanges(std::vector<QCPRange> ranges) { m_ranges = std::move(ranges); }
     [[nodiscard]] const std::vector<QCPRange>& ranges() const { return m_ranges; }
-    void setColour(const QColor& colour) { m_colour = colour; } ///< of the lines
-    [[nodiscard]] QColor area() const;                          ///< what lies under the lines
+    void setColour(const QColor& colour) { m_colour = colour; } ///< colour of the lines
+    [[nodiscard]] QColor area() const; ///< colour of the area behind the lines
     [[nodiscard]] const QColor& colour() const { return m_colour; }
 
 protected:
