@@ -149,7 +149,7 @@ private:
             if (error->systemError != ENOENT && error->systemError != ENOTDIR) {
                 m_fault = readErrorText(*error);
             }
-            return; // absent: nothing of his own yet
+            return; // no file: no own entries yet
         }
         m_sha256 = sha256(std::get<std::string>(bytes));
         CatalogueRead<Entry> read = readCatalogue<Entry>(std::get<std::string>(bytes));
@@ -160,7 +160,7 @@ private:
         }
     }
 
-    /// Another window may write between the reading and the writing: then it is read again.
+    /// Another window may write between reading and writing: then it is read again.
     template <class Change>
     QString change(Change apply) {
         std::vector<Entry> own;
@@ -195,7 +195,7 @@ private:
             }
         } else {
             runAside([&] {
-                QDir().mkpath(QFileInfo(m_ownFile).absolutePath()); // its failure is the writer's
+                QDir().mkpath(QFileInfo(m_ownFile).absolutePath()); // a failure shows when writing
                 fault = saveCatalogue(systemPath(m_ownFile), own, m_sha256);
             });
         }
@@ -203,7 +203,7 @@ private:
     }
 
     std::vector<Entry> m_shipped, m_own;
-    std::string m_sha256; ///< of the file with the own entries as it was read; empty: there is none
+    std::string m_sha256; ///< hash of the file with the own entries as read; empty without a file
 };
 
 } // namespace

@@ -50,7 +50,7 @@ void FileWatch::check() {
     }
 }
 
-/// A replaced file drops out of the watcher; its folder stays in.
+/// A replaced file drops out of the watcher; its folder does not.
 void FileWatch::watchPaths() {
     const QString real = realPath(m_path);
     for (const QString& path : {real, QFileInfo(real).absolutePath()}) {

@@ -38,7 +38,7 @@ struct Company {
 struct CompanyField {
     const char* key;
     QString Company::*value;
-    const char* label; ///< in English, to be translated in the context Company
+    const char* label; ///< in English, translated in the context Company
 };
 [[nodiscard]] std::span<const CompanyField> companyFields();
 

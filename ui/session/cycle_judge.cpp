@@ -66,7 +66,7 @@ void CycleJudge::judgeBatches(bool isOn) {
     judgeAgain();
 }
 
-/// What has come may be of inputs before the last edit.
+/// The outcome may belong to inputs before the last edit.
 void CycleJudge::judgeAgain() {
     if (!m_judged.outcome) {
         return;

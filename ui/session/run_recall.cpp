@@ -24,7 +24,7 @@ void RunRecall::setRuns(std::set<std::string> all, std::set<std::string> wanted)
             run.feeds.reset(); // a hundred kept runs shall not fill the memory
         }
     }
-    std::vector<std::string> open; // those that are drawn come first
+    std::vector<std::string> open; // drawn ones come first
     std::ranges::copy_if(m_all, std::back_inserter(open),
                          [this](const std::string& inputs) { return isOpen(inputs); });
     std::stable_partition(open.begin(), open.end(),

@@ -31,7 +31,7 @@ ProjectSaver::ProjectSaver(Document& document, const Settings& settings, FileGua
     , m_questions(questions)
     , m_window(window) {}
 
-/// What stands in for numbers yet to be given would be read as theirs.
+/// Substitutes for missing numbers would be read as given.
 bool ProjectSaver::isComplete() {
     QStringList missing;
     for (const SurfaceStatePtr& surface : m_document.state().surfaces) {
@@ -102,7 +102,8 @@ QString ProjectSaver::suggestedPath() const {
     if (!path.isEmpty() && !m_document.readOnly()) {
         return path;
     }
-    if (!path.isEmpty()) { // beside the original if the folder lets, else among the documents
+    if (!path.isEmpty()) { // beside the original if the folder allows, otherwise in the documents
+                           // folder
         const QFileInfo file(path);
         const QString folder =
             QFileInfo(file.absolutePath()).isWritable()

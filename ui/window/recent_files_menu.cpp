@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-/// The name, and the folder to tell namesakes apart; no letter of it is a mnemonic.
+/// The name, and the folder to distinguish equal names, without mnemonics.
 QString shown(const QString& path) {
     const QFileInfo file(path);
     QString folder = file.path();

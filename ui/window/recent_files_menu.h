@@ -19,7 +19,7 @@ class RecentFilesMenu : public QMenu {
 public:
     RecentFilesMenu(Settings& settings, QWidget* parent);
 
-    void fill(); ///< also done whenever it is about to be shown
+    void fill(); ///< also before it is shown
 
 signals:
     void chosen(const QString& path);
@@ -39,7 +39,7 @@ private:
 
     Settings& m_settings;
     std::vector<Entry> m_entries;
-    QAction* m_separator; ///< the files stand above it
+    QAction* m_separator; ///< the files are above it
     QAction* m_removeMissing;
     QAction* m_clear;
     QStringList m_missing;

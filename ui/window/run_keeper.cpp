@@ -122,7 +122,7 @@ void RunKeeper::keepOutcome(const Outcome& outcome, const QString& name) {
                    {}});
 }
 
-/// Once for a project, when all of them are computed again.
+/// Reports changed runs once per project, when all of them are recomputed.
 void RunKeeper::reportChanged() {
     QStringList names;
     for (int run = 0; run < m_kept.count(); ++run) {

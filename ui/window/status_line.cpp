@@ -19,7 +19,7 @@ StatusLine::StatusLine(QStatusBar& bar)
     m_time->setTextFormat(Qt::PlainText);
     m_bar.addWidget(m_status, 1);
     m_bar.addPermanentWidget(m_time);
-    // The bar itself leaves out what is not in sight yet when a message comes.
+    // A message would hide the label while it is not visible yet.
     connect(&m_bar, &QStatusBar::messageChanged, m_status,
             [this](const QString& text) { m_status->setVisible(text.isEmpty()); });
 }
@@ -80,7 +80,7 @@ void StatusLine::showOutcome(const Outcome* outcome, double lastRun_ms, bool has
 }
 
 void StatusLine::retranslate() {
-    m_bar.clearMessage(); // of the language before
+    m_bar.clearMessage(); // it is in the previous language
     m_status->setAccessibleName(tr("Status"));
     m_time->setAccessibleName(tr("Computing time"));
 }

@@ -16,7 +16,7 @@ class ExportCommands : public QObject {
     Q_OBJECT
 
 public:
-    /// `outcome` gives that of the inputs of now, `studies` what the views show beside it.
+    /// `outcome` returns the one of the current inputs, `studies` the results of the views.
     ExportCommands(std::function<OutcomePtr()> outcome,
                    std::function<std::vector<StudyOffer>()> studies, Settings& settings,
                    QWidget* window);
