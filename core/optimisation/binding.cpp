@@ -23,7 +23,7 @@ bool differInOneFeed(const StageSetting& a, const StageSetting& b) {
     return a.sparkOut == b.sparkOut && differInInfeed != (a.axialFeed_mm_min != b.axialFeed_mm_min);
 }
 
-/// Other feeds in one stage.
+/// Adds cycles with other feeds in one stage.
 void addFeeds(const Grid& grid, const GridCycle& best, std::vector<GridCycle>& found) {
     for (std::size_t z = 0; z < best.size(); ++z) {
         for (std::size_t s = 0; s < grid.settings().size(); ++s) {
@@ -37,7 +37,8 @@ void addFeeds(const Grid& grid, const GridCycle& best, std::vector<GridCycle>& f
     }
 }
 
-/// Other shares of two neighbours' stock; of the last stage's at least what the grid leaves it.
+/// Adds cycles with other shares of two neighbours' stock, the last stage having at least its lower
+/// limit.
 void addShares(const Grid& grid, const GridCycle& best, std::vector<GridCycle>& found) {
     int taken = 0;
     for (std::size_t z = 0; z + 1 < best.size(); ++z) {
@@ -56,7 +57,7 @@ void addShares(const Grid& grid, const GridCycle& best, std::vector<GridCycle>& 
     }
 }
 
-/// A cycle and what it is run with.
+/// A cycle and its machine settings.
 using Neighbour = std::pair<Cycle, MachineSettings>;
 
 std::vector<Neighbour> neighbours(const Variants& variants, const FeasibleCycle& best,
@@ -132,7 +133,8 @@ private:
     std::vector<Neighbour> m_found;
 };
 
-/// Without what no single part needs and may be long: variants and neighbours are many copies.
+/// Removes long lists that a single part does not need, since variants and neighbours are many
+/// copies.
 Project withoutLists(Project project) {
     project.runs.clear();
     project.notes.clear();
@@ -140,7 +142,7 @@ Project withoutLists(Project project) {
     return project;
 }
 
-/// The kinds of the least relative margin of what is added.
+/// The kinds with the least relative margin of the added results.
 class LeastMargins {
 public:
     void add(const ConstraintResult& each) {
@@ -166,7 +168,7 @@ private:
     std::array<bool, constraintKinds> m_least_of{};
 };
 
-/// What breaks in those that are quicker than so long; nothing: stopped before all were run.
+/// The requirements violated by cycles quicker than a time; empty if stopped before all were run.
 std::optional<std::vector<ConstraintKind>> brokenIn(const std::vector<Neighbour>& others,
                                                     std::int64_t time_us, const Project& project,
                                                     const std::vector<Project>& scenarios,

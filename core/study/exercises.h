@@ -66,7 +66,7 @@ inline constexpr std::size_t mostExercises = 5;
 /// shop.
 [[nodiscard]] bool canBeRead(const ExerciseAnswer& answer);
 
-/// Returns the quantity in a result; nothing: it belongs to a step, and the visit is not given.
+/// Returns the quantity in a result; empty if it belongs to a step and the visit is not given.
 [[nodiscard]] std::optional<double> askedValue(Asked asked, const SimulationResult& result,
                                                const Visit* visit);
 

@@ -50,7 +50,7 @@ StartingAnswer drawnProject(const StartingDrawing& drawing, const StartingEntrie
 }
 
 Project undrawnProject(Operation operation) {
-    constexpr double never = 1.7e-7; // is added by no one
+    constexpr double never = 1.7e-7; // a value that nobody enters
     StartingDrawing drawing;
     drawing.operation = operation;
     drawing.diameter_mm = 30;
@@ -71,7 +71,7 @@ Project undrawnProject(Operation operation) {
 }
 
 Project withoutDeviations(Project project) {
-    constexpr double never_um = 1.7e-7; // is added by no one
+    constexpr double never_um = 1.7e-7; // a value that nobody enters
     project.part->upper_deviation_um += never_um;
     project.part->lower_deviation_um -= never_um;
     return project;

@@ -12,7 +12,7 @@ namespace sparkout {
 /// Results of a robust search that a refinement of its answer needs.
 struct RobustTrail {
     std::vector<Project> scenarios; ///< scenarios that it added
-    int candidates = 0;             ///< number of cycles that it tried on fresh phases
+    int candidates = 0;             ///< number of cycles tried on fresh phases
 };
 
 /// The answer of a search of a grid.

@@ -49,7 +49,7 @@ struct RunValue {
 struct ComparedRow {
     std::string path;
     bool isResult = false;
-    std::vector<std::optional<RunValue>> runs; ///< by run; nothing: the run has no such value
+    std::vector<std::optional<RunValue>> runs; ///< by run; empty: the run has no such value
 };
 
 /// Digits to which a result is stated: decimals, or significant digits where decimals are below 0.
@@ -58,44 +58,44 @@ struct ResultDigits {
     int significant = 3;
 };
 [[nodiscard]] ResultDigits digitsOf(const Field& result);
-inline constexpr int worstDigits = 2; ///< significant, of the worst margin in per cent
+inline constexpr int worstDigits = 2; ///< significant digits of the worst margin in per cent
 
 /// Returns the inputs that the model reads, in the order of the tables, without kept runs and
 /// sweep.
 [[nodiscard]] std::vector<RunValue> inputsRead(const Project& project);
-std::vector<RunValue> inputsRead(Project&&) = delete; // its leaves would be gone
+std::vector<RunValue> inputsRead(Project&&) = delete; // its leaves would dangle
 
 /// Returns the results in a summary in the order of its table, then its margins, the worst margin
-/// and the verdict. Missing values are left out; where strips stay uncut, so are all values of the
+/// and the verdict. Missing values are left out, and where strips stay uncut all values of the
 /// surface.
 [[nodiscard]] std::vector<RunValue> resultsStated(const ReadSummary& summary);
 std::vector<RunValue> resultsStated(ReadSummary&&) = delete;
 
 /// Returns the inputs, then the results, in which the runs differ, in the order of the tables:
-/// inputs in any digit, results in those to which they are stated. A value that only some runs have
-/// differs; a run without inputs and summary differs in nothing.
+/// inputs in any digit, results in their stated digits. A value that only some runs have differs; a
+/// run without inputs and summary differs in nothing.
 [[nodiscard]] std::vector<ComparedRow> compareRuns(const std::vector<ComparedRun>& runs);
 
-/// Converts a requirement of a summary to that of the verdict; nothing: this version does not know
+/// Converts a requirement of a summary to that of the verdict; empty if this version does not know
 /// it.
 [[nodiscard]] std::optional<ConstraintResult> constraintOf(const RequirementSummary& requirement,
                                                            bool isWhole = true);
 
 /// Returns the requirement with the least relative margin; machine ranges and the least number of
-/// steps, which may be used up to their ends, count only where they fail, and where strips stay
-/// uncut requirements on the surface do not count. Nothing: no requirement is known.
+/// steps, which may be used up to their ends, count only where they are not met, and where strips
+/// stay uncut requirements on the surface do not count. Empty if no requirement is known.
 [[nodiscard]] std::optional<ConstraintResult> leastMargin(const RunSummary& summary);
 [[nodiscard]] std::optional<ConstraintResult>
 leastMargin(std::span<const ConstraintResult> constraints);
 
-/// Returns the verdict by a summary alone; nothing: it contains no requirement.
+/// Returns the verdict by a summary alone; empty if it contains no requirement.
 [[nodiscard]] std::optional<Light> verdictOf(const RunSummary& summary);
 
-/// Returns the largest difference of two lists of numbers; nothing: their lengths differ.
+/// Returns the largest difference of two lists of numbers; empty if their lengths differ.
 [[nodiscard]] std::optional<double> largestDifference(const std::vector<double>& a,
                                                       const std::vector<double>& b);
 
-/// A run and its summary, for curves of one run over those of another.
+/// A run and its summary, for drawing curves of one run over those of another.
 struct RunPlaces {
     const Project& project;
     const RunSummary& summary;
@@ -104,8 +104,8 @@ struct RunPlaces {
 /// Returns whether the zones or sections of two runs are the same.
 [[nodiscard]] bool haveSamePlaces(const RunPlaces& a, const RunPlaces& b);
 
-/// Returns the zone or section of another run that corresponds to one of this run: the same one
-/// where both have the same, else the nearest along the ground length, each as a share of it.
+/// Returns the zone or section of another run that corresponds to one of this run: the same one if
+/// both have the same, otherwise the nearest along the ground length, each as a share of it.
 [[nodiscard]] std::size_t matchingPlace(const RunPlaces& run, std::size_t zone,
                                         const RunPlaces& other);
 
