@@ -101,7 +101,7 @@ void TimeBound::readSparkOuts(const Grid& grid) {
 
 double TimeBound::rest_s(std::size_t setting, double fed_mm, double later_mm, bool last) const {
     const Rate& rate = m_rates[setting];
-    const double left = last ? 0 : std::min(later_mm, m_mostLast_mm); // to the spark-out
+    const double left = last ? 0 : std::min(later_mm, m_mostLast_mm); // fed up to the spark-out
     const double all = m_total - left - fed_mm;
     if (rate.sparkOut_s > 0) {
         return 0;

@@ -22,12 +22,12 @@ enum class RunStatus {
     cannotReachSize, ///< no progress, and no further feed
     tooLong,         ///< more visits than maxVisits
     stopped,         ///< stopped on request
-    notSolved,  ///< coupled sections: the balance did not converge; otherwise: a compliance is < 0
-    groundAway, ///< a radius of the part has reached 0
-    refused,    ///< validate() finds errors in the project: nothing was run
+    notSolved,       ///< the balance of coupled sections did not converge, or a compliance is < 0
+    groundAway,      ///< a radius of the part has reached 0
+    refused,         ///< validate() finds errors in the project: nothing was run
 };
 
-/// A run ends as tooLong beyond this number of visits (one radius under the wheel once).
+/// validate() finds errors in the project, which was not run
 inline constexpr long long maxVisits = 50'000'000;
 
 /// A place in the cycle; numbers count from 1, sections from 0.
@@ -61,8 +61,8 @@ struct StageSums {
 };
 
 /// Basis of the roughness of a zone or section: the depth that the last step with infeed, a
-/// revolution or double stroke, took off the radius that lost most by it, and the spark-out after
-/// it. A step cut short by position control counts where it took more than the one before. A
+/// revolution or double stroke, took off the radius with the largest removal, and the spark-out
+/// after it. A step cut short by position control counts where it took more than the one before. A
 /// surface that no step with infeed has cut has the first step without infeed here.
 struct LastCut {
     double depth_mm = 0;   ///< a, taken by all passes of the step
@@ -124,10 +124,10 @@ struct SimulationResult {
     std::vector<StageSums> sumsByStage;
     std::vector<SectionResult> sections; ///< РЗ1, НЗ, РЗ2, or the sections from the headstock on
     /// Where zones have several sections: the sections zone by zone from the entry on. The zone
-    /// itself then has the radii of its middle and the worst of all other values.
+    /// then has the radii of its middle and the worst of all other values.
     std::vector<SectionResult> zoneSections;
     /// By zone or section, where the number of lobes printed by the machine is unknown: the
-    /// diameters with two lobes. All other values assume three, which leave diameters as they are.
+    /// diameters with two lobes. All other values assume three, which do not change diameters.
     std::vector<DeviationRange> ifEven;
     double gaugeReading_mm = 0;   ///< diameter the gauge reads at the end
     double remainingStock_mm = 0; ///< per side, from that reading; negative below target

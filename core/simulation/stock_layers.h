@@ -23,7 +23,7 @@ struct LayerSpan {
 /// The layers of one zone or section.
 struct LayerColumn {
     Zone zone = Zone::section;
-    int section = 0;            ///< from 0
+    int section = 0;            ///< counted from 0
     Stretch stretch;            ///< its part of the ground length
     double blank_mm = 0;        ///< radius before the first layer
     double final_mm = 0;        ///< radius after the last layer, from the result
