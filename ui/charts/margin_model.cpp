@@ -28,9 +28,10 @@ QString onLines(QString valueAndLimit) {
 
 constexpr int leastBarWidth = 76;
 constexpr int air = 4;
-constexpr double scaleHeight = 4, pointerWidth = 5; ///< of a range [px]
+constexpr double scaleHeight = 4, pointerWidth = 5; ///< sizes of a range's scale [px]
 
-/// What fails first; settings of the machine last, which hold up to the ends of their ranges.
+/// Unmet requirements first; settings of the machine last, as they may reach the ends of their
+/// ranges.
 std::tuple<bool, bool, double> rankOf(const ConstraintResult& c) {
     return {!c.holds, requirementOf(c.kind).scope != ConstraintScope::setting, usageOf(c)};
 }
@@ -187,7 +188,7 @@ void MarginName::initStyleOption(QStyleOptionViewItem* option, const QModelIndex
     const QRect room = style->subElementRect(QStyle::SE_ItemViewItemText, option, option->widget);
     const int gap = style->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, option->widget) + 1;
     if (option->fontMetrics.horizontalAdvance(option->text) <= room.width() - 2 * gap) {
-        option->decorationAlignment = Qt::AlignLeft | Qt::AlignVCenter; // as the text is
+        option->decorationAlignment = Qt::AlignLeft | Qt::AlignVCenter; // like the text
     }
 }
 

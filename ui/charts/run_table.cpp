@@ -43,7 +43,7 @@ QString numberShown(const Field& field, double value) {
     return hasSign ? Names::signedMicrometres(value) : Names::fixed(value, digits.decimals);
 }
 
-/// The items of a list, by number or zone; nothing of another input.
+/// The items of a list, by number or zone; empty for other inputs.
 std::vector<std::pair<QString, double>> itemsOf(const Field& field, const void* owner) {
     std::vector<double> values;
     if (field.kind == Kind::numberList) {
@@ -148,7 +148,7 @@ ShownValue resultShown(const RunValue& result) {
     return std::visit(ResultShown{result.path}, result.value);
 }
 
-/// With all digits where the usual ones do not tell the two apart.
+/// With all digits if the usual ones do not distinguish the two.
 QString changeShown(const ChangedValue& change) {
     const Field& field = *change.kept.field;
     if (!change.now) {

@@ -41,14 +41,14 @@ QString lightName(const ConstraintResult& constraint) {
     if (isOpen(constraint)) {
         return VerdictTable::tr("not decided");
     }
-    const Light light = lightOf(constraint); // what fails even so does fail
+    const Light light = lightOf(constraint); // unmet in any case
     return constraint.knowsMachine || light == Light::fails ? lightName(light)
                                                             : VerdictTable::tr("machine not known");
 }
 
 namespace {
 
-/// A name with what its group does not say: the stage and the unit.
+/// A name with what its group does not contain: the stage and the unit.
 QString requirementName(const ConstraintResult& c, const QString& name, const QString& where) {
     QStringList parts{name};
     if (c.section < 0 && requirementOf(c.kind).scope != ConstraintScope::part) {
@@ -115,16 +115,16 @@ ValueHead headOf(const ConstraintResult& c, const Project& project) {
                           QStringLiteral("\n"))};
 }
 
-/// Without the machine's form a value is what the process alone leaves: never a bare 0.00.
+/// Without the machine's form error a value is that of the process alone: it is never a bare 0.00.
 QString shownValue(const ConstraintResult& c) {
     if (c.knowsMachine || lightOf(c) == Light::fails) {
         return Names::value(c);
     }
-    constexpr double rounded = 0.005; // to nothing
+    constexpr double rounded = 0.005; // to zero
     return c.value < rounded ? QStringLiteral("—") : QStringLiteral("≥ ") + Names::value(c);
 }
 
-/// The name, in words where it needs attention; else the mark is enough.
+/// The name, with words if it needs attention; otherwise the mark suffices.
 ValueCell nameCell(const ConstraintResult& c, const Project& project,
                    const std::array<QIcon, 3>& icons) {
     const bool guessed = LimitNames::isGuess(c.kind, project);
@@ -132,7 +132,7 @@ ValueCell nameCell(const ConstraintResult& c, const Project& project,
         c, guessed ? VerdictTable::tr("Ra, estimate") : Names::constraintBrief(c.kind),
         VerdictTable::tr("stage %1").arg(c.stage));
     const Light light = lightOf(c);
-    // Without the machine's form it is not known to hold; the panel says above what is missing.
+    // Without the machine's form error it may not be met; the panel explains this above.
     const Light shown = c.knowsMachine ? light : std::max(light, Light::close);
     const bool isPlain = light == Light::holds;
     return {.text = isPlain ? name : name + u'\n' + lightName(c),

@@ -12,18 +12,19 @@
 
 namespace sparkout {
 
-[[nodiscard]] QString lightName(Light light); ///< "holds", "close to the limit", "fails"
-/// As the light has it, or that strips are left and the value is not of the whole surface.
+[[nodiscard]] QString lightName(Light light); ///< "met", "close to the limit", "not met"
+/// The name of the light, or a remark that strips are left and the value does not cover the whole
+/// surface.
 [[nodiscard]] QString lightName(const ConstraintResult& constraint);
 
 enum class VerdictColumn { requirement, value, limit, margin };
 
 /// The requirements, zone by zone, then those of the part, of the passes and of the settings; null:
-/// a row that names the group of the next ones.
+/// a group heading.
 [[nodiscard]] std::vector<const ConstraintResult*> verdictRows(const Outcome& outcome);
 
-/// The same as a table with their lights. It is copied with zone and light in columns of their own.
-/// Without an outcome (null) the table has its heads only.
+/// The requirements as a table with their lights. Copies have zone and light in separate columns.
+/// Without an outcome (null) the table has only headings.
 [[nodiscard]] ValueTable verdictTable(const Outcome* outcome, const std::array<QIcon, 3>& icons);
 
 } // namespace sparkout

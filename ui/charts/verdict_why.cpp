@@ -29,7 +29,7 @@ public:
     static QString place(const Outcome& outcome, const ConstraintResult& c);
 };
 
-/// The ratio is stated from here on; below it is not what makes the difference.
+/// The least difference of the ratio from 1 at which it is stated.
 constexpr double tellingRatio = 0.05;
 
 QString VerdictWhy::diameter(const Outcome& outcome, const ConstraintResult& c) {
@@ -87,7 +87,7 @@ QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
                    : text + tr(". More passes without feed or a smaller last feed reduce it.");
 }
 
-/// Mean radii against their own mean, and the worst section's out of round.
+/// Compares mean radii with their own mean, and the roundness of the worst section.
 QString VerdictWhy::wholePart(const Outcome& outcome) {
     QStringList parts;
     double mean_mm = 0, form_mm = 0;

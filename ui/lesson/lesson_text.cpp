@@ -24,7 +24,7 @@ bool speaksRussian() {
     return QLocale().language() == QLocale::Russian;
 }
 
-/// With so many decimals at most; zeros at the end say nothing.
+/// With at most this number of decimals, without trailing zeros.
 QString withDecimals(double value, int digits) {
     const double scale = std::pow(10.0, digits);
     return printedNumber(std::round(value * scale) / scale);

@@ -121,7 +121,7 @@ void AccessPage::show() {
         return;
     }
     m_others->setCurrentIndex(static_cast<int>(step->others));
-    for (const InputAccess& each : step->inputs) { // what the project does not have, too
+    for (const InputAccess& each : step->inputs) { // includes inputs that the project does not have
         addInput(each.path);
     }
     for (const auto& [path, item] : m_items) {

@@ -16,18 +16,17 @@
 
 namespace sparkout {
 
-/// A laboratory work while its teacher edits it: the whole lesson, so that what no page shows is
-/// kept as it is, its file and its history. A step of the history holds the lesson before and
-/// after.
+/// A laboratory work while its teacher edits it: the whole lesson, including parts that no page
+/// shows, its file and its history. A step of the history is the lesson before and after.
 class LessonDraft : public QObject {
     Q_OBJECT
 
 public:
     explicit LessonDraft(QObject* parent = nullptr);
 
-    /// Another lesson; an empty path: it has no file yet.
+    /// Starts another lesson; an empty path: it has no file yet.
     void begin(Lesson lesson, const QString& path);
-    /// The least lesson about a set-up: without texts, of one step that asks for words.
+    /// A minimal lesson on a set-up: without texts, with one step that asks for words.
     [[nodiscard]] static Lesson about(Setup base);
 
     [[nodiscard]] const Lesson& lesson() const { return *m_lesson; }
@@ -35,13 +34,13 @@ public:
     [[nodiscard]] bool isChanged() const { return !m_history.isClean(); }
     [[nodiscard]] QUndoStack& history() { return m_history; }
     [[nodiscard]] std::string text() const; ///< of its file
-    /// What the strict reader of lessons says of it: errors alone.
+    /// The errors found by the strict reader of lessons.
     [[nodiscard]] Issues faults() const;
-    /// The project that a place of the lesson is about, as it stands in the lesson: a step, what is
-    /// varied, a bound of a figure.
+    /// The project to which a path of the lesson refers, as stored in the lesson: a step, a varied
+    /// input, a bound of a figure.
     [[nodiscard]] const Project& projectAt(const std::string& path) const;
 
-    /// Changes it; in a row with the same key that is one step of the history.
+    /// Changes the lesson; successive changes with the same key are one step of the history.
     void edit(const std::string& key, const std::function<void(Lesson& lesson)>& change);
     void markSaved(const QString& path);
 
@@ -49,8 +48,8 @@ public:
     [[nodiscard]] static QString location(const std::string& path);
 
 signals:
-    void changed();  ///< another value
-    void replaced(); ///< another lesson
+    void changed();  ///< the value has changed
+    void replaced(); ///< another lesson was started
 
 private:
     using LessonPtr = std::shared_ptr<const Lesson>;

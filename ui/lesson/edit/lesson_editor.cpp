@@ -221,7 +221,7 @@ void LessonEditor::beginAbout() {
     m_draft.begin(LessonDraft::about(m_document.setup()), {});
 }
 
-/// The lesson of a file or a shipped one; nothing once it is said what is wrong with it.
+/// The lesson of a file or a shipped one; empty, after showing the faults, if it is invalid.
 std::optional<Lesson> LessonEditor::readFrom(const QString& path, QByteArray& hash) {
     std::string text;
     if (QFile file(path); path.startsWith(u':') && file.open(QIODevice::ReadOnly)) {
@@ -290,7 +290,7 @@ void LessonEditor::chooseShipped() {
     }
 }
 
-/// What cannot be opened again is not written.
+/// A lesson that could not be opened again is not written.
 bool LessonEditor::isWhole() {
     showFaults();
     const bool isWhole = m_draft.faults().empty() && ValueWidgets::refusals(*this).empty();
@@ -341,7 +341,7 @@ bool LessonEditor::write(const QString& path) {
     return false;
 }
 
-/// The history keeps what was in the window.
+/// The history keeps the previous contents.
 void LessonEditor::reload() {
     const QString path = m_draft.path();
     QByteArray hash;
@@ -375,7 +375,7 @@ bool LessonEditor::mayClose() {
 
 void LessonEditor::reject() {
     if (mayClose()) {
-        beginAbout(); // what was given up does not come back
+        beginAbout(); // discarded changes are not restored
         QDialog::reject();
     }
 }
@@ -454,7 +454,7 @@ void LessonEditor::showState() {
         }
     }
     m_pages->setCurrentRow(row);
-    if (m_page && m_shown != step()) { // it went without a word
+    if (m_page && m_shown != step()) { // the dropped text was not reported
         showPage();
     }
     for (QPushButton* button : m_ofSteps) {

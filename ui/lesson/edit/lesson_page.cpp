@@ -21,7 +21,7 @@ namespace sparkout {
 
 namespace {
 
-/// A form, and the preview of its text with the room that is left.
+/// A form, and the preview of its text in the remaining space.
 QWidget* formPage(StructForm* form, TextPreview* preview = nullptr) {
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
@@ -35,7 +35,7 @@ QWidget* formPage(StructForm* form, TextPreview* preview = nullptr) {
     return page;
 }
 
-/// The first widget of a group that takes the focus; of any other, itself.
+/// The first focusable widget of a group; any other widget itself.
 QWidget* focusIn(QWidget& widget) {
     if (widget.focusPolicy() != Qt::NoFocus) {
         return &widget;
@@ -101,12 +101,12 @@ void LessonPage::add(QWidget* page, const QString& title, std::vector<std::strin
     scroll->setWidget(page);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus); // what stands in it has it
+    scroll->setFocusPolicy(Qt::NoFocus); // its contents have it
     addTab(scroll, title);
     m_shown.push_back(std::move(shows));
 }
 
-/// How they differ, and a look at some of them.
+/// The rules of the variants, and a preview of some.
 QWidget* LessonPage::variants(LessonDraft& draft) {
     auto* check = new QPushButton(tr("Chec&k variants…"));
     check->setObjectName(QStringLiteral("checkVariants"));
@@ -125,7 +125,7 @@ QWidget* LessonPage::variants(LessonDraft& draft) {
     return page;
 }
 
-/// Views, panels and commands, each to be taken away.
+/// Views, panels and commands, each with a box to hide it.
 QWidget* LessonPage::hiddenThings(LessonDraft& draft, std::size_t step) {
     auto* list = new QListWidget;
     list->setObjectName(QStringLiteral("hiddenThings"));

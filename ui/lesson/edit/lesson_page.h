@@ -11,17 +11,17 @@ namespace sparkout {
 
 class LessonDraft;
 
-/// A page of the editor of lessons: its tabs, by the part of the file that each of them shows.
+/// A page of the editor of lessons: its tabs, each for a part of the file.
 class LessonPage : public QTabWidget {
     Q_OBJECT
 
 public:
-    /// Of the work as a whole.
+    /// For the work as a whole.
     explicit LessonPage(LessonDraft& draft, QWidget* parent = nullptr);
-    /// Of one of its steps.
+    /// For one of its steps.
     LessonPage(LessonDraft& draft, std::size_t step, QWidget* parent = nullptr);
 
-    /// To the value at a path, or as near to it as there is a widget.
+    /// Shows the value at a path, or the nearest widget.
     void goTo(const std::string& path);
 
 signals:

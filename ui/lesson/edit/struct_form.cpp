@@ -23,7 +23,7 @@ namespace sparkout {
 
 namespace {
 
-/// Which widgets there are: by optional objects, items of lists, and what is chosen.
+/// Describes which widgets exist: by optional objects, items of lists, and choices.
 std::string shapeOf(const StructInfo& info, const void* owner) {
     std::string shape;
     for (const Field& field : info.fields) {
@@ -47,7 +47,7 @@ std::string shapeOf(const StructInfo& info, const void* owner) {
     return shape;
 }
 
-/// The list of objects as it is; the struct has no other way to take one out of its middle.
+/// The whole list of objects, since the struct cannot remove one from its middle.
 template <class Act>
 void withItems(const Field& field, void* owner, const Act& act) {
     const auto on = [&]<class T>(const T*) {
@@ -65,7 +65,7 @@ void withItems(const Field& field, void* owner, const Act& act) {
     on(static_cast<const FigureBound*>(nullptr));
 }
 
-/// What is new has the items that it cannot do without.
+/// Adds required items to a new object.
 void addNeeded(const StructInfo& info, void* owner) {
     for (const Field& field : info.fields) {
         if (field.kind == Kind::objectList) {
@@ -77,7 +77,7 @@ void addNeeded(const StructInfo& info, void* owner) {
     }
 }
 
-/// Another item at the end; of sets one like the last.
+/// Adds an item at the end; a set like the last.
 void addItemTo(const Field& field, void* owner) {
     const std::size_t count = field.size(owner);
     field.resize(owner, count + 1);
@@ -93,7 +93,7 @@ int linesOfText(std::string_view key) {
     return key == "title" ? 2 : key == "theory" ? many : few;
 }
 
-/// With the spaces that do not break, which toPlainText() makes plain ones.
+/// Keeps non-breaking spaces, which toPlainText() converts.
 QString typedIn(const QPlainTextEdit& box) {
     return box.document()->toRawText().replace(QChar::ParagraphSeparator, u'\n');
 }
@@ -112,7 +112,7 @@ StructForm::StructForm(LessonDraft& draft, Subject subject, QWidget* parent)
 
 void StructForm::build() {
     const void* const owner = m_values.ownerOf(m_subject.reach);
-    if (m_body) { // it may be within a signal of one of its parts
+    if (m_body) { // the call may come from a signal of one of its parts
         for (QWidget* part : m_body->findChildren<QWidget*>()) {
             part->blockSignals(true);
         }
@@ -138,7 +138,7 @@ void StructForm::build() {
 void StructForm::refresh() {
     const void* const owner = m_values.ownerOf(m_subject.reach);
     if (!owner || !m_body) {
-        return; // the page goes with it
+        return; // the page is deleted, too
     }
     if (shapeOf(m_subject.table, owner) != m_shape) {
         const QWidget* const focus = focusWidget();
@@ -169,7 +169,7 @@ void StructForm::addStruct(QFormLayout& form, const Subject& subject) {
     }
 }
 
-/// One of the kinds, with what it asks for.
+/// Adds the choice of the kind and its fields.
 void StructForm::addGoal(QFormLayout& form, const Subject& subject) {
     const auto kinds = tableOf<Goal>().fields;
     const Row row{subject.table, kinds.front(), subject.path + "/kind", subject.reach};
@@ -195,7 +195,7 @@ void StructForm::addGoal(QFormLayout& form, const Subject& subject) {
                 const auto figure = goal.asked() ? std::optional(*goal.asked()) : std::nullopt;
                 goal = Goal();
                 kinds[static_cast<std::size_t>(index)].object(&goal, true);
-                if (goal.asked() && figure) { // the same one, in another way
+                if (goal.asked() && figure) { // the same figure in another form
                     const_cast<Figure&>(*goal.asked()) = *figure;
                 }
                 const Field& field = kinds[static_cast<std::size_t>(index)];
@@ -211,7 +211,7 @@ void StructForm::addGoal(QFormLayout& form, const Subject& subject) {
                      }});
 }
 
-/// Over a range, a list or sets, with the values of this way alone.
+/// Adds a range, a list or sets, with only the values of this kind.
 void StructForm::addVaried(QFormLayout& form, const Subject& subject) {
     const auto rowOf = [&subject](const char* key) {
         return Row{subject.table, *subject.table.find(key), subject.path + '/' + key,
@@ -388,7 +388,7 @@ void StructForm::addItem(QFormLayout& form, const Row& row, std::size_t index, s
                            return owner && index < of.size(owner) ? of.at(owner, index) : nullptr;
                        }};
     auto* line = new QHBoxLayout;
-    if (row.field.nested == &tableOf<InputValue>()) { // in one line
+    if (row.field.nested == &tableOf<InputValue>()) { // on one line
         const Row input{item.table, *item.table.find("path"), item.path + "/path", item.reach};
         line->addWidget(m_values.make(input), 3);
         line->addWidget(m_values.makeValue(item.table, item.path, item.reach), 2);
@@ -440,7 +440,7 @@ void StructForm::addItemButtons(QHBoxLayout& line, const Row& row, std::size_t i
         });
         line.addWidget(made);
     };
-    const bool areSets = row.field.nested == &tableOf<ValueSet>(); // without any it is no input
+    const bool areSets = row.field.nested == &tableOf<ValueSet>(); // without any it is not an input
     const auto at = static_cast<std::ptrdiff_t>(index);
     button(tr("Up"), "up", index > 0,
            [at](auto& items) { std::swap(items[std::size_t(at)], items[std::size_t(at) - 1]); });

@@ -15,8 +15,8 @@ class QHBoxLayout;
 namespace sparkout {
 
 /// A struct of the lesson being edited as a form, made from its table: values, texts in both
-/// languages, objects that may be there, lists of objects. Each widget has the path of its value as
-/// its name.
+/// languages, optional objects, lists of objects. Each widget has the path of its value as its
+/// name.
 class StructForm : public QWidget {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
         const StructInfo& table;
         std::string path; ///< in the file
         ValueWidgets::Reach reach;
-        std::vector<std::string_view> keys = {}; ///< what is shown of it; none: all
+        std::vector<std::string_view> keys = {}; ///< shown members; empty: all
     };
 
     StructForm(LessonDraft& draft, Subject subject, QWidget* parent = nullptr);
@@ -51,7 +51,7 @@ private:
     Subject m_subject;
     ValueWidgets m_values;
     QWidget* m_body = nullptr;
-    std::string m_shape; ///< which widgets there are
+    std::string m_shape; ///< describes which widgets exist
 };
 
 } // namespace sparkout

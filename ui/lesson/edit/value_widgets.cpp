@@ -44,7 +44,7 @@ QString labelWithUnit(const QString& label, const char* unit) {
     return *unit ? label + QStringLiteral(", ") + unitText(unit) : label;
 }
 
-/// Another input has other values: it begins with that of the project.
+/// Another input has other values: begins with that of the project.
 void beginValues(const StructInfo& info, void* owner, const Project& project) {
     if (&info == &tableOf<InputValue>()) {
         auto& value = *static_cast<InputValue*>(owner);
@@ -115,7 +115,7 @@ QWidget* ValueWidgets::make(const Row& row) {
     }
     case Kind::choice: return choiceOf(row);
     case Kind::countOrWord: return placeOf(row);
-    default: return nullptr; // no value, or no lesson has them
+    default: return nullptr; // not a value, or not used in lessons
     }
 }
 
@@ -137,7 +137,7 @@ QStringList ValueWidgets::refusals(const QWidget& within) {
 }
 
 const void* ValueWidgets::ownerOf(const Reach& reach) const {
-    return reach(const_cast<Lesson&>(m_draft.lesson())); // to be read: it creates nothing
+    return reach(const_cast<Lesson&>(m_draft.lesson())); // only read: it creates nothing
 }
 
 void ValueWidgets::change(const Row& row, const std::function<void(void* owner)>& set,
@@ -191,7 +191,7 @@ std::optional<NumberInput> ValueWidgets::inputOf(const Row& row) const {
     return path ? numberInput(m_draft.projectAt(row.path), *path) : std::nullopt;
 }
 
-/// A value of an input is one that the input takes, in its unit.
+/// The range and unit of an input's value are those of the input.
 NumberSpec ValueWidgets::specOf(const Row& row) const {
     NumberSpec spec = NumberSpec::of(row.field);
     if (&row.table == &tableOf<VariedInput>() || &row.table == &tableOf<InputValue>()) {
@@ -248,7 +248,7 @@ QWidget* ValueWidgets::numberOf(const Row& row) {
     return field;
 }
 
-/// Numbers in one line, from blanks apart; a text that is none stays, and is not taken.
+/// Numbers on one line, separated by spaces; an invalid text stays without being applied.
 QWidget* ValueWidgets::numbersOf(const Row& row) {
     auto* line = new QLineEdit;
     name(*line, row);
@@ -366,11 +366,11 @@ std::vector<ValueWidgets::Option> ValueWidgets::optionsFor(const Row& row) const
     return options;
 }
 
-/// One of known texts, or the one that is there.
+/// A choice of known texts, and the current one.
 QWidget* ValueWidgets::optionsOf(const Row& row, const std::vector<Option>& options) {
     auto* combo = options.size() > fewChoices ? new SearchCombo : new QComboBox;
     name(*combo, row);
-    combo->setToolTip({}); // it speaks of the file
+    combo->setToolTip({}); // it describes the file
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     for (const Option& option : options) {
         combo->addItem(option.text, QString::fromStdString(option.value));

@@ -21,13 +21,13 @@ namespace sparkout {
 class LessonDraft;
 struct NumberSpec;
 
-/// The widgets of single values of the lesson being edited, by their rows: each shows its value,
-/// changes it, and has its path as its name.
+/// The widgets of single values of the edited lesson, by their rows: each shows and changes its
+/// value, and is named by its path.
 class ValueWidgets : public QObject {
     Q_OBJECT
 
 public:
-    /// Finds a struct in a lesson; null: it is not there.
+    /// Finds a struct in a lesson; null if it does not exist.
     using Reach = std::function<void*(Lesson& lesson)>;
     /// A value, and the struct it is in.
     struct Row {
@@ -39,28 +39,28 @@ public:
 
     ValueWidgets(LessonDraft& draft, QObject* parent);
 
-    /// Null where the row is no value, or where there is nothing to choose.
+    /// Null if the row is not a value, or if there is no choice.
     [[nodiscard]] QWidget* make(const Row& row);
-    /// The value of an input, as the input takes it: a number, a choice or a text.
+    /// The value of an input in its own form: a number, a choice or a text.
     [[nodiscard]] QWidget* makeValue(const StructInfo& info, const std::string& path,
                                      const Reach& reach);
     [[nodiscard]] QString labelOf(const Row& row) const; ///< with its unit
 
-    void refresh();                   ///< shows the values as they are now
+    void refresh();                   ///< shows the current values
     void clear() { m_shows.clear(); } ///< the widgets go
-    /// Shows something of a struct, now and whenever the lesson changes.
+    /// Shows part of a struct, now and whenever the lesson changes.
     void showBy(const Row& row, std::function<void(const void* owner)> show);
     void change(const Row& row, const std::function<void(void* owner)>& set, bool merges = true);
     /// Gives it path, label and hint of its row.
     void name(QWidget& widget, const Row& row, const std::string& more = {});
-    void watch(QWidget& widget); ///< undo and the wheel are not its own
+    void watch(QWidget& widget); ///< passes undo and the wheel on
     [[nodiscard]] const void* ownerOf(const Reach& reach) const;
 
-    /// Whether the number is that of a surface or step of the lesson, chosen by its name.
+    /// Whether the number is that of a surface or step of the lesson, chosen by name.
     [[nodiscard]] static bool isNumbered(const StructInfo& info, const Field& field);
-    /// Whether it names an input, which says what widgets its values have.
+    /// Whether it names an input, which determines the widgets of its values.
     [[nodiscard]] static bool isInput(const StructInfo& info, const Field& field);
-    /// "LOCATION: reason" of what stands in number fields and was not taken.
+    /// "LOCATION: reason" for refused texts in number fields.
     [[nodiscard]] static QStringList refusals(const QWidget& within);
 
 protected:
@@ -84,9 +84,9 @@ private:
     [[nodiscard]] QWidget* optionsOf(const Row& row, const std::vector<Option>& options);
     [[nodiscard]] QWidget* placeOf(const Row& row);
     [[nodiscard]] QWidget* numberedOf(const Row& row, const std::vector<Numbered>& numbered);
-    [[nodiscard]] std::vector<Option> optionsFor(const Row& row) const; ///< of a text; none: any
+    [[nodiscard]] std::vector<Option> optionsFor(const Row& row) const; ///< for a text; empty: any
     [[nodiscard]] std::vector<Numbered> numberedFor(const Row& row) const;
-    /// The input of the project that a number of the lesson is a value of.
+    /// The project's input whose value a number of the lesson is.
     [[nodiscard]] std::optional<NumberInput> inputOf(const Row& row) const;
     [[nodiscard]] NumberSpec specOf(const Row& row) const;
 

@@ -34,7 +34,7 @@ QString faultSentence(const char* words) {
     return text.left(1).toUpper() + text.mid(1) + u'.';
 }
 
-/// What a column of a varied input is called: where it is, without the page.
+/// The heading of a varied input's column: its place, without the page.
 QString checkHeading(const VariedInput& input, const Project& project) {
     if (!input.sets.empty()) {
         return structText(tableOf<ValueSet>().name);
