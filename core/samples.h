@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    std::shared_ptr<const std::vector<double>> m_values; // null: none
+    std::shared_ptr<const std::vector<double>> m_values; // null: no values
 };
 
 } // namespace sparkout

@@ -21,7 +21,7 @@ std::vector<std::size_t> pathOf(const GridCycle& cycle, int levels) {
     return path;
 }
 
-/// When a path reaches its levels.
+/// The times at which a path reaches its levels.
 std::vector<double> timesOf(const LevelMoves& moves, const std::vector<std::size_t>& path) {
     std::vector<double> reached_s;
     CyclePrefix way = moves.blank();

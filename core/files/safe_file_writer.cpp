@@ -24,7 +24,7 @@ std::uint64_t sumOf(std::string_view bytes, std::uint64_t sum) {
     return sum;
 }
 
-/// Whether the file holds so many bytes of that sum: 0, EILSEQ if not, or why it cannot be read.
+/// Whether the file has this length and checksum: 0, EILSEQ if not, or why it cannot be read.
 int compareSum(const Descriptor& file, std::uint64_t length, std::uint64_t wanted) {
     std::string block(blockBytes, '\0');
     std::uint64_t at = 0, sum = firstSum;
@@ -87,7 +87,7 @@ struct SafeFileWriter::State {
         Descriptor placed;
         if (StepOutcome failed = openPlaced(target, placed))
             return failed;
-        // Read back before the rename; here it is enough that it is this file.
+        // Read back before the rename; here the identity of the file suffices.
         return sameFile(placed, file) ? StepOutcome{} : StepFailure{FileStep::verify, EILSEQ, true};
     }
 

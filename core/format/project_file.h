@@ -15,7 +15,7 @@ namespace sparkout {
 inline constexpr int projectVersion = 1; ///< of one surface
 inline constexpr int newestVersion = 2;  ///< of several, see core/setup/setup_file.h
 
-/// Limits of the reader; each is refused one beyond.
+/// Limits of the reader; larger numbers are refused.
 namespace limits {
 inline constexpr std::size_t fileBytes = 32u << 20;
 inline constexpr std::size_t depth = 64;
@@ -31,17 +31,17 @@ struct ReadResult {
     Issues issues; ///< errors, or warnings beside a project
 };
 
-/// Reads and validates a project text. All faults at once.
+/// Reads and validates a project text. Returns all faults at once.
 [[nodiscard]] ReadResult readProject(std::string_view text);
 
-/// The same; a stop leaves nothing: neither a project nor issues.
+/// After a stop the result is empty: neither a project nor issues.
 [[nodiscard]] ReadResult readProject(std::string_view text, const std::stop_token& stop);
 
 /// The text of a project: same project, same bytes. Numbers in the shortest digits that read
 /// back to the same double.
 [[nodiscard]] std::string writeProject(const Project& project);
 
-/// Whether two projects hold the same values.
+/// Whether two projects have the same values.
 [[nodiscard]] bool sameProject(const Project& a, const Project& b);
 
 } // namespace sparkout

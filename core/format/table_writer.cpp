@@ -74,7 +74,7 @@ ordered_json fieldJson(const Field& field, const void* owner) {
     case Kind::levels: return levelsJson(field.as<Levels>(owner));
     case Kind::numberRows: return orNull(field.as<NumberRows>(owner));
     case Kind::samples: return field.as<Samples>(owner).values();
-    case Kind::jsonText: // by way of json: in the order of the keys, as it is read again
+    case Kind::jsonText: // through json: in the order of the keys, as it is read again
         return nlohmann::json::parse(field.as<JsonText>(owner).text);
     }
     return nullptr;

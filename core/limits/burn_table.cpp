@@ -74,7 +74,7 @@ BurnTable::BurnTable(const BurnModel& model, double U, double deepest_mm) {
 
 std::optional<BurnStretch> BurnTable::over(double low_mm, double high_mm,
                                            double totalInfeed_mm) const {
-    constexpr double enough = 7e-7; ///< at the points between the nodes, of the value there
+    constexpr double enough = 7e-7; ///< relative, at the points between the nodes
     const double centre = (high_mm + low_mm) / 2, half = (high_mm - low_mm) / 2;
     const auto value = [&](double t) { return usage(1, centre + half * t); };
     // Through the values at t = −1, −√½, 0, √½ and 1, even and odd parts apart.
@@ -103,11 +103,11 @@ std::optional<BurnStretch> BurnTable::over(double low_mm, double high_mm,
 
 namespace {
 
-// Written once and compiled for two vector units, as the pass is (pass_kernel.cpp).
+// One source compiled for two vector units, like the pass (pass_kernel.cpp).
 [[gnu::always_inline]] inline double worstOf(const BurnStretch& stretch,
                                              const double* __restrict root,
                                              const double* __restrict depth, std::size_t count) {
-    const BurnStretch local = stretch; // its numbers stay in registers
+    const BurnStretch local = stretch; // keeps its numbers in registers
     double worst = 0;
 #pragma omp simd reduction(max : worst)
     for (std::size_t i = 0; i < count; ++i) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr char keyDelimiter = '|';
 
-/// A date and time of ISO 8601 in seconds; without a zone as it stands.
+/// An ISO 8601 date and time in seconds; without a zone it is not converted.
 std::optional<double> secondsOfDate(std::string_view text) {
     const auto number = [text](std::size_t from, std::size_t size) {
         int value = -1;

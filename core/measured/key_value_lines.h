@@ -10,10 +10,10 @@
 /// The time is a number of seconds, or a date and time of ISO 8601.
 namespace sparkout {
 
-/// The keys of the first lines, in the order in which they come.
+/// The keys of the first lines, in their order.
 [[nodiscard]] std::vector<ColumnMatch> matchKeys(std::string_view text);
 
-/// Reads them into one trace a key. A value UNAVAILABLE is left out.
+/// Reads the lines into one trace for each key. A value UNAVAILABLE is skipped.
 [[nodiscard]] ReadMeasured readKeyValueLines(std::string_view text, const MeasuredTable& table,
                                              const MeasuredContext& context,
                                              const std::stop_token& stop);

@@ -20,10 +20,10 @@ struct NumberTable {
     };
     std::vector<std::string> headings; ///< none, or one a column
     std::vector<Row> rows;
-    CellFaults faults; ///< cells that are no numbers, and rows with too few
+    CellFaults faults; ///< cells that are not numbers, and rows with too few
 };
 
-/// Further columns and empty lines are left out.
+/// Further columns and empty lines are ignored.
 template <std::size_t columns>
 [[nodiscard]] NumberTable<columns> readNumbers(const TableText& text);
 

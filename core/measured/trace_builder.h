@@ -18,7 +18,7 @@ public:
         m_values.push_back(value);
     }
     [[nodiscard]] bool empty() const { return m_times.empty(); }
-    /// Thinned out to what a project keeps; leaves nothing behind.
+    /// Thinned to the limit of a project; leaves nothing behind.
     [[nodiscard]] MeasuredTrace take(const MeasuredContext& context);
 
 private:
