@@ -50,7 +50,7 @@ std::string JudgementWording::filled(const char* text, TextPlaces places) const 
     return placedText(translated(text), places);
 }
 
-/// Of a share in per cent: never nothing for a little, nor the whole for almost all.
+/// A share in per cent that never rounds to 0 or 100 %.
 std::string JudgementWording::percent(double share) const {
     constexpr double hundred = 100, few = 10, nothing = 1e-6;
     const double value = hundred * share;

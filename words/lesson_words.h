@@ -19,19 +19,19 @@ namespace sparkout {
 /// "passed", "cycle does not end by itself"; context "Finding".
 [[nodiscard]] const char* findingText(Finding finding);
 
-/// What is to be looked at in a work; context "Grading".
+/// The text of a work's flag; context "Grading".
 [[nodiscard]] const char* flagText(WorkFlag flag);
 
-/// Why levels make no variant; context "Variants".
+/// The reason for rejecting levels; context "Variants".
 [[nodiscard]] const char* variantFaultText(VariantFault fault);
 
 /// Why a lesson has no variants at all; context "Variants".
 [[nodiscard]] const char* lessonFaultText(LessonFault fault);
 
-/// What is wrong with a line of a list of students; context "Grading".
+/// The fault of a line in a list of students; context "Grading".
 [[nodiscard]] const char* groupFaultText(GroupFault::Kind kind);
 
-/// A goal as it was found, in English: "passed: cycle time 2.310 min; asked: at most 2.500 min".
+/// The result of a goal, in English: "passed: cycle time 2.310 min; required: at most 2.500 min".
 [[nodiscard]] std::string goalSentence(const Goal& goal, const GoalResult& result);
 
 /// A kept run whose numbers are not the engine's, in English.

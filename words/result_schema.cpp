@@ -138,7 +138,7 @@ ordered_json tableSchemas() {
     };
 }
 
-/// Of the schema of an output: "Optional[float]".
+/// The stub type for an output's schema: "Optional[float]".
 std::string stubType(const ordered_json& schema, bool isRequired) {
     static const std::map<std::string, std::string> types{{"number", "float"},
                                                           {"integer", "int"},

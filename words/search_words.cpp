@@ -167,7 +167,7 @@ std::string SearchWording::state(const SearchState& state) const {
 
 namespace {
 
-/// Of the input that fault() is about.
+/// The path of the input of fault().
 std::string faultPath(const SearchOutcome& outcome) {
     if (outcome.isOtherOperation) {
         return "/operation";

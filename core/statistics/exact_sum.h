@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    Limbs m_limbs{}; ///< carries are left standing: 2³⁰ terms do not fill 63 bits
+    Limbs m_limbs{}; ///< delayed carries: 2³⁰ terms do not fill 63 bits
 };
 
 } // namespace sparkout

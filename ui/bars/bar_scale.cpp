@@ -22,7 +22,7 @@ struct Span {
     }
 };
 
-constexpr double numberRoom = 0.12; ///< beyond the bars, of what is drawn
+constexpr double numberRoom = 0.12; ///< beyond the bars, relative to the range
 
 bool hasNumbersBeyond(const BarChart& chart) {
     return chart.hasTotals || !chart.sums.empty() || chart.shape != BarChart::Shape::stacked

@@ -32,7 +32,7 @@ namespace {
 
 constexpr int wholePlay_ms = 30'000; ///< a large grid is played in about so long …
 constexpr int leastTick_ms = 40, mostTick_ms = 500;
-constexpr int leastGridSlider = 90; ///< wide, at the usual size of type
+constexpr int leastGridSlider = 90; ///< width at the usual font size
 
 } // namespace
 

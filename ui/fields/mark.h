@@ -8,13 +8,13 @@
 #include <QPalette>
 #include <QString>
 
-/// How a value that was refused, is unusual or not given yet is marked, everywhere in the inputs.
+/// The marks of refused, unusual or missing values in all inputs.
 namespace sparkout {
 
 enum class Mark {
     none,
     warning,
-    missing, ///< not given yet, which is no fault of anybody
+    missing, ///< not given yet, which is not a fault
     error
 };
 
@@ -26,7 +26,7 @@ struct Remark {
 
 [[nodiscard]] QColor markColor(Mark mark, const QPalette& palette);
 [[nodiscard]] QIcon markIcon(Mark mark);
-[[nodiscard]] Mark markOf(const Issue& issue); ///< of a project that is being typed in
+[[nodiscard]] Mark markOf(const Issue& issue); ///< for a project being typed
 
 /// The worst issue at a path or below it.
 [[nodiscard]] Remark remarkFor(const Issues& issues, const std::string& path);

@@ -8,7 +8,7 @@
 
 namespace sparkout {
 
-/// A term of the program in both languages, as resources/help/glossary.json has it.
+/// A term of the program in both languages, from resources/help/glossary.json.
 struct Term {
     QString english, russian;
     QString englishMeaning, russianMeaning;

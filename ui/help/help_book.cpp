@@ -19,7 +19,7 @@ namespace sparkout {
 namespace {
 
 struct HelpEntry {
-    const char* id; ///< and name of the file
+    const char* id; ///< also the name of the file
     const char* group;
 };
 
@@ -95,7 +95,7 @@ QString sourcesHtml() {
     return html + QStringLiteral("</table>");
 }
 
-/// What the program adds to a page by itself.
+/// The generated part of a page.
 QString madePart(const QString& id, const QString& shortcuts) {
     for (const Page page : formPages) {
         if (id == fieldPageId(page)) {

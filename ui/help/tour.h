@@ -15,11 +15,11 @@ namespace sparkout {
 
 class TourBalloon;
 
-/// A part of the window the tour stops at.
+/// A part of the window shown by the tour.
 struct TourStep {
-    /// Brings it into sight; its place in the window, empty: the step is passed over.
+    /// Makes it visible; returns its area in the window, empty: the step is skipped.
     std::function<QRect()> target;
-    std::function<QString()> title; ///< in the present language
+    std::function<QString()> title; ///< translated
     std::function<QString()> text;
 };
 
@@ -38,7 +38,7 @@ public:
     [[nodiscard]] const TourBalloon* balloon() const { return m_balloon.get(); }
 
 signals:
-    void finished(); ///< came to its end, or was skipped
+    void finished(); ///< was completed, or skipped
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -11,14 +11,14 @@ class QCheckBox;
 
 namespace sparkout {
 
-/// Which of the measurements take part in a fit: traces, and the diameters of the parts.
+/// The choice of measurements for a fit: traces, and the diameters of the parts.
 class DataChoice : public QGroupBox {
     Q_OBJECT
 
 public:
     explicit DataChoice(const Project& project, QWidget* parent = nullptr);
 
-    [[nodiscard]] std::vector<int> traces() const; ///< by their numbers in the project
+    [[nodiscard]] std::vector<int> traces() const; ///< indices in the project
     [[nodiscard]] bool withParts() const;
 
 signals:

@@ -31,7 +31,7 @@ std::string dateOfToday() {
     return QDate::currentDate().toString(Qt::ISODate).toStdString();
 }
 
-/// Why the inputs cannot take over these values; empty: they can.
+/// Why the inputs cannot take these values; empty if they can.
 QString refusalOf(const Project& made) {
     Issues errors = validate(made);
     std::erase_if(errors, [](const Issue& issue) { return issue.severity != Severity::error; });

@@ -300,7 +300,7 @@ QStringList MeasuredText::holdOut(const Project& project, const std::vector<Hold
     return sentences;
 }
 
-/// What else makes a bias than compliance and force.
+/// Other causes of a bias than compliance and force.
 QStringList MeasuredText::where(const std::vector<AdequacyRow>& rows) {
     const auto isBiased = [&rows](MeasuredQuantity quantity) {
         return std::ranges::any_of(rows, [quantity](const AdequacyRow& row) {

@@ -30,7 +30,7 @@ namespace {
 
 constexpr int leastOnTab = 6; ///< letters of a name; with less of it a tab has its number alone
 
-/// The widest that texts may be so that all of them fit into a room: short ones leave theirs over.
+/// The greatest width of texts with which all fit; short ones leave their surplus to the others.
 int widestOf(std::vector<int> widths, int room) {
     std::ranges::sort(widths);
     auto left = static_cast<int>(widths.size());

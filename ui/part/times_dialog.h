@@ -17,13 +17,13 @@ namespace sparkout {
 
 class NumberField;
 
-/// The standard times of the set-up and how the wheel wears from surface to surface, with what
-/// they come to.
+/// The standard times of the set-up and the wheel's wear from surface to surface, with their
+/// results.
 class TimesDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `cycles_min` is the time of all cycles together; nothing: not all of them end at size.
+    /// `cycles_min` is the time of all cycles together; empty: not all of them end at size.
     TimesDialog(const SetupTimes& times, const WheelWear& wear, std::size_t surfaces,
                 std::optional<double> cycles_min, QWidget* parent = nullptr);
 

@@ -93,7 +93,7 @@ QString FormulaView::textOf(const FormulaSheet& sheet) {
     return lines.join(u'\n');
 }
 
-/// Of the characters from one place to before another.
+/// The text between two positions.
 QString FormulaView::plain(int from, int to) const {
     QStringList lines;
     for (QTextBlock block = document()->findBlock(from); block.isValid() && block.position() < to;
