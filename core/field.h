@@ -147,8 +147,7 @@ struct Field : Row {
     const char* key = "";
     Kind kind = Kind::number;
     void* (*member)(void* owner) = nullptr;
-    bool (*same)(const void* a,
-                 const void* b) = nullptr;         ///< compares two owners; not for object kinds
+    bool (*same)(const void* a, const void* b) = nullptr; ///< compares two owners; not objects
     int (*getChoice)(const void* owner) = nullptr; ///< choice, or word of a countOrWord; −1: none
     void (*setChoice)(void* owner, int value) = nullptr;  ///< −1: not given
     std::span<const Choice> choices;                      ///< or words

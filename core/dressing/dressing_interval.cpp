@@ -118,8 +118,7 @@ private:
     const DressingOptions& m_options;
     DressingInterval& m_found;
     std::optional<std::int64_t> m_wornOut;
-    std::vector<std::pair<std::int64_t, double>>
-        m_alike; ///< first part with a constant time, and that time
+    std::vector<std::pair<std::int64_t, double>> m_alike; ///< first part of a time, and the time
     double m_last_s = 0;
 };
 

@@ -34,8 +34,7 @@ struct WornFailure {
     std::optional<std::int64_t> scenario;
     Issues issues; ///< of the inputs with this wheel; empty: it was run
     RunStatus status = RunStatus::completed;
-    std::optional<ConstraintResult>
-        worst; ///< the requirement violated most, if the cycle was completed
+    std::optional<ConstraintResult> worst; ///< the worst violation, once completed
 };
 
 struct DressingOptions {

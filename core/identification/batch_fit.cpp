@@ -115,8 +115,7 @@ private:
             q[m_factors[i]] = point[i];
         }
         CycleFactors factors = cycleFactors(m_project, m_list, q);
-        factors.blankRunout_mm =
-            factorsOf(m_project).blankRunout_mm; // finished parts do not depend on it
+        factors.blankRunout_mm = factorsOf(m_project).blankRunout_mm; // not in finished parts
         return factors;
     }
 

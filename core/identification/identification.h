@@ -71,8 +71,7 @@ struct Identification {
     std::vector<std::vector<double>> correlation;
     std::vector<FitResiduals> residuals;
     std::optional<Normality> normality; ///< of the residuals, each divided by the RMS of its group
-    std::vector<OutOfStep>
-        outOfStep; ///< omitted times that are probably not 0: the values are wrong
+    std::vector<OutOfStep> outOfStep;   ///< omitted times, hardly 0: the values are wrong
     double condition = 1;
     std::vector<Unidentified> unidentified;
     std::vector<int> stepsByStage;          ///< of the fitted cycle

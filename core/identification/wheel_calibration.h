@@ -14,9 +14,8 @@ namespace sparkout {
 /// Measured Ra to that which the project's cycle leaves: the factor of Ra for this wheel and this
 /// dressing.
 struct RoughnessCalibration {
-    double factor = 1; ///< geometric mean over the measured values
-    std::optional<Interval>
-        interval95; ///< Student's interval of the logarithms, for at least two values
+    double factor = 1;                  ///< geometric mean over the measured values
+    std::optional<Interval> interval95; ///< Student's, of the logarithms of two or more
     std::size_t count = 0;
     std::string wheel, dressing; ///< to which it applies
 };

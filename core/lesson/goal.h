@@ -37,10 +37,9 @@ struct FigureGoal {
 /// A number predicted before the run, or read off it; the engine computes the right one.
 struct NumberPrediction {
     Figure figure;
-    double tolerance = 0; ///< ±, in the figure's unit
-    double tolerance_percent =
-        0; ///< ±, in per cent of the engine's value; the greater tolerance applies
-    bool after_run = false; ///< answered after the run, by reading or computing
+    double tolerance = 0;         ///< ±, in the figure's unit
+    double tolerance_percent = 0; ///< ±, in per cent; the greater one applies
+    bool after_run = false;       ///< answered after the run, by reading or computing
 };
 
 /// The abscissa of a predicted curve.
@@ -89,8 +88,7 @@ struct Goal {
     std::optional<ChoiceGoal> choice;
     std::optional<TextGoal> text;
 
-    [[nodiscard]] int
-    count() const; ///< number of kinds that are given; 1 in a lesson that was read
+    [[nodiscard]] int count() const;     ///< of the given kinds; 1 if read from a file
     [[nodiscard]] GoalKind kind() const; ///< the first kind that is given
     /// The requested figure; null if there is none.
     [[nodiscard]] const Figure* asked() const;

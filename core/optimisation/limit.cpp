@@ -34,8 +34,7 @@ namespace sparkout {
 namespace {
 
 constexpr int stockCells = 100, feedCells = 120;
-constexpr double slowestShare =
-    1e-3; ///< relative to the fastest axial feed: the cells' first upper end
+constexpr double slowestShare = 1e-3; ///< relative to the fastest axial feed
 
 /// The greatest possible feed: of the machine's range, or of the project and the search.
 double greatest(const Project& project, const StageFeed& feed) {
@@ -424,8 +423,7 @@ SteplessLimit limitOf(const Project& project, const LimitedCycles& cycles, bool 
     const double all_mm = blank.totalInfeed_mm;
     const double short_mm = std::max(all_mm - depthAtEnd_mm(project, all_mm), 0.0);
     const double left = sparksOut ? leftByField_mm(*project.part) : short_mm;
-    const double end =
-        left + 2 * stageSlack_mm + mostOfDiameters_mm(project); ///< stock left at the end
+    const double end = left + 2 * stageSlack_mm + mostOfDiameters_mm(project); ///< stock left
     const double all = blank.totalInfeed_mm - end;
     // a datum of the position control may be nearer than the first touch; wear of the wheel shifts
     // the beginning and the end of the feed alike

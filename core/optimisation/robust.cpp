@@ -306,8 +306,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         if (failing->of) {
             search.cases.push_back(std::move(*failing->of));
         }
-        search.quickest_us =
-            summary.search.best->time_us; // further scenarios do not speed up the search
+        search.quickest_us = summary.search.best->time_us; // further scenarios save no time
         if (search.method == SearchMethod::pruned) {
             search.challenge = challenge;
         }

@@ -146,9 +146,7 @@ Compliance::Compliance(ShaftModel model, const std::stop_token& stop)
         double pivot = 1 / spring.stiffness_n_mm + free;
         for (const double term : row)
             pivot -= term * term;
-        if (pivot
-            > 1e-12
-                  * free) // otherwise the point is held rigidly already, and the rest adds nothing
+        if (pivot > 1e-12 * free) // otherwise it is rigid: the rest adds nothing
             m_rests.push_back({p, std::sqrt(pivot), std::move(row)});
     }
 }

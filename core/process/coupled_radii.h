@@ -40,8 +40,7 @@ public:
     static constexpr std::size_t thirds = 3; ///< a third in which nothing moves is skipped
     static constexpr std::size_t third = sideBySide / thirds;
     using Set = std::bitset<sideBySide>; ///< marks some of the twelve radii
-    static constexpr int mostSteps =
-        8; ///< greatest number of Newton steps, each with its correction
+    static constexpr int mostSteps = 8;  ///< of Newton, each with its correction
 
     /// The values of twelve radii in one section.
     struct alignas(32) Row {
@@ -84,8 +83,7 @@ public:
 
 private:
     Balance m_balance;
-    double m_leaves =
-        1; ///< bound on |r|, as a multiple of the deviation of u² from the tangents [1]
+    double m_leaves = 1; ///< ratio of the bound on |r| to the deviation of u²
     Kernels m_kernels;
 };
 

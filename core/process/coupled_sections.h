@@ -102,9 +102,8 @@ public:
 
     /// Largest residual of a solution [mm], in addition to rounding errors at a large h.
     static constexpr double tolerance_mm = 1e-13;
-    static constexpr int maxIterations = 100; ///< greatest number of quick steps
-    static constexpr int maxDescents =
-        20'000; ///< and of descent steps, of which about ten are needed
+    static constexpr int maxIterations = 100;  ///< greatest number of quick steps
+    static constexpr int maxDescents = 20'000; ///< of the descent; about ten are needed
 
 private:
     class Solver;

@@ -29,9 +29,7 @@ public:
     /// solution.
     void solve(const double* added, const std::vector<std::ptrdiff_t>& free, double* x);
 
-    [[nodiscard]] bool isShort() const {
-        return m_rank > 0;
-    } ///< whether solutions take time proportional to J
+    [[nodiscard]] bool isShort() const { return m_rank > 0; } ///< in time proportional to J
     /// The number of values of a section: 3, 4 or `mostRank`; 0 if the matrix is not semiseparable.
     [[nodiscard]] std::size_t rank() const { return m_rank; }
     [[nodiscard]] const std::vector<double>& rows() const { return m_rows; } ///< values by section

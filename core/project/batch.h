@@ -12,14 +12,12 @@ enum class Scenarios { corners, latin_hypercube, sobol, random };
 
 /// The scatter of a quantity over the batch; exactly one of the forms is given.
 struct Factor {
-    std::optional<std::vector<double>> uniform; ///< [lowest, highest]
-    std::optional<std::vector<double>> normal;  ///< [mean, standard deviation]
-    std::optional<std::vector<double>>
-        within; ///< bounds of the truncated normal law, [lowest, highest]
+    std::optional<std::vector<double>> uniform;    ///< [lowest, highest]
+    std::optional<std::vector<double>> normal;     ///< [mean, standard deviation]
+    std::optional<std::vector<double>> within;     ///< bounds of the normal law, [lowest, highest]
     std::optional<std::vector<double>> triangular; ///< [lowest, most frequent, highest]
     std::optional<std::vector<double>> measured;   ///< values, each as frequent as any other
-    std::optional<std::vector<double>>
-        grows; ///< growth from the first to the last part of a dressing interval
+    std::optional<std::vector<double>> grows;   ///< from the first to the last part of a dressing
     std::optional<int> parts_between_dressings; ///< required with `grows`
 };
 
@@ -50,8 +48,7 @@ struct Batch {
     NumberRows zone_compliance;
     NumberRows correlation; ///< correlation matrix of the factors, in the order of the table
     double least_ppk = 1;   ///< least lower 95 % bound of Ppk of a fit cycle
-    std::optional<double>
-        most_outside_share; ///< greatest share of rejected parts, drawn and expected
+    std::optional<double> most_outside_share; ///< greatest share of rejected parts
     // The comparison of measured parts with the batch.
     double measuring_uncertainty_um = 0; ///< standard uncertainty u of one measured value
     std::optional<double> bias_limit_um; ///< greatest difference of means that counts as agreement

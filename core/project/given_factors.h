@@ -12,8 +12,7 @@
 namespace sparkout {
 
 namespace limits {
-inline constexpr std::size_t factors =
-    16; ///< greatest number of factors of a batch, including those of its zones
+inline constexpr std::size_t factors = 16; ///< of a batch, including those of its zones
 } // namespace limits
 
 /// The factors a batch may scatter by, in the order of their table.

@@ -23,12 +23,11 @@ struct Material {
     double shear_strain = 2.8;          ///< ε_i
     double friction = 0.3;              ///< μ
     ForceLawKind force_law = ForceLawKind::sources;
-    double threshold_force_n_mm = 0.5; ///< F'_0, a width that just cuts [N/mm]
-    double specific_force_mpa = 50000; ///< K_0, K = K_0·V_d/V_k [N/mm²]
-    std::optional<double>
-        specific_tangential_force_mpa; ///< specific tangential force, K_z likewise [N/mm²]
-    double conductivity_w_mk = 36;     ///< λ [W/(m·K)]
-    double diffusivity_mm2_s = 9;      ///< Ω [mm²/s]
+    double threshold_force_n_mm = 0.5;                   ///< F'_0, a width that just cuts [N/mm]
+    double specific_force_mpa = 50000;                   ///< K_0, K = K_0·V_d/V_k [N/mm²]
+    std::optional<double> specific_tangential_force_mpa; ///< of K_z, too [N/mm²]
+    double conductivity_w_mk = 36;                       ///< λ [W/(m·K)]
+    double diffusivity_mm2_s = 9;                        ///< Ω [mm²/s]
     std::optional<double> burn_rise_k; ///< U_burn, temperature rise that burns [K]
     double heat_share = 1;             ///< ε_w, share of the heat that enters the part
     double expansion_um_m_k = 11.5;    ///< α, of length with temperature [µm/(m·K)]

@@ -27,15 +27,13 @@ struct StageFeed {
 
 /// Properties of a kind of operation.
 struct OperationTraits {
-    Choice choice; ///< its key in the file and its label
-    std::span<const StageFeed>
-        feeds; ///< feeds of its stages: the radial one, and an axial one if any
+    Choice choice;                    ///< its key in the file and its label
+    std::span<const StageFeed> feeds; ///< the radial one, and an axial one if any
     /// The feed that a stage may replace by a continuous one; null if there is none.
     const StageFeed* continuous = nullptr;
-    double usualRadial = 0;  ///< usual radial feed of an added stage
-    int usualLeastSteps = 0; ///< usual least number of steps of a stage with stock
-    bool perMinute =
-        false; ///< the radial feed is given per minute [mm/min], otherwise per step [mm]
+    double usualRadial = 0;     ///< usual radial feed of an added stage
+    int usualLeastSteps = 0;    ///< usual least number of steps of a stage with stock
+    bool perMinute = false;     ///< the feed is in mm/min, otherwise in mm per step
     bool countsStrokes = false; ///< a step of the cycle is a double stroke, otherwise a revolution
     /// The wheel travels along the part between reversals with overruns and dwells; otherwise it
     /// covers the whole ground length.

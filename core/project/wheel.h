@@ -21,9 +21,8 @@ struct ForceRecipe {
 
 /// Ra of a part ground by this wheel in its dressed state, and the conditions of the measured cut.
 struct MeasuredRa {
-    double ra_um = 0.8; ///< Ra [µm]
-    std::optional<double>
-        infeed_um; ///< infeed per revolution or double stroke; not given: the cycle's
+    double ra_um = 0.8;              ///< Ra [µm]
+    std::optional<double> infeed_um; ///< per step of the cycle; not given: the cycle's
     std::optional<double>
         spark_out_steps; ///< revolutions or double strokes; not given: the cycle's
     friend bool operator==(const MeasuredRa&, const MeasuredRa&) = default;

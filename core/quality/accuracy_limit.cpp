@@ -249,8 +249,7 @@ std::optional<AccuracyLimit> accuracyLimit(const SimulationResult& result,
     const ForceLaw law = forceLaw(project);
     const double b = group.stages.back().width_mm, gamma = gammaOf(project, group);
     AccuracyLimit limit;
-    if (!(greatestSpread(project, SpreadOf::oneOfTwo, proof)
-          > 0)) { // the machine's form uses up the whole tolerance
+    if (!(greatestSpread(project, SpreadOf::oneOfTwo, proof) > 0)) { // no tolerance is left
         limit.curve = {{std::min(series.least_mm, 0.0), 0}, {series.deepest_mm, 0}};
         return limit;
     }

@@ -31,10 +31,9 @@ struct ConstraintResult {
     int section = 0; ///< index in SimulationResult::sections; −1: not of one section
     double limit = 0;
     double value = 0;
-    double margin = 0; ///< positive when met
-    double relativeMargin =
-        0;              ///< margin divided by the width of the tolerance or range, or by the limit
-    bool holds = false; ///< never if the value does not cover the whole surface
+    double margin = 0;         ///< positive when met
+    double relativeMargin = 0; ///< margin relative to the tolerance, range or limit
+    bool holds = false;        ///< never if the value does not cover the whole surface
     bool isLeast = false;      ///< the limit is a minimum, otherwise a maximum
     std::optional<Place> at{}; ///< place in the cycle at which the value was reached, if in a pass
     int stage = 0;             ///< stage whose setting it is, from 1; 0: set for all, or no setting

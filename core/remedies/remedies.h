@@ -80,10 +80,9 @@ struct Remedy {
     /// if it is good but adds a warning, or if it is one more stage with the current feed, or was
     /// not run; for a pair the current value does not count.
     std::optional<double> failing{};
-    bool holdsBeyond = false; ///< the next value behind the interval is good, too
-    double time_s = 0;        ///< of the cycle
-    std::optional<double>
-        timeChange_s{}; ///< relative to the unchanged cycle, if that ends by itself
+    bool holdsBeyond = false;             ///< the next value behind the interval is good, too
+    double time_s = 0;                    ///< of the cycle
+    std::optional<double> timeChange_s{}; ///< of the unchanged cycle, if that ends by itself
     std::vector<ConstraintResult> requirements{}; ///< the worst of each kind
     std::optional<StockRange> stocks{}; ///< per side, for all of which it was decided to be good
     int phases = 0;    ///< otherwise the number of random stocks for which it is good
@@ -116,8 +115,7 @@ struct RemedyConflict {
         unmended, ///< no setting helps the first; the one below comes nearest, if any
     };
     Kind kind = Kind::unmended;
-    std::optional<ConstraintResult>
-        first; ///< without a change; empty: the cycle does not end by itself
+    std::optional<ConstraintResult> first;  ///< unchanged; empty: the cycle does not end
     std::optional<ConstraintResult> second; ///< the worst violation with the setting below, if any
     std::optional<RemedySetting> setting;   ///< the setting of the conflict
     double value = 0;                       ///< of the setting

@@ -38,8 +38,7 @@ struct RemedySetting {
     double before = 0;     ///< the value there is; of a stage more the one with which all stays
     double low = 0, high = 0;
     SettingScale scale;
-    double feed = 0,
-           feedBefore = 0; ///< for a pair: feed of the first stage, the same for all values
+    double feed = 0, feedBefore = 0; ///< for a pair: that of the first stage
     /// For a starting cycle: the project with it, once made.
     std::shared_ptr<const Project> made{};
 

@@ -248,8 +248,7 @@ void RemedyTrials::learn(const RemedySetting& setting, double value, const Remed
         }
     }
     if (first) {
-        constexpr double noticeable =
-            1e-3; // relative to the limit: smaller changes do not count as progress
+        constexpr double noticeable = 1e-3; // relative to the limit
         const double least = m_closest ? m_closest->margin : m_first->relativeMargin + noticeable;
         if (first->relativeMargin > least) {
             const bool ofFresh = fresh && (!known || fresh->relativeMargin < known->relativeMargin);

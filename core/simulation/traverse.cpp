@@ -170,8 +170,7 @@ private:
         std::vector<CompliantPoint> points = compliantPoints(project, stop);
         const std::vector<CompliantPoint> sections = zoneSectionPoints(project, stop);
         for (CompliantPoint& middle : points) {
-            middle.length_mm =
-                sections.empty() ? middle.length_mm : 0; // it is counted by its sections
+            middle.length_mm = sections.empty() ? middle.length_mm : 0; // counted by its sections
         }
         points.insert(points.end(), sections.begin(), sections.end());
         return points;

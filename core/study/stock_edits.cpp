@@ -42,8 +42,7 @@ Project withFittedStocks(Project project) {
         for (Stage& stage : stages) {
             stage.stock_mm = tidyStock(stage.stock_mm * scale);
         }
-        rest = std::ranges::max_element(stages, {},
-                                        &Stage::stock_mm); // the largest absorbs the rounding
+        rest = std::ranges::max_element(stages, {}, &Stage::stock_mm); // it absorbs the rounding
     }
     rest->stock_mm = tidyStock(rest->stock_mm + stock_mm - sumFrom(stages, 0));
     return project;

@@ -31,8 +31,7 @@ struct BatchOutcome {
     [[nodiscard]] std::size_t quantityCount() const {
         return factors.size() + summary.characteristics.size();
     }
-    [[nodiscard]] const Characteristic*
-    characteristicOf(std::size_t quantity) const; ///< may be null
+    [[nodiscard]] const Characteristic* characteristicOf(std::size_t quantity) const; ///< or null
     /// Returns a quantity of the part in a kept row.
     [[nodiscard]] double valueOf(std::size_t row, std::size_t quantity) const;
     [[nodiscard]] bool isOutside(std::size_t row, std::size_t quantity) const; ///< its limits

@@ -43,9 +43,7 @@ public:
     [[nodiscard]] int categoryAt(const QPointF& at) const; ///< also beside its bars
     [[nodiscard]] const ChartScene& scene() const { return m_scene; }
     [[nodiscard]] const QStringList& texts() const { return m_texts; } ///< as last painted
-    [[nodiscard]] const std::vector<QRectF>& numberBoxes() const {
-        return m_taken;
-    } ///< as last painted
+    [[nodiscard]] const std::vector<QRectF>& numberBoxes() const { return m_taken; } ///< likewise
     /// The least height at which every category has a line of its own.
     [[nodiscard]] static int leastHeight(const BarChart& chart, const QFont& font);
 

@@ -322,8 +322,7 @@ void ChartScene::paint(QPainter& painter, const QSizeF& size, const ChartArea& a
             boxes->setBoxWidth(area.barShare(m_shown));
         }
     }
-    m_chart->layout()
-        ->invalidate(); // changing only the plot area would move the bars, but not the axes
+    m_chart->layout()->invalidate(); // the plot area alone would not move the axes
     m_chart->layout()->activate();
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing,

@@ -18,8 +18,7 @@ class HairLine;
 class ComparePlot : public ViewPlot {
     Q_OBJECT
 public:
-    static constexpr int runKey =
-        100; ///< key of the legend, plus the number; lower ones: a Quantity
+    static constexpr int runKey = 100; ///< in the legend, plus the number; below: a Quantity
 
     explicit ComparePlot(QWidget* parent = nullptr);
 
@@ -39,9 +38,8 @@ public:
     [[nodiscard]] QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const override;
 
     [[nodiscard]] const std::vector<ComparedFeeds>& runs() const { return m_chart.runs(); }
-    [[nodiscard]] QCPAxis* axisOf(Quantity quantity) const; ///< of a drawn quantity
-    [[nodiscard]] QCPGraph* curve(int number,
-                                  Quantity quantity) const; ///< null if there is no such run
+    [[nodiscard]] QCPAxis* axisOf(Quantity quantity) const;             ///< of a drawn quantity
+    [[nodiscard]] QCPGraph* curve(int number, Quantity quantity) const; ///< null: no such run
     [[nodiscard]] std::optional<double> moment_s() const { return m_moment_s; }
     [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] ReadCurves readCurves() const override; ///< the visible ones, by run

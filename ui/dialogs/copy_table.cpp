@@ -148,8 +148,7 @@ void CopyTable::setArrangeable(Settings* settings) {
     QHeaderView& head = *horizontalHeader();
     head.setSectionsClickable(true);
     head.setSortIndicatorClearable(true);
-    head.setSortIndicator(-1,
-                          Qt::AscendingOrder); // otherwise it would be sorted by its first column
+    head.setSortIndicator(-1, Qt::AscendingOrder); // otherwise it would be sorted at once
     setSortingEnabled(true);
     head.setSortIndicatorShown(false); // it takes space in every column
     connect(&head, &QHeaderView::sortIndicatorChanged, &head,

@@ -133,9 +133,7 @@ Remark NumberField::remark() const {
 }
 
 Remark NumberField::judge(std::optional<double>& value) const {
-    if (text()
-            .trimmed()
-            .isEmpty()) { // a value that was never given is reported by the inputs, not here
+    if (text().trimmed().isEmpty()) { // the inputs report a value never given
         return m_spec.optional || !m_settled ? Remark{}
                                              : Remark{Mark::error, tr("a number is needed here")};
     }

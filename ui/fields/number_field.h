@@ -72,8 +72,7 @@ public:
     void retranslate();
 
 signals:
-    void
-    valueEdited(); ///< another valid value, or the previous one if a text is refused or dropped
+    void valueEdited(); ///< a new valid value, or a dropped text
     void remarkChanged();
 
 protected:

@@ -39,8 +39,7 @@ GuardedFile::Access GuardedFile::claim(const QString& path) {
     switch (m_claim.acquire(path)) {
     case FileLock::State::conflict: return Access::conflict;
     case FileLock::State::noRight: return Access::readOnly;
-    default:
-        return Access::write; // a missing lock, for instance on a full disk, must not prevent work
+    default: return Access::write; // a missing lock must not prevent work
     }
 }
 

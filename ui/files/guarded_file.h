@@ -69,8 +69,7 @@ private:
     void settleClaim();
     void followDisk();
     [[nodiscard]] bool isFile(const QString& path) const;
-    [[nodiscard]] bool
-    isKnown(const QByteArray& hash) const; ///< empty: whether a missing file is known
+    [[nodiscard]] bool isKnown(const QByteArray& hash) const; ///< empty: a missing file
     [[nodiscard]] std::optional<std::string> expectedAt(const QString& path) const;
     void keepEarlierVersion(const QString& path) const;
 

@@ -86,8 +86,7 @@ void applyFontSize(int percent) {
         enlarged(qApp->property(systemFont).value<QFont>(), percent / double(usualFontSize)));
     for (QWidget* widget : QApplication::allWidgets()) {
         follow(*widget);
-        if (auto* box =
-                qobject_cast<QComboBox*>(widget)) { // it would keep the least width of its old font
+        if (auto* box = qobject_cast<QComboBox*>(widget)) { // it would keep its old least width
             QEvent anew(QEvent::StyleChange);
             QCoreApplication::sendEvent(box, &anew);
             box->updateGeometry();

@@ -38,9 +38,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {1, height()}; }
 
 protected:
-    void wheelEvent(QWheelEvent* event) override {
-        event->ignore();
-    } ///< left to the scrolling parent
+    void wheelEvent(QWheelEvent* event) override { event->ignore(); } ///< the page scrolls
 
 private:
     void fit() { setFixedHeight(static_cast<int>(std::ceil(document()->size().height()))); }

@@ -51,8 +51,7 @@ private:
     void begin();
     void startBatches();
     void startSearches();
-    void
-    takeOver(); ///< applies the found cycles and the added searches, as one step of the history
+    void takeOver();                      ///< applies the found cycles, as one step of the history
     [[nodiscard]] bool isCurrent() const; ///< the studies belong to the current inputs
 
     Document& m_document;

@@ -94,8 +94,7 @@ void CursorStrip::build() {
     }
     m_difference->setObjectName(QStringLiteral("cursorDifference"));
     m_difference->setTextFormat(Qt::PlainText);
-    m_difference->setSizePolicy(QSizePolicy::Ignored,
-                                QSizePolicy::Preferred); // takes the remaining width
+    m_difference->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     row->addSpacing(metrics::gap);
     row->addWidget(m_difference, 1);
     column->addLayout(row);

@@ -29,8 +29,7 @@ public:
 
 private:
     void cover(const QPointF& at);
-    [[nodiscard]] std::vector<int>
-    sums() const; ///< number of covered squares above and left of each corner
+    [[nodiscard]] std::vector<int> sums() const; ///< covered squares above and left of each corner
 
     QRectF m_within;
     int m_columns, m_rows;

@@ -112,9 +112,7 @@ protected:
     [[nodiscard]] QLabel* values() const { return m_values; }
     [[nodiscard]] CursorStrip* strip() const { return m_strip; }
     [[nodiscard]] const std::vector<ViewPlot*>& plots() const { return m_plots; }
-    [[nodiscard]] ViewPlot& front() const {
-        return *m_front;
-    } ///< the plot of the legend and the tools
+    [[nodiscard]] ViewPlot& front() const { return *m_front; } ///< with the legend and the tools
 
     // The outcome that is drawn; null if there is none.
     [[nodiscard]] const OutcomePtr& good() const { return m_good; } ///< null: nothing yet
@@ -146,9 +144,8 @@ protected:
     [[nodiscard]] QString refusedText() const;                  ///< the notice if none is drawn
     [[nodiscard]] virtual QString remark() const { return {}; } ///< a remark on the drawn outcome
     [[nodiscard]] virtual QStringList heading() const;          ///< heading of exported pictures
-    [[nodiscard]] virtual const Project*
-    shownProject() const;                       ///< project of the outcome; null if there is none
-    [[nodiscard]] QString projectTitle() const; ///< its title
+    [[nodiscard]] virtual const Project* shownProject() const;  ///< of the outcome, or null
+    [[nodiscard]] QString projectTitle() const;                 ///< its title
     [[nodiscard]] virtual QStringList subheading() const {
         return {};
     } ///< below the project's name
@@ -157,8 +154,7 @@ protected:
 private:
     void setUpTable(CopyTable& table, std::function<CsvTable()> saved);
     QWidget* pageButtons(PlotTools& tools);
-    [[nodiscard]] bool
-    isShown(const ViewPlot& plot) const; ///< false for a page behind the front one
+    [[nodiscard]] bool isShown(const ViewPlot& plot) const; ///< false behind the front page
     static void closeUp(QLayout& row);
 
     Settings* m_settings;

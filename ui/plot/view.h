@@ -54,11 +54,8 @@ protected:
     virtual void dropStudies() {} ///< drops results computed on demand, before another document
     /// Whether the current document has had no outcome since forget().
     [[nodiscard]] bool isOfBefore() const { return m_ofBefore; }
-    void keepOutcome() {
-        m_ofBefore = false;
-    } ///< the shown outcome belongs to the current document
-    virtual void recolour() {
-    } ///< updates what does not follow the palette by itself, such as a legend
+    void keepOutcome() { m_ofBefore = false; } ///< it belongs to the current document
+    virtual void recolour() {}                 ///< updates parts that do not follow the palette
     /// Call at the end of a constructor: sets the texts, now and whenever the language changes.
     void built();
     void redraw(); ///< at once, if anything is new

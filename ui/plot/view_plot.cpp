@@ -204,8 +204,7 @@ void ViewPlot::setKeyed(int key, std::initializer_list<QCPLayerable*> drawn) {
 }
 
 void ViewPlot::showChoice() {
-    std::erase_if(m_keyed,
-                  [](const auto& keyed) { return !keyed.second; }); // deleted in the meantime
+    std::erase_if(m_keyed, [](const auto& keyed) { return !keyed.second; }); // deleted meanwhile
     for (const auto& [key, part] : m_keyed) {
         part->setVisible(shows(key));
     }

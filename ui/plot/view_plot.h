@@ -31,8 +31,7 @@ struct PlotSubject;
 class ViewPlot : public QCustomPlot {
     Q_OBJECT
 public:
-    explicit ViewPlot(
-        QWidget* parent = nullptr); ///< without an axis rect; has a layer "bands" at the back
+    explicit ViewPlot(QWidget* parent = nullptr); ///< without axes; has a layer "bands" at the back
 
     void setDimmed(bool dim);
     [[nodiscard]] bool isDimmed() const { return m_dim; }
@@ -57,9 +56,7 @@ public:
     [[nodiscard]] virtual QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const;
 
     [[nodiscard]] virtual ReadCurves readCurves() const { return {}; } ///< the visible ones
-    [[nodiscard]] virtual QCPRange readSpan() const {
-        return {};
-    } ///< the range in which they are readable
+    [[nodiscard]] virtual QCPRange readSpan() const { return {}; }     ///< readable range
     /// For the cursors; the name of the horizontal axis is its label.
     [[nodiscard]] virtual CursorSubject cursorSubject();
 
@@ -103,9 +100,7 @@ protected:
     void built();                       ///< ends a constructor: look and texts
     void setBuilt() { m_built = true; } ///< marks the plot as built without content
 
-    [[nodiscard]] bool shows(int key) const {
-        return m_choice.shows(key);
-    } ///< whether a legend entry is visible
+    [[nodiscard]] bool shows(int key) const { return m_choice.shows(key); } ///< in the legend
     [[nodiscard]] const CurveChoice& choice() const { return m_choice; }
     /// Adds an axis rect in a cell of the layout.
     QCPAxisRect* addRect(int row = 0, int column = 0);

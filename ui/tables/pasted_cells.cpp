@@ -123,8 +123,7 @@ std::vector<QStringList> rowsOfHtml(const QString& html) {
         QStringList& cells = rows.emplace_back();
         for (int column = 0; column < table->columns(); ++column) {
             const QTextTableCell cell = table->cellAt(row, column);
-            const bool own =
-                cell.row() == row && cell.column() == column; // otherwise part of a span
+            const bool own = cell.row() == row && cell.column() == column; // or a span
             QTextCursor content = cell.firstCursorPosition();
             content.setPosition(cell.lastPosition(), QTextCursor::KeepAnchor);
             cells << (own ? content.selection().toPlainText().trimmed() : QString());

@@ -176,8 +176,7 @@ QString Names::where(const ConstraintResult& constraint) {
 QString Names::amount(ConstraintKind kind, double value, bool withSign) {
     const int decimals = requirementOf(kind).digits.shown;
     if (decimals != RequirementDigits::significant) {
-        const bool plus =
-            decimals > 0 && value >= 0.5 * std::pow(10.0, -decimals); // not for counts
+        const bool plus = decimals > 0 && value >= 0.5 * std::pow(10.0, -decimals); // no counts
         return (withSign && plus ? QStringLiteral("+") : QString()) + fixed(value, decimals);
     }
     const QString text = withoutZeros(significant(value)); // limits are round
@@ -220,8 +219,7 @@ QString Names::besideLimit(const ConstraintResult& c) {
     if (!isRange(c.kind)) {
         return margin(c);
     }
-    const bool isBelow =
-        !c.isLeast && c.value > 0; // an upper limit: the ratio by which the value may rise
+    const bool isBelow = !c.isLeast && c.value > 0; // an upper limit: the ratio to it
     return c.limit > 0 ? times(isBelow ? c.limit / c.value : c.value / c.limit) + u'×'
                        : inRange(c, true);
 }

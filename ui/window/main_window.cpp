@@ -156,10 +156,9 @@ void MainWindow::buildViews() {
     connect(m_compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
     connect(m_keeper, &RunKeeper::reported, this,
             [this](const QString& text) { m_status->showForAWhile(text); });
-    const auto reportEnd =
-        [this](const View* view) { // its notice has the reason: done, stopped, refused
-            return [this, view] { m_status->showForAWhile(tr("%1: ended.").arg(view->title())); };
-        };
+    const auto reportEnd = [this](const View* view) { // its notice has the reason
+        return [this, view] { m_status->showForAWhile(tr("%1: ended.").arg(view->title())); };
+    };
     for (const StudyView* view :
          std::initializer_list<StudyView*>{m_batch, m_measured, sweep, optimise}) {
         connect(view, &StudyView::ended, this, reportEnd(view));
@@ -732,8 +731,7 @@ void MainWindow::showTitle() {
 void MainWindow::recolour() {
     retranslate(); // sets the marks with the texts
     for (View* view : views()) {
-        QEvent event(
-            QEvent::PaletteChange); // the first event came before its parts had their palettes
+        QEvent event(QEvent::PaletteChange); // the first came too early
         QCoreApplication::sendEvent(view, &event);
     }
 }

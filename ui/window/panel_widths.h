@@ -38,9 +38,8 @@ private:
     void restore();
     void takeOver(QDockWidget* panel); ///< takes its current width as the wanted one
     void takeOverDragged();
-    [[nodiscard]] bool
-    stands(const QDockWidget& panel) const; ///< whether it is visible beside the views
-    [[nodiscard]] int wanted(const QDockWidget* panel) const; ///< for the current window
+    [[nodiscard]] bool stands(const QDockWidget& panel) const; ///< visible beside the views
+    [[nodiscard]] int wanted(const QDockWidget* panel) const;  ///< for the current window
     [[nodiscard]] std::vector<int> widths() const;
 
     QMainWindow& m_window;

@@ -57,8 +57,7 @@ void PlaybackBar::build() {
     m_slider->setObjectName(QStringLiteral("playSlider"));
     m_place->setObjectName(QStringLiteral("playPlace"));
     m_place->setTextFormat(Qt::PlainText);
-    m_place->setSizePolicy(QSizePolicy::Ignored,
-                           QSizePolicy::Preferred); // does not widen the window
+    m_place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // any width
     m_place->installEventFilter(this);
     m_unit->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     fillUnits(CursorUnit::stroke);

@@ -28,18 +28,14 @@ public:
     [[nodiscard]] const Field& field() const { return m_field; }
 
     [[nodiscard]] virtual QWidget* widget() const = 0;
-    [[nodiscard]] virtual QWidget* slider() const {
-        return nullptr;
-    }                                     ///< below the widget; may be null
+    [[nodiscard]] virtual QWidget* slider() const { return nullptr; } ///< below the widget
     virtual void show(bool replaced) = 0; ///< the document's value; replaced: drop refused texts
     virtual void retranslate() = 0;
     [[nodiscard]] virtual Remark remark() const { return m_issue; }
     [[nodiscard]] virtual QString refusal() const { return {}; } ///< reason of a refused text
     virtual void dropRefusal() {} ///< shows the document's value in its place
     virtual void setIssue(const Remark& issue);
-    [[nodiscard]] virtual bool wide() const {
-        return false;
-    } ///< whether it also covers the unit's column
+    [[nodiscard]] virtual bool wide() const { return false; }  ///< also covers the unit's column
     [[nodiscard]] virtual bool tall() const { return false; }  ///< whether it is below its label
     [[nodiscard]] virtual bool empty() const { return false; } ///< whether the value is not given
 

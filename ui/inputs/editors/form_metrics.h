@@ -11,10 +11,9 @@ namespace sparkout {
 
 constexpr int unitColumn = metrics::unit + metrics::margin;           ///< unit and spacing
 constexpr int wideField = metrics::field + metrics::gap + unitColumn; ///< a field over both
-constexpr int usualPanel = 347; ///< width of all pages at the usual size of type
-constexpr int leastPanel = 336; ///< for smaller fonts: frames and gaps do not shrink
-constexpr double noteType =
-    0.9; ///< shares, headings of tables and hints, relative to the usual size
+constexpr int usualPanel = 347;  ///< width of all pages at the usual size of type
+constexpr int leastPanel = 336;  ///< for smaller fonts: frames and gaps do not shrink
+constexpr double noteType = 0.9; ///< shares, headings and hints, to the usual size
 
 /// The width that a page of one column is laid out for.
 inline int panelWidth() {

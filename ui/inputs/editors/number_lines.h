@@ -44,8 +44,7 @@ public:
     /// error.
     using Order = std::function<std::vector<QString>(const PastedCells& cells, QString& fault)>;
     void setOrder(Order order) { m_order = std::move(order); }
-    void
-    setOwner(std::function<QString()> owner); ///< owner of the numbers, for their accessible names
+    void setOwner(std::function<QString()> owner); ///< for their accessible names
     /// Builds the lines again unless they are the same.
     void setLines(std::vector<Line> lines);
     void showProject(bool replaced);

@@ -58,9 +58,7 @@ public:
     [[nodiscard]] bool holds(const std::string& path);
     /// Scrolls to the field at a path and optionally gives it the focus.
     void showPath(const std::string& path, bool focus);
-    [[nodiscard]] const std::vector<FormRow*>& rows() const {
-        return m_rows;
-    } ///< empty until built
+    [[nodiscard]] const std::vector<FormRow*>& rows() const { return m_rows; } ///< once built
 
 signals:
     void built();
@@ -94,8 +92,7 @@ private:
     void addProjectTexts(Place into);
     void connectRow(FormRow& row);
     [[nodiscard]] FormRow* rowAt(const std::string& path) const;
-    [[nodiscard]] QWidget*
-    placeToType(const FormRow& row) const; ///< the field in which its value is entered
+    [[nodiscard]] QWidget* placeToType(const FormRow& row) const; ///< the field for its value
     [[nodiscard]] const Box* boxAt(const std::string& path) const;
     [[nodiscard]] InputBox* inputBoxAt(const std::string& path) const;
     [[nodiscard]] bool shows(const StructInfo& table) const;
@@ -117,9 +114,8 @@ private:
     sparkout::OutcomePtr m_outcome; ///< for parts not built yet
     std::vector<FormRow*> m_rows;
     std::vector<Box> m_boxes;
-    CatalogueBar* m_catalogue = nullptr; ///< on pages with a catalogue
-    std::vector<std::pair<RowHelper*, std::string>>
-        m_helpers; ///< with the paths of the rows they fill
+    CatalogueBar* m_catalogue = nullptr;                       ///< on pages with a catalogue
+    std::vector<std::pair<RowHelper*, std::string>> m_helpers; ///< with the paths of their rows
     std::vector<InputBox*> m_inputBoxes;
     std::vector<std::string> m_inputBoxPaths; ///< in the same order
     FormAccessPtr m_access = std::make_shared<const FormAccess>();

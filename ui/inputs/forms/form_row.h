@@ -48,9 +48,8 @@ private:
     void showRemark();
     void showCalibration(const Project& project);
     void showHint();
-    [[nodiscard]] bool
-    meaningIsLong() const; ///< whether the meaning of empty is too long for the field
-    [[nodiscard]] QString caption() const; ///< text below the field without a remark
+    [[nodiscard]] bool meaningIsLong() const; ///< too long for the field
+    [[nodiscard]] QString caption() const;    ///< text below the field without a remark
 
     std::unique_ptr<FieldEditor> m_editor;
     QWidget* m_head; ///< label and mark

@@ -26,8 +26,7 @@ namespace sparkout {
 namespace {
 
 constexpr double nmOfMm = 1e6;
-constexpr std::size_t mostGammas =
-    3; ///< zones or sections; more are shown as the least and the largest γ
+constexpr std::size_t mostGammas = 3; ///< more are shown as the least and the largest γ
 
 bool isSameStiffness(const std::optional<Stiffness>& a, const std::optional<Stiffness>& b) {
     return a.has_value() == b.has_value()

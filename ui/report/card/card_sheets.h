@@ -18,8 +18,7 @@ struct CardHead {
     Company company;
     QString part;   ///< its name
     QString letter; ///< letter of the document
-    QString
-        author; ///< author of the project, who prepared it unless the company's data name somebody
+    QString author; ///< prepared it, unless the company names somebody
     QDate date;
     QStringList operation; ///< values of form::operationRow
     QStringList equipment; ///< values of form::equipmentRow

@@ -32,9 +32,7 @@ public:
     [[nodiscard]] const std::vector<OutlineStep>& outer() const { return m_outer; }
     [[nodiscard]] bool isOuterKnown() const { return m_outerKnown; }
     [[nodiscard]] const std::vector<OutlineStep>& bores() const { return m_bores; }
-    [[nodiscard]] const std::vector<GroundStep>& ground() const {
-        return m_ground;
-    } ///< ordered by place
+    [[nodiscard]] const std::vector<GroundStep>& ground() const { return m_ground; } ///< by place
 
 private:
     void addOuter(const Setup& setup);

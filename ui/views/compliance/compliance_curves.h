@@ -18,8 +18,7 @@ inline constexpr double nmPerMm = 1e6; ///< γ is drawn in nm/N
 class ComplianceCurves : public LengthCurves {
     Q_DECLARE_TR_FUNCTIONS(ComplianceCurves)
 public:
-    static constexpr int sumKey = 100,
-                         usedKey = 101; ///< keys of the legend; lower ones: a CompliancePart
+    static constexpr int sumKey = 100, usedKey = 101; ///< legend keys; below: a CompliancePart
 
     ComplianceCurves(ViewPlot& plot, QCPAxisRect& rect);
 

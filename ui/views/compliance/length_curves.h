@@ -45,18 +45,14 @@ protected:
     [[nodiscard]] LegendEntry entry(int key, QColor colour, Qt::PenStyle pen,
                                     const QString& text) const;
     void takeField(const Part& part);
-    [[nodiscard]] double middle_um() const {
-        return m_middle_um;
-    } ///< middle of the tolerance, from nominal
+    [[nodiscard]] double middle_um() const { return m_middle_um; } ///< of the tolerance
     /// Draws the limits of the tolerance along the length, ± half its width.
     void drawLimits(const Part& part);
     void clearLimits();
     void restyleLimits();
     [[nodiscard]] LegendEntry limitsEntry() const;
     [[nodiscard]] bool shows(int key) const { return m_shown && m_choice.shows(key); }
-    [[nodiscard]] bool chosen(int key) const {
-        return m_choice.shows(key);
-    } ///< whether it is visible
+    [[nodiscard]] bool chosen(int key) const { return m_choice.shows(key); } ///< in the legend
     virtual void applyChoice();
     [[nodiscard]] const ViewPlot& plot() const { return m_plot; }
 

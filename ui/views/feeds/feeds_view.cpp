@@ -306,8 +306,7 @@ QString FeedsView::remark() const {
 
 void FeedsView::showState() {
     PlotView::showState();
-    values()->setVisible(drawn()
-                         && !cursors()->toggle->isChecked()); // their table shows the values
+    values()->setVisible(drawn() && !cursors()->toggle->isChecked()); // their table has the values
     m_section->setVisible(m_section->count() > 0);
     m_traces->setVisible(drawn() && !m_traces->isEmpty());
     m_traceExport->setVisible(!m_traces->isEmpty());

@@ -25,8 +25,7 @@ public:
 
     explicit TracesPlot(QWidget* parent = nullptr);
 
-    void setTraces(TraceComparisonsPtr traces,
-                   const Project& project); ///< null: no traces; no replot
+    void setTraces(TraceComparisonsPtr traces, const Project& project); ///< null: none; no replot
     [[nodiscard]] bool isEmpty() const { return m_cells.empty(); }
     /// Sets the visible range, that of the feeds; no replot.
     void showTimes(const CycleScale& scale, double from_s, double to_s, const QString& timeLabel);

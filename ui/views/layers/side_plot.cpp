@@ -16,9 +16,8 @@ namespace sparkout {
 namespace {
 using style::Drawn;
 using units::umPerMm;
-constexpr double wheelRoom = 0.3,
-                 metalRoom = 0.08; ///< margins, as shares of the heights; the wheel is above
-constexpr double endRoom = 0.02;   ///< margin, as a share of the length
+constexpr double wheelRoom = 0.3, metalRoom = 0.08; ///< shares of the heights; the wheel is above
+constexpr double endRoom = 0.02;                    ///< margin, as a share of the length
 } // namespace
 
 SidePlot::SidePlot(QWidget* parent) : PartPlot(parent) {

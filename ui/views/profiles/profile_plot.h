@@ -15,8 +15,7 @@ public:
     using ViewPlot::ViewPlot;
 
     void setHidden(ProfileLines hidden);
-    [[nodiscard]] virtual std::vector<ProfileLine>
-    lines() const = 0; ///< in the order of the legend
+    [[nodiscard]] virtual std::vector<ProfileLine> lines() const = 0; ///< as in the legend
     [[nodiscard]] LegendEntries entriesOf(const std::vector<ProfileLine>& lines) const;
     [[nodiscard]] LegendEntries legendEntries() const override { return entriesOf(lines()); }
 

@@ -143,8 +143,7 @@ double SpectrumPlot::highestBar() const {
     double highest = 0;
     for (const Cell& cell : m_cells) {
         for (const QCPBars* bars : {cell.blank, cell.profile}) {
-            highest =
-                std::max(highest, highestOf(*bars)); // one scale for all, including the blank's
+            highest = std::max(highest, highestOf(*bars)); // one scale for all
         }
     }
     return highest;

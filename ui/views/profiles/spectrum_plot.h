@@ -50,9 +50,8 @@ private:
     }
     void rebuild(std::size_t count);
     void buildCell(Cell& cell, QCPLayoutGrid& into, int column);
-    [[nodiscard]] QCPAxis*
-    amplitudeAxis() const;                   ///< axis of the first cell, which the others follow
-    [[nodiscard]] double highestBar() const; ///< [µm]
+    [[nodiscard]] QCPAxis* amplitudeAxis() const; ///< the others follow it
+    [[nodiscard]] double highestBar() const;      ///< [µm]
     void fitAmplitudes();
 
     std::vector<Harmonic> m_blank;

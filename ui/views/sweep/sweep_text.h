@@ -26,9 +26,8 @@ public:
     static QString entry(const SweepResult& sweep,
                          const SweepEntry& entry); ///< "Radial runout, RZ1"
     static QString axis(const SweepResult& sweep, const SweepEntry& entry, bool margins);
-    static QString
-    column(const SweepQuantity& quantity);          ///< heading of a column: name, place, unit
-    static QString status(const SweepPoint& point); ///< "refused", "does not reach size"
+    static QString column(const SweepQuantity& quantity); ///< with name, place and unit
+    static QString status(const SweepPoint& point);       ///< "refused", "does not reach size"
 
     static QString progress(qint64 done, qint64 points, double left_s);
     static QString run(const SweepResult& sweep); ///< number of points, and their results
