@@ -69,7 +69,7 @@ concept CountOrWord = requires(T value, std::size_t word, int number) {
     requires std::is_same_v<decltype(value.word()), std::optional<std::size_t>>;
 };
 
-/// Compliance as given: one value a zone (traverse) or one a section (plunge) [mm/N].
+/// Given compliance: one value for each zone (traverse) or section (plunge) [mm/N].
 struct ZoneCompliance {
     double rz1 = 0, nz = 0, rz2 = 0;
     friend bool operator==(const ZoneCompliance&, const ZoneCompliance&) = default;
@@ -126,9 +126,9 @@ struct Row {
     Condition required = nullptr; ///< required in the file if true; null: never
     Condition relevant = nullptr; ///< used by the model if true; null: always
     std::size_t count = 0;        ///< lists: the exact number of values, 0 for any
-    bool whole = false;           ///< lists and levels: of whole numbers alone
+    bool whole = false;           ///< lists and levels: only whole numbers
     bool slider = false;          ///< has a slider, for trying values
-    Range read = {};              ///< narrower than hard: refused outside where it is relevant
+    Range read = {};              ///< narrower than hard: refused outside it if relevant
     Condition exempt = nullptr;   ///< only the hard range applies if true; null: never
     bool sparse = false;          ///< omitted from files if it has its default
     Page page = Page::none;       ///< the form page that shows it

@@ -117,7 +117,7 @@ struct Amount {
 struct Count {
     std::int64_t number = 0;
     std::string_view unit = {};
-    std::string_view field = {}; ///< the input that asks for it, as a JSON pointer
+    std::string_view field = {}; ///< the input that requires it, as a JSON pointer
     friend bool operator==(const Count&, const Count&) = default;
 };
 
@@ -130,7 +130,7 @@ struct Count {
 struct Bounds {
     Range range;
     std::string_view unit = {};
-    std::string_view field = {};   ///< the input that an end follows from, as a JSON pointer
+    std::string_view field = {};   ///< the input that determines an end, as a JSON pointer
     std::string_view formula = {}; ///< the formula of an end, in the symbols of the model page
     bool highOpen = false;
     friend bool operator==(const Bounds&, const Bounds&) = default;

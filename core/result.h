@@ -65,7 +65,7 @@ struct OutputRow {
     const char* shownUnit = "";     ///< that people read them in; empty: the same
     double shownFactor = 1;         ///< values in shownUnit over values in unit
     const char* hint = "";          ///< what it is, how it is made, what is usual
-    bool sparse = false;            ///< window and text leave it out where no owner has it
+    bool sparse = false;            ///< omitted by window and text if no owner has it
     bool detail = false;            ///< only in files; tables of the window show it differently
 
     [[nodiscard]] const char* columnName() const { return column ? column : key; }

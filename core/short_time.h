@@ -5,7 +5,7 @@
 
 namespace sparkout {
 
-/// Times of cycles below it are stated in seconds, as a grinder counts a plunge.
+/// Shorter cycle times are stated in seconds, as grinders count a plunge.
 inline constexpr double shortTime_s = 2 * units::secondsPerMinute;
 
 /// The common unit of times shown together, in seconds, by the longest of them.

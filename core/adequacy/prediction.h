@@ -28,8 +28,8 @@ struct PredictedRange {
     std::optional<Quartiles> quartiles{}; ///< given with a deviation
 };
 
-/// The project whose batch predicts all that was measured: with a batch, and with limits where the
-/// drawing has none, so that every part is measured for them.
+/// The project whose batch predicts all measured quantities: it has a batch, and limits for
+/// quantities that the drawing does not limit, so that they are evaluated for every part.
 [[nodiscard]] Project predictingProject(Project project);
 
 /// For a batch of that project; empty if it has no such value.

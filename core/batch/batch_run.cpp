@@ -46,7 +46,7 @@ public:
 
 private:
     [[nodiscard]] std::int64_t partAt(std::int64_t place) const {
-        constexpr std::uint32_t orderOfParts = 1001; // a permutation no factor has
+        constexpr std::uint32_t orderOfParts = 1001; // a permutation that no factor uses
         return m_options.meanWidth_um ? static_cast<std::int64_t>(permuted(
                    static_cast<std::uint64_t>(place), static_cast<std::uint64_t>(m_source.parts()),
                    m_source.seed(), orderOfParts))

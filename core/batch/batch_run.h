@@ -31,7 +31,7 @@ struct BatchOptions {
     std::optional<double> meanWidth_um;
     std::int64_t round = 1024;
     std::stop_token stop;
-    std::atomic<std::int64_t>* done = nullptr; ///< parts done, while it runs
+    std::atomic<std::int64_t>* done = nullptr; ///< number of finished parts during the run
     /// Receives every part, one at a time and in the order of the run, whatever the number of
     /// threads; returning false ends the batch like a stop request.
     PartSink sink = nullptr;
@@ -49,7 +49,7 @@ struct BatchResult {
     PartRange range;             ///< requested parts; a stopped batch may lack some
     std::int64_t batchParts = 0; ///< number of parts of the whole batch
     BatchStatus status = BatchStatus::completed;
-    Issues issues; ///< why it was refused, as checkBatch() has them
+    Issues issues; ///< why it was refused, by checkBatch()
     BatchStatistics statistics;
 };
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-/// A batch, or a shard of one, as text, so that shards computed apart can be joined.
+/// A batch, or a shard of one, as text, so that separately computed shards can be joined.
 namespace sparkout {
 
 inline constexpr const char* batchStateFormat = "sparkout-batch";
@@ -51,7 +51,7 @@ public:
     /// Adds a shard; only its identity and the sums are kept.
     void add(BatchResult shard);
     [[nodiscard]] JoinedBatch join() const;
-    /// The shards so far, of their statistics only the number of parts.
+    /// The shards so far, with only the number of parts of their statistics.
     [[nodiscard]] const std::vector<BatchResult>& shards() const { return m_shards; }
 
 private:

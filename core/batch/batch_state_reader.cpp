@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A state that no batch writes.
+/// Thrown for a state that no batch writes.
 struct NoState {
     Issue issue;
 };

@@ -9,17 +9,17 @@
 
 namespace sparkout {
 
-/// Why a text is no state of a batch.
+/// Why a text is not a state of a batch.
 enum class StateFault {
     none,
     otherFormat,  ///< not a batch state
-    tooDeep,      ///< nested deeper than limits::depth, as no state is
+    tooDeep,      ///< nested deeper than limits::depth
     otherVersion, ///< a version that this program does not read
     changed,      ///< the checksum does not match the contents
     impossible    ///< contents no batch writes
 };
 
-/// Reads it back; without a result when no batch writes such a text.
+/// Reads a state; without a result if no batch writes such a text.
 struct ReadBatchState {
     StateFault fault = StateFault::none;
     std::optional<BatchResult> result;

@@ -49,12 +49,13 @@ struct PartRow {
 
 /// The statistics of the parts of a batch.
 struct BatchStatistics {
-    static constexpr std::int64_t keptRows = 4096; ///< parts of lower number are kept one by one
+    static constexpr std::int64_t keptRows =
+        4096; ///< parts with lower numbers are kept individually
 
     std::int64_t parts = 0;
     std::int64_t failed = 0; ///< parts that did not reach size: no values
     std::int64_t bad = 0;    ///< failed parts and parts that miss a requirement
-    /// Parts that fail a requirement of each kind; one that fails several counts at each of them.
+    /// Parts that miss a requirement of each kind; a part that misses several counts for each.
     std::array<std::int64_t, constraintKinds> rejects{};
     PartValue worst; ///< least relative margin; a failed part has the lowest number
     std::vector<ValueStatistics> values; ///< by characteristic

@@ -137,7 +137,7 @@ private:
         return found;
     }
 
-    // P_p = (U − L)/(6s), P_pk = min(U − mean, mean − L)/(3s); of one limit only P_pk.
+    // P_p = (U − L)/(6s), P_pk = min(U − mean, mean − L)/(3s); with one limit only P_pk.
     void addEstimates(CharacteristicSummary& summary, const ValueStatistics& values) const {
         const Characteristic& of = summary.characteristic;
         const double s = summary.moments.deviation, mean = summary.moments.mean;

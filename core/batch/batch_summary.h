@@ -36,7 +36,7 @@ struct RejectCause {
 struct CharacteristicSummary {
     Characteristic characteristic;
     std::int64_t count = 0;
-    std::int64_t unstated = 0; ///< parts that have no value for strips stay uncut
+    std::int64_t unstated = 0; ///< parts without a value since strips stay uncut
     PartValue least, most;
     Moments moments;
     std::optional<Interval> mean95; ///< Student's
@@ -47,20 +47,21 @@ struct CharacteristicSummary {
     /// characteristics with hasCapability(); empty where the scatter is negligible (an index above
     /// 99), or where strips stay uncut and parts have no value.
     std::optional<Estimate> pp, ppk;
-    std::optional<double> expectedOutside; ///< share of a normal law of this mean and s; as ppk
-    Share outside;                         ///< share outside the limits
+    std::optional<double>
+        expectedOutside; ///< share of a normal distribution with this mean and s; given like ppk
+    Share outside;       ///< share outside the limits
 };
 
-/// The figures of a batch. Corners are no sample: only extremes and counts of them are reported.
+/// The figures of a batch. Corners are not a sample: only their extremes and counts are reported.
 struct BatchSummary {
     bool isSample = true;
     std::int64_t parts = 0, failed = 0;
-    std::int64_t stripped = 0; ///< parts with strips uncut: of no size, form or roughness
+    std::int64_t stripped = 0; ///< parts with strips uncut, without size, form and roughness
     Share bad;
     std::vector<RejectCause> causes; ///< causes of rejected parts, the most frequent first
     std::int64_t worstPart = -1;
     bool exactPercentiles = false; ///< false: to within a bin
-    bool drifts = false; ///< a factor grows over the batch: C_p, of a process at rest, has no s
+    bool drifts = false; ///< a factor grows over the batch, so C_p of a stable process is unknown
     std::vector<CharacteristicSummary> characteristics;
 };
 

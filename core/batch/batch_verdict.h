@@ -13,10 +13,10 @@ enum class Fitness { fit, conditional, unfit };
 enum class BatchReason {
     noPart,    ///< none was run
     partsFail, ///< too many of the run parts are rejected
-    someFail,  ///< some are, but no more than allowed
+    someFail,  ///< some are rejected, but no more than allowed
     stopped,   ///< not all parts were run
     noSample,  ///< corners give no capability
-    fewParts,  ///< nor does one part
+    fewParts,  ///< too few parts for a capability
     outside,   ///< the share expected out of tolerance
     ppk,       ///< the lower bound of P_pk
     allHold    ///< no objection

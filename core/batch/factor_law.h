@@ -22,7 +22,7 @@ namespace sparkout {
 /// constant.
 [[nodiscard]] double factorRank(const GivenFactor& factor, double value);
 
-/// The median; of a law over the batch the mean of its ends.
+/// The median; for a law over the batch the mean of its ends.
 [[nodiscard]] double factorMiddle(const GivenFactor& factor);
 
 /// The ends for corners: the least and greatest value; for a normal factor the bounds of its

@@ -5,8 +5,8 @@
 
 namespace sparkout {
 
-/// Parts drawn for the last test of a cycle: none bad among them means, with 95 % confidence, that
-/// no more than mostFailing() of all are.
+/// Parts drawn for the last test of a cycle: if none of them is bad, at most mostFailing() of all
+/// are, with 95 % confidence.
 inline constexpr int freshPartCount = 500;
 
 /// The project with a batch of so many parts, drawn at random and independently; each `draw` from 1

@@ -34,7 +34,7 @@ public:
     struct Dialect {
         TableDialect table = {};
         std::string begin, lineEnd = "\n"; ///< of the file, of every line
-        /// Done, does not reach size, done but strips stay uncut.
+        /// Completed, does not reach size, completed with strips uncut.
         std::array<std::string, 3> states{"completed", "cannot_reach_size", "strips_uncut"};
         std::string yes = "true", no = "false";
         int firstPart = 0; ///< number of the first part

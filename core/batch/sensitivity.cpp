@@ -71,7 +71,7 @@ std::optional<RankRegression> regression(const std::vector<std::vector<double>>&
     return RankRegression{{b.data(), b.data() + k}, b.dot(r)};
 }
 
-/// The middle rank of each bin's values less the mean rank, all of them together a list.
+/// The mean rank of each bin's values, relative to the overall mean rank.
 std::vector<double> centredRanksOf(const ValueBins& bins, std::int64_t count) {
     std::vector<double> ranks;
     std::int64_t before = 0;

@@ -22,8 +22,8 @@ struct RankRegression {
 /// ranks are those of their laws, and a characteristic's rank is that of its bin.
 [[nodiscard]] std::vector<std::optional<RankRegression>> rankRegressions(const BatchResult& result);
 
-/// Sobol indices: the share of a characteristic's variance that a factor accounts for alone (first)
-/// and with all its interactions (total) [SALTELLI2010]. Estimates: they may leave 0…1 a little.
+/// Sobol indices: the share of a characteristic's variance due to a factor alone (first) and
+/// including its interactions (total) [SALTELLI2010]. Estimates may be slightly outside 0…1.
 struct SobolIndex {
     double first = 0, total = 0;
 };

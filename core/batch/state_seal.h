@@ -11,8 +11,8 @@
 /// The checksum of a batch's state, and bounded parsing of its text.
 namespace sparkout {
 
-/// CRC-64 of a text (ECMA-182, reflected): against accidents (it misses one in 2^64), not against a
-/// forger.
+/// CRC-64 of a text (ECMA-182, reflected): detects accidental damage (except one case in 2^64), not
+/// forgery.
 [[nodiscard]] std::string checksumOf(std::string_view text);
 
 /// The nesting depth of arrays and objects in a JSON text; undefined for other text. Computed

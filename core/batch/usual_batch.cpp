@@ -69,10 +69,10 @@ int partsOfGauge(const Project& project) {
     alone.batch.reset();
     const double piece_s = usualHandling_s + simulate(alone).time_s;
     const auto parts = static_cast<int>(std::lround(gaugeSetEach_h * secondsPerHour / piece_s));
-    return std::max(2, parts); // the drift has two ends
+    return std::max(2, parts); // for the two ends of the drift
 }
 
-/// Causes that are usual and that the project has.
+/// Usual causes that apply to the project.
 std::vector<FactorKind> usualKinds(const Project& project) {
     const Machine& machine = *project.machine;
     const Tolerance& asked = project.part->tolerance;

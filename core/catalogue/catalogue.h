@@ -22,7 +22,7 @@ inline constexpr int catalogueVersion = 1;
 
 template <class Entry>
 struct CatalogueRead {
-    std::optional<std::vector<Entry>> entries; ///< given when there is no error
+    std::optional<std::vector<Entry>> entries; ///< given without errors
     Issues issues;
 };
 
@@ -37,7 +37,7 @@ template <class Entry>
 template <class Entry>
 [[nodiscard]] std::string writeCatalogue(const std::vector<Entry>& entries);
 
-/// Why a catalogue was not saved: faults that would keep it from being read again, or the disk.
+/// Why a catalogue was not saved: faults with which it could not be read again, or the disk.
 struct CatalogueFault {
     Issues issues;
     std::optional<FileError> file;

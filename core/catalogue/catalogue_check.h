@@ -13,7 +13,8 @@
 /// entry's value, and their sources.
 namespace sparkout::catalogue {
 
-/// Calls visit(key, value) for each number or choice of a value's JSON, a list or table as one.
+/// Calls visit(key, value) for each number or choice of a value's JSON; a list or table counts as
+/// one.
 void eachValue(const nlohmann::ordered_json& value, const StructInfo& table,
                const std::string& prefix,
                const std::function<void(const std::string&, const nlohmann::ordered_json&)>& visit);
@@ -28,8 +29,8 @@ void eachValue(const nlohmann::ordered_json& value, const StructInfo& table,
 /// and the source claims no reference.
 [[nodiscard]] bool mayBeUnknown(const StructInfo& table, const ValueSource& source);
 
-/// Every number and choice its source, every source its value or one that is not known, and the
-/// number in the range stated for it.
+/// Checks that every number and choice has a source, every source a value or the mark of an unknown
+/// one, and that each number is in its stated range.
 void checkSources(const nlohmann::json& value, const StructInfo& table,
                   const std::vector<ValueSource>& sources, const std::string& path, Issues& issues);
 

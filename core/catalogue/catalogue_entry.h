@@ -18,7 +18,7 @@ namespace sparkout {
 struct ValueSource {
     std::string key;    ///< key of the value, "stiffness_n_um/headstock" for a nested one
     std::string source; ///< key of core/SOURCES.md; empty: an estimate, to be calibrated
-    std::optional<std::vector<double>> range; ///< [lowest, highest] it plausibly has, in its unit
+    std::optional<std::vector<double>> range; ///< plausible range [lowest, highest], in its unit
     std::string note;                         ///< conditions of validity
     std::string note_ru;                      ///< for the Russian window; empty: `note` serves both
 };

@@ -52,7 +52,7 @@ template <class Entry>
 const std::vector<Entry>& shippedEntries() {
     static const std::vector<Entry> entries = [] {
         auto read = readCatalogue<Entry>(shippedCatalogueText(catalogueKind<Entry>()));
-        assert(read.entries); // a test reads them
+        assert(read.entries); // checked by a test
         return std::move(read.entries).value_or(std::vector<Entry>());
     }();
     return entries;

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// The tables that variants are given out with: the sheet of assignments, to be printed and pinned
-/// up, and the teacher's table of best answers, which no student is to have.
+/// The tables for giving out variants: the sheet of assignments, for printing and posting, and the
+/// teacher's table of best answers, which students must not have.
 namespace sparkout {
 
 /// A row of the teacher's table, read again for marking.

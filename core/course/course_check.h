@@ -20,7 +20,7 @@ struct CheckedSteps {
 /// cycle, its time is searched first.
 [[nodiscard]] CheckedSteps checkedAsGiven(Lesson lesson, const std::stop_token& stop = {});
 
-/// The last answers of a work, by the engine.
+/// The last answers of a work, checked by the engine.
 [[nodiscard]] CheckedSteps checkedAnswers(const Work& work);
 
 } // namespace sparkout

@@ -36,7 +36,7 @@ struct FlagStyle {
 [[nodiscard]] GradeTable gradeTable(const Lesson& lesson, const std::vector<GradedWork>& works,
                                     FlagStyle flags = {});
 
-/// The table with its keys over it, as CSV in UTF-8.
+/// The table with a row of keys as CSV in UTF-8.
 [[nodiscard]] std::string gradesCsv(const Lesson& lesson, const std::vector<GradedWork>& works);
 
 } // namespace sparkout

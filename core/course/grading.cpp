@@ -290,7 +290,7 @@ std::vector<GradedWork> gradeClass(const Lesson& lesson, const ClassWorks& hande
     while (read.size() < handedIn.count && !stop.stop_requested()) {
         ReadForClass one = marker.mark(handedIn.read(read.size()));
         if (stop.stop_requested()) {
-            break; // half of it is not marked
+            break; // it would be incomplete
         }
         read.push_back(std::move(one));
         if (note) {

@@ -25,11 +25,11 @@ namespace sparkout {
 enum class WorkFlag {
     unreadable,    ///< not a work, or with faults: not marked
     foreign,       ///< of another lesson or another version of it: not marked
-    edited,        ///< a seal is broken, or the lesson or variant in it is not the one given out
+    edited,        ///< a seal is broken, or its lesson or variant is not the one given out
     copied,        ///< its variant or its entries equal those of another student's work
     handedInTwice, ///< the same student handed in another work
     notInGroup,    ///< the list has no such student
-    untrueRuns,    ///< numbers of a kept run are not the engine's
+    untrueRuns,    ///< numbers of a kept run differ from the engine's
     late,          ///< a prediction was made after its result was known
     forbidden,     ///< inputs were changed that are not free
     missing,       ///< nothing was handed in
@@ -71,13 +71,13 @@ struct GradedWork {
     }
 };
 
-/// A file as it was handed in.
+/// A file that was handed in.
 struct HandedIn {
     std::string file;
     std::string text;
 };
 
-/// The works of a class, of which one at a time is held in memory.
+/// The works of a class, of which one at a time is in memory.
 struct ClassWorks {
     ClassWorks(std::size_t howMany, std::function<HandedIn(std::size_t)> reader)
         : count(howMany), read(std::move(reader)) {}

@@ -41,7 +41,7 @@ std::string cellAt(const Cells& cells, std::size_t column) {
 /// The columns of a list.
 class Columns {
 public:
-    /// False: these are no headings.
+    /// False if these are not headings.
     bool takeHeadings(const Cells& cells) {
         const auto whole = columnOf(cells, {"фио", "фамилия имя отчество", "фамилия, имя, отчество",
                                             "фамилия и имя", "студент", "обучающийся", "full name",
@@ -77,7 +77,7 @@ public:
         return {withSingleSpaces(name), cellAt(cells, m_group)};
     }
 
-    /// Cells with something behind the last heading.
+    /// The row has cells behind the last heading.
     [[nodiscard]] bool hasMoreCells(const Cells& cells) const {
         return m_headings > 0 && cells.size() > m_headings
                && std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(m_headings), cells.end(),

@@ -19,7 +19,7 @@ struct Student {
 /// Whether both are the same student of the same group.
 [[nodiscard]] bool isSameStudent(const Student& a, const Student& b);
 
-/// The text with one space between its words and none around them.
+/// The text with single spaces between its words and none around it.
 [[nodiscard]] std::string withSingleSpaces(std::string_view text);
 
 } // namespace sparkout

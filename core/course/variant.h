@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <vector>
 
-/// A variant of a lesson: for each input that is varied the level drawn, from 0.
+/// A variant of a lesson: the drawn level of each varied input, from 0.
 namespace sparkout {
 
 using VariantLevels = std::vector<std::size_t>;

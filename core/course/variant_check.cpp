@@ -39,7 +39,7 @@ double inMillionths(double value) {
     return std::round(value * perUnit) / perUnit;
 }
 
-/// Looks for a value of one free input at which a figure is as a step asks.
+/// Searches a value of one free input that gives the required figure of a step.
 class FigureSearch {
 public:
     FigureSearch(const Lesson& timed, std::size_t step, std::stop_token stop)

@@ -12,8 +12,8 @@ namespace sparkout {
 enum class VariantFault {
     alike,       ///< another variant has the same inputs
     invalid,     ///< the project has errors, or its cycle does not end
-    noFigure,    ///< the run has no figure that a step asks for
-    solved,      ///< a step is solved as given
+    noFigure,    ///< the run has no figure required by a step
+    solved,      ///< a step is solved without changes
     otherFigure, ///< a figure is outside the bounds that the rules set
     noAnswer,    ///< no cycle of the grid meets the requirements
     notFree,     ///< the best answer changes inputs that are not free

@@ -20,7 +20,7 @@ inline constexpr std::size_t workEntries = 2000;
 /// The kinds of entries of a work.
 enum class WorkEvent {
     prediction, ///< made before the run
-    attempt,    ///< handed in as the answer to a step
+    attempt,    ///< an answer to a step was handed in
     hint,       ///< a hint was used
     run,        ///< a run was kept
 };
@@ -41,10 +41,10 @@ struct WorkSheet {
     std::string name;  ///< student's name
     std::string group; ///< student's group
     int variant = 0;   ///< number of the variant, from 1
-    /// Level of each input that is varied, from 0; none where all have the same project.
+    /// Level of each varied input, from 0; empty if all have the same project.
     std::vector<double> levels;
     std::string lesson_sha256; ///< of the original lesson, as given to students
-    std::string sha256;        ///< the seal of all of this and of `lesson`
+    std::string sha256;        ///< seal of all of this and of `lesson`
     std::vector<WorkEntry> entries;
 };
 

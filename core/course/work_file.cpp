@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* lessonKey = "lesson";
 
-/// Faults of a work beside its keys and ranges: entries of steps and hints that there are not.
+/// Faults of a work besides its keys and ranges: entries with missing steps and hints.
 void checkEntries(const Work& work, Issues& issues) {
     const auto steps = static_cast<double>(work.lesson.steps.size());
     for (std::size_t i = 0; i < work.levels.size(); ++i) {

@@ -17,7 +17,7 @@ inline constexpr const char* workFormat = "sparkout-work";
 inline constexpr int workVersion = 1;
 
 struct ReadWork {
-    std::optional<Work> work; ///< given when there is no error; its seals may be broken
+    std::optional<Work> work; ///< given without errors; its seals may be broken
     Issues issues;            ///< those of its lesson below "/lesson"
 };
 

@@ -26,7 +26,7 @@ enum class DressingFault {
     firstFails ///< the first part after dressing does not reach size
 };
 
-/// The first part for which the worn wheel no longer does.
+/// The first part for which the worn wheel fails.
 struct WornFailure {
     std::int64_t part = 0; ///< counted from 1
     std::size_t surface = 0;
@@ -49,7 +49,7 @@ struct DressingOptions {
 /// The parts between dressings of a set-up.
 struct DressingInterval {
     DressingFault fault = DressingFault::none;
-    Issues issues; ///< why a surface cannot be run, or its batch
+    Issues issues; ///< why a surface or its batch cannot be run
     /// Each of the parts 1 to N meets every requirement; the next one does not, see `end`.
     std::int64_t parts = 0;
     std::optional<WornFailure> end;

@@ -37,7 +37,7 @@ bool isRunnable(const Project& project) {
 /// The key for comparing numbers of parts: its value, the time and the number; less is better.
 using Worth = std::tuple<double, std::int64_t, std::int64_t>;
 
-/// Numbers of parts, of none of which the quickest cycle is quicker.
+/// Numbers of parts with a common lower bound of the quickest cycle's time.
 struct Numbers {
     std::int64_t first = 0, last = 0;
     std::int64_t least_us = 0;
@@ -107,7 +107,7 @@ private:
         const SearchSummary found = quickestFor(parts, numbers.least_us);
         if (!found.best) {
             if (stopped()) {
-                return; // they stay open
+                return; // they remain open
             }
             m_summary.search.status = SearchStatus::infeasible;
             const auto isBeyond = [parts](const Numbers& each) { return each.first >= parts; };
@@ -178,7 +178,7 @@ private:
         return found;
     }
 
-    /// The best of all searches so far, and that none is quicker for the first part alone.
+    /// Reports the best of all searches, and the bound for the first part alone.
     void note(const SearchProgress& progress) const {
         SearchProgress all = progress;
         all.evaluations += m_summary.search.evaluations;
@@ -370,7 +370,7 @@ private:
     IntervalSummary m_summary;
 };
 
-/// The quickest cycle, dressed after as many parts as the project states.
+/// The quickest cycle, with the project's number of parts between dressings.
 IntervalSummary withoutWear(const Project& project, const SearchOptions& options) {
     IntervalSummary summary;
     summary.searches = 1;

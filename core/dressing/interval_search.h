@@ -86,8 +86,9 @@ struct IntervalSummary {
     SearchSummary search;
     std::optional<PartsHeld> held; ///< of the answer, if the wheel wears
     std::optional<double> cost;    ///< of a part, by the time of the nominal part
-    std::optional<double> bound;   ///< stopped: no cost is less, or no life longer, than that
-    std::vector<Project> parts;    ///< for the answer: some of 2…N that excluded cycles, and N
+    std::optional<double>
+        bound; ///< after a stop: lower bound of the cost, or upper bound of the life
+    std::vector<Project> parts; ///< for the answer: some of 2…N that excluded cycles, and N
     int searches = 0;
 
     /// The key for comparing the answers of several grids, less is better: its cost, or minus its

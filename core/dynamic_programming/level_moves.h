@@ -11,7 +11,7 @@
 
 namespace sparkout {
 
-/// Moves from level to level of stock, each simulated from the state before it.
+/// Moves between levels of stock, each simulated from the previous state.
 class LevelMoves {
 public:
     /// Requires a project with the search of a grid.
@@ -21,9 +21,9 @@ public:
     [[nodiscard]] CyclePrefix blank() const;
     struct Reached {
         StateMove move;                   ///< end `slower`: admissible by the limits of its passes
-        std::optional<CyclePrefix> there; ///< prefix at its level, if it was reached
+        std::optional<CyclePrefix> there; ///< prefix at its level, if reached
         std::optional<ConstraintKind>
-            beyondSize; ///< move into the last level: requirement broken by a diameter
+            beyondSize; ///< move into the last level: requirement violated by a diameter
     };
     [[nodiscard]] Reached move(const CyclePrefix& from, std::size_t feed) const;
 

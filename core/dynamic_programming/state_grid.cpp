@@ -85,7 +85,7 @@ private:
         m_ways = std::move(next);
     }
 
-    /// The feeds before this level, the quickest kept first: of equal times that one is kept.
+    /// The feeds before this level, the quickest first, which is kept among equal times.
     [[nodiscard]] std::vector<std::size_t> byTime(int level) const {
         std::vector<std::size_t> order(m_filled.feeds.size());
         std::iota(order.begin(), order.end(), std::size_t{0});

@@ -36,7 +36,7 @@ inline constexpr int mostStockLevels = 40;
 inline constexpr std::size_t mostGridFeeds = 40;
 
 struct StateGridSize {
-    int levels = 10; ///< N, as the source has it
+    int levels = 10; ///< N, by the source
     int stages = 2;  ///< greatest number of stages
     friend bool operator==(const StateGridSize&, const StateGridSize&) = default;
 };
@@ -48,15 +48,15 @@ enum class MoveEnd {
     tooManyStages, ///< it would need one stage more than allowed
     broken,        ///< a limit is broken
     notReached,    ///< the cycle ends before the level
-    slower,        ///< admissible, but another is quicker
+    slower,        ///< admissible, but another move is quicker
     kept,          ///< m*
 };
 
 struct StateMove {
     MoveEnd end = MoveEnd::noState;
-    double move_s = 0;                    ///< τ; as far as it was run
+    double move_s = 0;                    ///< τ, as far as it was run
     double time_s = 0;                    ///< T[n−1,m'] + τ
-    std::optional<ConstraintKind> broken; ///< the requirement it breaks
+    std::optional<ConstraintKind> broken; ///< violated requirement
 };
 
 struct GridState {
@@ -77,7 +77,7 @@ struct StateGrid {
     std::vector<std::vector<GridState>> states; ///< by level, from 1, and feed
     std::vector<std::size_t> path;              ///< feeds of the levels 1 … N; empty: none found
     std::optional<double> time_s;               ///< least T[N,m]
-    Cycle cycle;                                ///< the path as a project states it
+    Cycle cycle;                                ///< the path as a project's cycle
 
     [[nodiscard]] const GridState& state(int level, std::size_t feed) const {
         return states[static_cast<std::size_t>(level - 1)][feed];

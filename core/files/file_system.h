@@ -33,8 +33,8 @@ private:
     Native m_native;
 };
 
-/// A folder that names are looked up in. Windows has no calls for names in an open folder: there it
-/// is its full path.
+/// A folder for looking up names. Windows has no calls for names in an open folder, so its full
+/// path is used there.
 struct Folder {
     Descriptor open;
     std::filesystem::path path; ///< only on Windows
@@ -115,7 +115,7 @@ void forEachNameIn(const Folder& folder, const std::function<void(const std::str
 // --- of an open file ---------------------------------------------------------------------------
 
 [[nodiscard]] int factsOf(const Descriptor& file, FileFacts& facts);
-/// Reads at a place, which leaves the position; at the end got is 0.
+/// Reads at a position without changing the current one; at the end `got` is 0.
 [[nodiscard]] int readAt(const Descriptor& file, std::uint64_t at, char* block, std::size_t size,
                          std::size_t& got);
 /// Reads on from the position.
@@ -125,9 +125,9 @@ void forEachNameIn(const Folder& folder, const std::function<void(const std::str
 /// than others. On Windows: the hidden attribute.
 [[nodiscard]] int copyOwnerAndMode(const Descriptor& file, const FileFacts& of);
 [[nodiscard]] int syncFile(const Descriptor& file);
-/// Closes one descriptor of two, since close() may be where a network file system reports that
-/// a write failed; the other keeps the lock. On Linux an interrupted close has closed. Windows
-/// reports it when it syncs.
+/// Closes one of two descriptors, since a network file system may report a failed write in close();
+/// the other keeps the lock. On Linux an interrupted close has closed. Windows reports the failure
+/// when syncing.
 [[nodiscard]] int closeKeepingLock(const Descriptor& file);
 
 /// A lock is released when its program ends in any way.

@@ -97,7 +97,7 @@ std::uint64_t joined(DWORD high, DWORD low) {
     return std::uint64_t{high} << 32 | low;
 }
 
-/// Counted from the year 1601 in steps of 100 ns; to compare, any year will do.
+/// Counted from the year 1601 in steps of 100 ns; only differences matter.
 std::int64_t nanoseconds(const FILETIME& time) {
     return static_cast<std::int64_t>(joined(time.dwHighDateTime, time.dwLowDateTime) * 100);
 }
@@ -182,7 +182,8 @@ bool replaceAsPosix(const std::wstring& from, const std::wstring& to) {
     char* const raw = reinterpret_cast<char*>(block.data());
     std::memcpy(raw, &info, sizeof info);
     std::memcpy(raw + offsetof(FILE_RENAME_INFO, FileName), to.data(), bytes);
-    constexpr auto renameInfoEx = static_cast<FILE_INFO_BY_HANDLE_CLASS>(22); // hidden by mingw
+    constexpr auto renameInfoEx =
+        static_cast<FILE_INFO_BY_HANDLE_CLASS>(22); // not defined by mingw
     return ::SetFileInformationByHandle(nativeOf(file), renameInfoEx, raw,
                                         static_cast<DWORD>(block.size() * sizeof(std::uint64_t)))
            != 0;
@@ -206,7 +207,7 @@ int moveFile(const std::wstring& from, const std::wstring& to, DWORD flags) {
     }
 }
 
-/// Locks of Windows keep others from reading: a byte is locked that no file has.
+/// Windows locks prevent others from reading: locks a byte beyond any file.
 constexpr std::uint64_t lockedByte = std::uint64_t{1} << 62;
 
 } // namespace

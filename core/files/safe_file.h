@@ -17,7 +17,7 @@ enum class FileStep {
     notRegular,  ///< a directory, FIFO, socket or device
     readOnly,    ///< the file is there and may not be written
     open,        ///< opening the folder (a save) or the file (a read)
-    create,      ///< the temporary file beside the target
+    create,      ///< creating the temporary file beside the target
     permissions, ///< setting the mode of the file to be replaced
     write,
     sync,
@@ -31,7 +31,7 @@ enum class FileStep {
     content,  ///< the reader of such files would refuse the bytes, which were not written
 };
 
-/// Why a file was not read or not written. The caller words it.
+/// Why a file was not read or not written. The caller formulates it.
 struct FileError {
     std::string path; ///< as given by the caller
     FileStep step = FileStep::inspect;

@@ -21,7 +21,7 @@ public:
     SafeFileWriter(const SafeFileWriter&) = delete;
     SafeFileWriter& operator=(const SafeFileWriter&) = delete;
 
-    /// False: this or an earlier step failed; see error().
+    /// False if this or an earlier step failed; see error().
     bool write(std::string_view bytes);
     /// Syncs, reads back and renames. False: see error().
     bool finish();

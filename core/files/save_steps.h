@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The steps that saving a file whole (safe_file.cpp) and writing one bit by bit
-// (safe_file_writer.cpp) have in common.
+// The common steps of saving a file whole (safe_file.cpp) and in parts (safe_file_writer.cpp).
 
 #include "core/files/file_system.h"
 #include "core/files/safe_file.h"
@@ -13,7 +12,7 @@
 
 namespace sparkout {
 
-/// Why a step failed.
+/// The failure of a step.
 struct StepFailure {
     FileStep step;
     int systemError;
@@ -22,8 +21,8 @@ struct StepFailure {
 /// The result of a step: empty on success.
 using StepOutcome = std::optional<StepFailure>;
 
-/// The file a save replaces: its folder, its name there and, if it exists, the old file, which is
-/// open where a file can be replaced so.
+/// The file to be replaced: its folder, its name there and, if it exists, the old file, kept open
+/// where open files can be replaced.
 struct SaveTarget {
     std::filesystem::path parent; ///< of the folder
     Folder folder;

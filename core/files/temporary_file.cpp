@@ -9,7 +9,7 @@
 namespace sparkout {
 namespace {
 
-/// Removes the name. Tried again on any error: a temporary file must not stay behind.
+/// Removes the name. Retries after any error, since a temporary file must not be left.
 void removeName(const Folder& folder, const std::string& name) {
     for (int attempt = 0; attempt < 3; ++attempt) {
         const int failed = removeIn(folder, name);

@@ -22,7 +22,7 @@ public:
     void release() { m_name.clear(); }
 
 private:
-    const Folder* m_folder; ///< outlives it
+    const Folder* m_folder; ///< must outlive this object
     std::string m_name;
 };
 

@@ -133,7 +133,7 @@ std::vector<ChebyshevFit::Point> ChebyshevFit::contacts() const {
     return found;
 }
 
-// Six points have one vector η with Σ η_i·g_i = 0; its signs are the basis's.
+// Six points have one vector η with Σ η_i·g_i = 0; its signs are those of the basis.
 void ChebyshevFit::makeFeasible(const AxisView& view) {
     for (Point& point : m_basis) {
         point.sign = 1;
@@ -187,8 +187,9 @@ ChebyshevFit::Entering ChebyshevFit::choose(const AxisView& view, const AxisFit&
     return found;
 }
 
-// The weights along the entering column: θ = min y_m/z_m over z_m > 0 leaves the basis. Of equals
-// the largest z, which keeps the basis well away from a singular one; by Bland the first point.
+// The weights along the entering column: the point with θ = min y_m/z_m over z_m > 0 leaves the
+// basis. Of equal ones that with the largest z, to keep the basis well-conditioned; by Bland the
+// first point.
 bool ChebyshevFit::pivot(const AxisView& view, const Point& entering, bool bland) {
     const Vector z =
         Eigen::PartialPivLU<Matrix>(basisMatrix(view, m_basis)).solve(column(view, entering));
@@ -266,7 +267,7 @@ bool ChebyshevFit::addCandidates(const AxisView& view, const AxisFit& fit, doubl
         takeResiduals(view, fit, j);
         const ValueRange range = rangeOf(m_residuals);
         for (const double extreme : {range.low, range.high}) {
-            if (!(std::abs(extreme) > fit.level + tolerance)) { // nor when it is not a number
+            if (!(std::abs(extreme) > fit.level + tolerance)) { // also for NaN
                 continue;
             }
             const auto found = std::find(m_residuals.begin(), m_residuals.end(), extreme);

@@ -93,7 +93,7 @@ public:
     [[nodiscard]] Axis axisOf(const CylinderZone& zone) const {
         return {zone.x_mm, zone.y_mm, zone.slopeX * m_reach, zone.slopeY * m_reach};
     }
-    /// The regression line through the sections' centres, up to some form/R of it.
+    /// The regression line through the sections' centres, an approximation up to form/R.
     [[nodiscard]] Axis throughCentres() const {
         const std::vector<double>& c = m_directions.cosines();
         const std::vector<double>& s = m_directions.sines();

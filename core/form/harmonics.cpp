@@ -7,7 +7,7 @@ namespace sparkout {
 
 namespace {
 
-/// Straight across the gaps, whose radii are no number.
+/// Bridges the gaps, whose radii are NaN, by straight lines.
 std::vector<double> bridged(std::span<const double> given) {
     std::vector<double> radii(given.begin(), given.end());
     const std::size_t K = radii.size();

@@ -22,7 +22,7 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// Rounding error of a radius by the distances' last bits, relative to the radius.
 constexpr double roundings = 8 * epsilon;
-/// Weights below it are none.
+/// Smaller weights count as 0.
 constexpr double leastWeight = 1e-12;
 
 enum class Side { inscribed, circumscribed };

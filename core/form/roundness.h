@@ -46,7 +46,7 @@ struct RoundnessZone {
     double inner_mm = 0;       ///< radius of the inner circle
     double outer_mm = 0;       ///< radius of the outer circle
     double reference_mm = 0;   ///< least squares: the fitted radius; minimum zone: the middle
-    /// Minimum zone: radii that touch outer and inner circle in turn, by rising k.
+    /// Minimum zone: radii with alternating contacts to the outer and inner circle, by rising k.
     std::array<std::size_t, 4> contacts{};
 
     /// The roundness deviation.

@@ -17,7 +17,7 @@ struct MeasuredColumn {
     std::vector<double> values;
 };
 
-/// The first thing in the table that cannot be read.
+/// The first unreadable cell of the table.
 struct TableFault {
     int line = 0;     ///< counted from 1
     std::string text; ///< the text found; empty if a heading of a factor is missing

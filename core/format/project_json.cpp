@@ -96,8 +96,8 @@ ReadResult readProjectJson(const json& root, Issues found, const std::stop_token
     const bool operationKnown = root.contains("operation") && !isReported(issues, "/operation");
     reportMissing(missing, project, operationKnown, false, issues);
     const bool readable = !hasErrors(issues);
-    // A kept run is a record. Faults in one, as an older or stricter version may see them, cost
-    // neither the record nor the work around it.
+    // A kept run is a record. Its faults, possibly found by another version, do not prevent loading
+    // it or the project.
     checkRuns(project, issues, stop);
     if (stop.stop_requested()) {
         return {};

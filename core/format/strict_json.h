@@ -23,7 +23,7 @@ namespace sparkout {
 /// A value for a message: one line, short, valid UTF-8.
 [[nodiscard]] Detail quoted(const nlohmann::json& value);
 
-/// A key of a file as one step of a JSON pointer, shortened for messages.
+/// A key of a file as a step of a JSON pointer, shortened for messages.
 [[nodiscard]] std::string pathStep(const std::string& key);
 
 } // namespace sparkout

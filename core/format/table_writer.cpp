@@ -97,7 +97,7 @@ ordered_json writeByTable(const StructInfo& table, const void* owner,
             continue;
         }
         ordered_json value = fieldJson(field, owner);
-        // The table's defaults are written in full: reference page and schema read them.
+        // The table's defaults are written in full, for the reference page and the schema.
         if (field.sparse && owner != table.defaults && isDefault(field, owner, value, table)) {
             continue;
         }

@@ -28,7 +28,7 @@ namespace sparkout {
 namespace {
 
 constexpr double leastDeviation_um = 0.1;
-constexpr double ofPrediction_um = 0.03; ///< a standard deviation, by the number of stocks
+constexpr double ofPrediction_um = 0.03; ///< as a standard deviation, by the number of stocks
 /// Step of the derivative, as a logarithm: a part that makes another stroke there changes the mean
 /// by a jump that must not count.
 constexpr double derivativeStep = 0.1;
@@ -263,7 +263,7 @@ private:
         }
     }
 
-    /// Looks on either side in each factor, by less and less.
+    /// Tries both sides of each factor with decreasing steps.
     void refine(Point point) {
         double least = criterionAt(point);
         for (double step = range / scanned; step > finest; step /= 2) {
@@ -339,7 +339,7 @@ private:
             return;
         }
         m_result.stepsByStage = stepsByGauge(m_project, factorsAt(m_at), m_stop);
-        // The criterion of a factor's whole plausible range is that of its errors.
+        // The criterion over a factor's whole plausible range follows from its error.
         const Identifiability told =
             identifiabilityOf({columns.data(), static_cast<std::size_t>(columns.size())},
                               static_cast<std::size_t>(columns.rows()), m_list, {},

@@ -90,7 +90,7 @@ private:
                 * found.factor;
             record("/material/specific_tangential_force_mpa", found.error);
         } else if (auto& tangential = m_made.material->specific_tangential_force_mpa;
-                   has(FittedKind::alpha) && !tangential) { // the power stays as it was predicted
+                   has(FittedKind::alpha) && !tangential) { // keeps the predicted power
             const Material& material = *m_before.material;
             tangential =
                 material.specific_force_mpa * material.shear_strain / material.shear_factor;

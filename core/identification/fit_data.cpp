@@ -28,7 +28,7 @@ double stepOf(std::vector<double> values) {
     return std::isfinite(step) ? step : 0;
 }
 
-/// The weight of a trace: never so small that rounding would count.
+/// The weight of a trace, never so small that rounding would matter.
 double weightOf(const FitGroup& group) {
     constexpr double leastShare = 1e-6, leastSpan = 1e-9;
     const auto [low, high] = std::ranges::minmax(group.values);

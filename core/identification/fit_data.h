@@ -12,7 +12,7 @@ namespace sparkout {
 
 enum class FitSource { size, power, force, parts };
 
-/// Measured values that have one noise.
+/// Measured values with common noise.
 struct FitGroup {
     FitSource source = FitSource::size;
     int trace = -1;             ///< index in the project; −1: parts
@@ -20,7 +20,7 @@ struct FitGroup {
     std::vector<double> time_s; ///< for traces
     std::vector<int> places;    ///< for parts, one for each value
     std::vector<double> values; ///< mm of diameter, kW, N; of parts µm from the nominal diameter
-    std::int64_t measured = 0;  ///< parts behind them, or values of a trace
+    std::int64_t measured = 0;  ///< number of parts, or values of a trace
     std::optional<double> idle_kw; ///< as given with the trace
     double noise = 1;              ///< standard deviation, estimated from the values
     double step = 0;               ///< resolution of a trace's values: their least difference
@@ -35,7 +35,7 @@ struct FitGroup {
 
 struct FitData {
     std::vector<FitGroup> groups;
-    std::vector<int> withoutFactor; ///< currents that cannot be read as powers, by number
+    std::vector<int> withoutFactor; ///< currents without a conversion to power, by index
     [[nodiscard]] bool has(FitSource source) const;
     [[nodiscard]] std::size_t count() const; ///< of all values
 };

@@ -10,8 +10,8 @@ namespace sparkout {
 /// the normal force b·k_s·a + b·k_r·√a. With a threshold [MODEL-2] α is the factor of K and β that
 /// of F'_0, also in the normal force, and flow stress and dullness are not fitted.
 enum class FittedKind {
-    alpha,          ///< factor of α alone
-    beta,           ///< factor of β alone
+    alpha,          ///< factor of α only
+    beta,           ///< factor of β only
     compliance,     ///< factor of γ: of α and β; of one zone or section, or of all
     flow_stress,    ///< factor of σ_i: of k_s, k_r and k_t
     dullness,       ///< factor of η: of k_r
@@ -25,7 +25,7 @@ enum class FittedKind {
     blank_runout,   ///< ΔR of the blank [mm]
     gauge_lag,      ///< time constant of the gauge, a first-order lag [s]
     gauge_drift,    ///< drift of the gauge over the time of the cycle [mm/min]
-    gauge_setting,  ///< the diameter at which the gauge ends the cycle [mm]; of finished parts
+    gauge_setting,  ///< diameter at which the gauge ends the cycle [mm]; for finished parts
     count_
 };
 

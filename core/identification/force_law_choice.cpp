@@ -88,7 +88,7 @@ private:
     std::vector<double> m_places, m_values, m_at;
 };
 
-/// A law with its best values: a curve of revolutions by two shapes, or one.
+/// A law with its best values: a curve over revolutions with two shapes, or one.
 struct LawFit {
     Line line;
     double first = 0, second = 0; ///< logarithms of the shapes
@@ -116,7 +116,7 @@ std::vector<double> thresholdCurve(double constant, std::size_t revolutions) {
     return curve;
 }
 
-/// β over α [√mm] that wheels of usual dullness have.
+/// β over α [√mm] of wheels with usual dullness.
 struct Ratios {
     double least = 0, most = 0;
 };

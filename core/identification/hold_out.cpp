@@ -45,7 +45,7 @@ std::vector<Calibration> variedInputs(const Project& project) {
     return records;
 }
 
-/// A cycle as gauge and drive show it, with the times its stages end at.
+/// The expected signals of gauge and drive in a cycle, with the ends of its stages.
 struct Predicted {
     std::vector<int> steps; ///< of each stage
     CycleResponse shown;

@@ -17,7 +17,7 @@ namespace sparkout {
 enum class HoldOutQuantity {
     time,        ///< s between two sizes: middle of the first feed and end of the last
     after_feeds, ///< µm of diameter removed after the last feed
-    power        ///< kW, mean over the feeds; where the idle power is stated
+    power        ///< kW, mean over the feeds; if the idle power is given
 };
 
 struct HoldOutRow {

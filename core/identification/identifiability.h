@@ -15,7 +15,7 @@ enum class Advice {
     power,         ///< the wheel's power over the same cycle
     force,         ///< the normal force over the same cycle
     size,          ///< the size over the time of a cycle
-    another_feed,  ///< a stage at another feed, or a spark-out, so that the deflection shows
+    another_feed,  ///< a stage at another feed, or a spark-out, to show the deflection
     idle,          ///< the power before the wheel touches
     place_sizes,   ///< sizes in these zones or sections
     cycle_start,   ///< a trace with the beginning of the cut

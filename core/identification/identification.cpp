@@ -132,7 +132,7 @@ private:
         return m_best.converged && !m_stop.stop_requested();
     }
 
-    /// Fits with these steps; keeps them where they fit better.
+    /// Fits with these steps; keeps them if they fit better.
     bool betterWith(const std::vector<int>& steps, const std::vector<double>& from) {
         const std::vector<int> before = m_problem.steps();
         m_problem.setSteps(steps);
@@ -194,7 +194,7 @@ private:
                    : std::numeric_limits<double>::infinity();
     }
 
-    /// Fits from the best starts, of which each sequence of steps has one.
+    /// Fits from the best starts, one for each sequence of steps.
     void tryStarts(bool isByGauge) {
         const std::vector<int> before = m_problem.steps();
         std::vector<Start> starts;
@@ -326,7 +326,7 @@ private:
         }
     }
 
-    /// RMS of each group; of a robust fit by the median, which outliers do not move.
+    /// RMS of each group; for a robust fit by the median, which outliers do not affect.
     std::vector<double> noiseOf(const std::vector<double>& differences) const {
         constexpr double leastShare = 1e-9;
         std::vector<double> noise;

@@ -41,7 +41,7 @@ struct LackOfFit {
 [[nodiscard]] LackOfFit lackOfFit(std::span<const double> residuals, const TraceNoise& noise,
                                   double parametersOfGroup);
 
-/// A row of a matrix of derivatives of residuals by p parameters, a column each.
+/// A row of the derivatives of residuals by p parameters, one for each column.
 struct Derivatives {
     std::span<const double> columns;
     std::size_t rows = 0;

@@ -129,7 +129,7 @@ public:
         leftOut.certain.push_back(found);
     }
 
-    /// Adds the others with the time held at an amount, where they fit about as well as the best.
+    /// Adds fits with the time held at an amount, if they fit about as well as the best.
     void findHeld(const LeastSquares& best, const std::vector<double>& errors, double amount,
                   LeftOut& leftOut) {
         std::vector<double> from = best.q, residuals, differences;

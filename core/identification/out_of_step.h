@@ -44,7 +44,7 @@ struct LeftOut {
     std::vector<Possible> possible;
 };
 
-/// Whether it is beyond `certainDelay` of its errors, and long enough for the clock of a recorder.
+/// Whether it exceeds `certainDelay` standard errors, and the resolution of a recorder's clock.
 [[nodiscard]] bool isCertain(const OutOfStep& found);
 
 /// The times that the data could determine and that are not fitted.

@@ -12,7 +12,7 @@ namespace sparkout {
 /// The sizes of many parts with an unknown stock within the steps of the feed: for each zone or
 /// section the mean diameter less the nominal one.
 struct SizesOverPhases {
-    std::vector<double> means_um;      ///< none: no cycle reached size
+    std::vector<double> means_um;      ///< empty: no cycle reached size
     std::vector<double> deviations_um; ///< of one part
 };
 

@@ -154,7 +154,7 @@ private:
                             * std::max(more.squares(), least);
     }
 
-    /// The straight line, or the one with play where there is any.
+    /// The proportional fit, or the one with play if it is significant.
     Solved testLine(Solved plain, const Eigen::VectorXd& right) {
         // Play of the wheel head would act like that of both centres.
         const Eigen::Index units = m_project.part->shaft.mounting == Mounting::centres ? 2 : 1;

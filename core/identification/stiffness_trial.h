@@ -34,7 +34,7 @@ enum class StiffnessTrialStatus {
 /// The relation of deflection and load at a place.
 enum class LoadLine {
     straight, ///< proportional
-    play,     ///< straight, but from a deflection that is there without load
+    play,     ///< straight, but with a deflection at zero load
     bent,     ///< the stiffness changes with the load
     untested  ///< a single load, or too few readings
 };

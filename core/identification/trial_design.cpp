@@ -35,7 +35,7 @@ namespace {
 constexpr double feedFactors[] = {1.0 / 3, 1, 3};
 constexpr double shareOfStock = 0.8; ///< fed in a trial, which ends above size
 constexpr double normal95 = 1.959963984540054;
-constexpr double machineShare = 0.01; ///< an estimate of how well a machine keeps feed and speed
+constexpr double machineShare = 0.01; ///< estimated repeatability of a machine's feed and speed
 
 Eigen::Index numbered(std::size_t i) {
     return static_cast<Eigen::Index>(i);
@@ -84,7 +84,7 @@ bool records(TrialRecord record, FitSource source) {
     return false;
 }
 
-/// Traces as a trial would record them; their values do not matter to derivatives.
+/// Traces in the form of a trial's record; derivatives do not depend on their values.
 FitData plannedData(const CycleResponse& response, TrialRecord record, const TrialNoise& noise) {
     constexpr double before_s = 1; // of the cut, to show the idle power
     FitData data;

@@ -21,8 +21,7 @@ namespace sparkout {
 
 namespace {
 
-/// Ra [µm] that the cycle leaves in each zone or section with a factor of 1; 0 where it is not
-/// known.
+/// Ra [µm] by the cycle in each zone or section with a factor of 1; 0 if unknown.
 std::vector<double> computedRoughness(const Project& project) {
     Project plain = project;
     plain.runs.clear();

@@ -11,7 +11,7 @@
 /// Calibrates the dressed wheel on one measured part [MODEL-8, MODEL-13].
 namespace sparkout {
 
-/// Measured Ra to that which the project's cycle leaves: the factor of Ra for this wheel and this
+/// Ratio of measured Ra to that of the project's cycle: the factor of Ra for this wheel and
 /// dressing.
 struct RoughnessCalibration {
     double factor = 1;                  ///< geometric mean over the measured values

@@ -88,7 +88,7 @@ struct FigureRow {
     FigureName name;
     Choice choice; ///< key in files and label
     const char* unit;
-    int digits; ///< decimals that can be read
+    int digits; ///< number of readable decimals
     FigureScope scope;
     bool ofSurface; ///< known for the cut part alone where strips stay uncut
 };

@@ -130,7 +130,7 @@ std::optional<double> ofPlace(const Figure& figure, const FigureSource& run) {
     }
 }
 
-/// The passes of a double stroke or revolution in a place, or of one of its steps.
+/// The passes of a double stroke or revolution at a place, or of one of its steps.
 class StepPasses {
 public:
     StepPasses(const Figure& figure, const FigureSource& run)

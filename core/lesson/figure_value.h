@@ -13,7 +13,7 @@
 
 namespace sparkout {
 
-/// A run that figures are read off. The window has all of it in its outcome.
+/// A run from which figures are read. The window has all of it in its outcome.
 struct FigureSource {
     const SimulationResult& result;
     const PartAccuracy& accuracy;

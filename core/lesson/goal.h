@@ -71,7 +71,7 @@ struct ChoiceGoal {
     std::vector<ChoiceOption> options;
 };
 
-/// An answer in words, which the teacher reads.
+/// An answer in words, read by the teacher.
 struct TextGoal {
     int least_letters = 1;
 };

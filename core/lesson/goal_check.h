@@ -20,11 +20,11 @@ enum class Finding {
     passed,
     failed,
     notAnswered,  ///< nothing was handed in, or not what the goal requires
-    forTeacher,   ///< words, which no engine reads
+    forTeacher,   ///< words, which the teacher reads
     forbidden,    ///< inputs were changed that are not free
     refused,      ///< the set-up has errors and was not run
     doesNotEnd,   ///< the cycle does not end by itself
-    noSuchFigure, ///< the run has no such figure, or strips stay uncut
+    noSuchFigure, ///< the run does not have this figure, or strips stay uncut
 };
 inline constexpr int findings = static_cast<int>(Finding::noSuchFigure) + 1;
 
@@ -48,7 +48,7 @@ struct GoalResult {
     /// For a cycle that is fit for the part that was run: the share of stocks for which it is not.
     std::optional<double> failingStocks_percent;
     std::vector<ComparedPoint> curve; ///< for a predicted curve
-    std::vector<std::size_t> order;   ///< places by the engine, the largest first
+    std::vector<std::size_t> order;   ///< places as computed, the largest first
     std::optional<double> time_min;   ///< time of the cycle, if it ended by itself
     RunStatus status = RunStatus::completed;
     std::vector<std::string> forbidden; ///< paths of inputs changed that are not free

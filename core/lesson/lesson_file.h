@@ -18,8 +18,8 @@ inline constexpr const char* lessonFormat = "sparkout-lesson";
 inline constexpr int lessonVersion = 1;
 
 struct ReadLesson {
-    std::optional<Lesson> lesson; ///< given when there is no error
-    Issues issues;                ///< errors, or warnings beside a lesson
+    std::optional<Lesson> lesson; ///< given without errors
+    Issues issues;                ///< errors, or warnings with a lesson
 };
 
 /// Reads and checks a lesson within the limits of a project file (project_file.h). Returns all

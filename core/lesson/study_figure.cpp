@@ -17,7 +17,7 @@ namespace {
 
 constexpr double studyPercent = 100;
 
-/// The mean diameter of a place, which has both limits and so both indices.
+/// The mean diameter of a place; it has both limits and so both indices.
 const CharacteristicSummary* diameterOf(const BatchSummary& summary, const PlaceName& place) {
     for (const CharacteristicSummary& each : summary.characteristics) {
         if (std::string_view(each.characteristic.name) == "diameter"

@@ -12,7 +12,7 @@ namespace sparkout {
 
 namespace {
 
-/// The number as one would write it: 0.11 + 2·0.01 is 0.13.
+/// The number in plain decimals: 0.11 + 2·0.01 is 0.13.
 double asWrittenInSteps(double value) {
     constexpr double scale = 1e9;
     return std::abs(value) < 1e6 ? std::round(value * scale) / scale : value;
@@ -25,7 +25,7 @@ int VariedInput::alternatives() const {
 }
 
 double VariedInput::levels() const {
-    constexpr double slack = 1e-6; // a step that ends this near to the end reaches it
+    constexpr double slack = 1e-6; // a step that ends within this distance reaches the end
     if (isRange()) {
         return *to < *from ? 0 : std::floor((*to - *from) / *step + slack) + 1;
     }

@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    // x over which the curve bends is 1.
+    // 1 is the range of x over which the curve bends.
     static constexpr double nodesPerArgument = 48, fewestNodes = 8, mostNodes = 96;
     const BurnModel& m_model;
     double m_U, m_last, m_nodes;
@@ -54,7 +54,8 @@ BurnTable::BurnTable(const BurnModel& model, double U, double deepest_mm) {
     constexpr double fewest = 16, most = 8192;
     const double deepest = std::max(deepest_mm, 0.0);
     const BurnLimitPoint surface = model.limitPoint(U, 0);
-    // The stock over which the curve bends: the reach of heat, or over which √a doubles.
+    // The range of stock over which the curve bends: the reach of heat, or that over which √a
+    // doubles.
     const double scale = surface.stockSlope_mm * std::min(1.0, surface.root / surface.rootSlope);
     const double wanted = std::ceil(stepsPerScale * deepest / scale);
     m_isResolved = wanted <= most;

@@ -16,7 +16,7 @@ struct BurnStretch {
     double total = 0, low = 0, centre = 0;
     std::array<double, 5> c{}; ///< of x⁰…x⁴
 
-    /// √a over its limit for a radius at this depth below first touch.
+    /// √a relative to its limit for a radius at this depth below first touch.
     [[nodiscard, gnu::always_inline]] double usage(double root, double depth_mm) const {
         const double stock = total - depth_mm;
         const double x = (stock > low ? stock : low) - centre;
@@ -35,7 +35,8 @@ public:
     /// For stocks from 0 to `deepest`, and U = U_burn.
     BurnTable(const BurnModel& model, double U, double deepest_mm);
 
-    /// √a over the limiting √a at this stock; above 1 the damaged layer is deeper than the stock.
+    /// √a relative to the limiting √a at this stock; above 1 the damaged layer is deeper than the
+    /// stock.
     [[nodiscard]] double usage(double root, double stock_mm) const {
         double at = stock_mm * m_perStep;
         at = at < m_last ? at : m_last;
@@ -48,7 +49,7 @@ public:
     /// Whether the steps are as small as the curve requires. For a very dull wheel with much stock
     /// it bends so close to the surface that they cannot be: the error is a few per cent there.
     [[nodiscard]] bool isResolved() const { return m_isResolved; }
-    /// The limiting √a, rising with the stock; below 0 as at 0, beyond the deepest as there.
+    /// The limiting √a, rising with the stock; constant below 0 and beyond the deepest.
     [[nodiscard]] double limit(double stock_mm) const { return 1 / usage(1, stock_mm); }
 
     /// 1/√a over the stocks from `low` to `high` of the total infeed |R_first − R_t| as one

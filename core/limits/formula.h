@@ -11,7 +11,7 @@
 /// and command line format numbers and units.
 namespace sparkout {
 
-/// A quantity of a formula: its symbol, its value and the unit of that value.
+/// A quantity of a formula: its symbol, its value and unit.
 struct FormulaTerm {
     const char* symbol = "";
     double value = 0;
@@ -57,7 +57,7 @@ using TermWriter = std::function<std::string(const FormulaTerm&)>;
 /// term is unchanged.
 [[nodiscard]] std::string fillFormula(const FormulaStep& step, const TermWriter& writer);
 
-/// The equation in symbols; its constants are written by `number`: "L = √(a·D_e)".
+/// The equation in symbols, with its constants formatted by `number`: "L = √(a·D_e)".
 [[nodiscard]] std::string formulaInSymbols(const FormulaStep& step, const TermWriter& number);
 
 /// The right side with numbers in place of all symbols: "√(0.005·28.57)".

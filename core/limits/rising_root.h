@@ -17,7 +17,7 @@ struct ValueAndSlope {
 template <class Function>
 double risingRoot(const Function& f, double low, double high) {
     constexpr int mostSteps = 200;
-    constexpr int judged = 4; ///< steps after which the bracket must have halved
+    constexpr int judged = 4; ///< steps within which the bracket must halve
     double x = high;
     double width = high - low;
     for (int step = 1; step <= mostSteps; ++step) {

@@ -13,7 +13,7 @@ namespace limits {
 inline constexpr std::size_t profilePoints = 36'000;
 } // namespace limits
 
-/// A section as a roundness machine has recorded it.
+/// A section recorded by a roundness machine.
 struct ClosedProfile {
     std::vector<double> radii_mm; ///< at even angles from 0
     std::size_t rows = 0;         ///< points of the table

@@ -37,7 +37,7 @@ struct ColumnMatch {
     std::string heading;
     ColumnQuantity quantity = ColumnQuantity::ignored;
     ColumnUnit unit = ColumnUnit::none;
-    std::optional<int> place; ///< zone or section of all its values, where the heading names one
+    std::optional<int> place; ///< zone or section of all its values, if the heading names one
     friend bool operator==(const ColumnMatch&, const ColumnMatch&) = default;
 };
 
@@ -47,7 +47,7 @@ struct ColumnMatch {
 /// The columns of a table by the headings in its first row.
 [[nodiscard]] std::vector<ColumnMatch> matchHeadings(std::string_view text, char delimiter);
 
-/// A match as a table needs it: beside a time "diameter" is the size at the gauge.
+/// Adapts the matches to the table: with a time column, "diameter" is the size at the gauge.
 void settleMatches(std::vector<ColumnMatch>& matches);
 
 /// The factor that converts a value in the unit to the unit of the project's section `measured`; 1
@@ -62,7 +62,7 @@ void settleMatches(std::vector<ColumnMatch>& matches);
 /// The allowed range of a quantity, in the unit of the section.
 [[nodiscard]] Bounds boundsOf(ColumnQuantity quantity);
 
-/// The units that a quantity may be given in, for a message.
+/// The allowed units of a quantity, for a message.
 [[nodiscard]] Keys unitsFor(ColumnQuantity quantity);
 
 /// A zone by its name, or a place by its number; empty if it is neither.

@@ -129,7 +129,7 @@ private:
         }
     }
 
-    /// Dates count from the first one.
+    /// Dates are relative to the first one.
     std::optional<double> timeOf(std::string_view cell) {
         if (const auto seconds = cellNumber(cell, m_table.dialect.decimal)) {
             return seconds;

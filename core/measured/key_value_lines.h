@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-/// Lines time|key|value, with more keys and values behind them, as adapters of machines write them.
-/// The time is a number of seconds, or a date and time of ISO 8601.
+/// Lines time|key|value, possibly with further keys and values, as written by machine adapters. The
+/// time is a number of seconds, or an ISO 8601 date and time.
 namespace sparkout {
 
 /// The keys of the first lines, in their order.

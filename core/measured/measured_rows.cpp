@@ -159,7 +159,7 @@ private:
         return converted;
     }
 
-    /// Deviations are of a diameter that a part may have.
+    /// Deviations refer to an allowed diameter of a part.
     [[nodiscard]] Bounds boundsHere(ColumnQuantity quantity) const {
         if (quantity != ColumnQuantity::diameter_deviation) {
             return boundsOf(quantity);

@@ -8,7 +8,7 @@
 
 namespace sparkout {
 
-/// The samples of one column while they are read.
+/// Collects the samples of one column during reading.
 class TraceBuilder {
 public:
     explicit TraceBuilder(const ColumnMatch& match) : m_match(&match) {}

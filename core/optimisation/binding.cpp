@@ -174,7 +174,7 @@ std::optional<std::vector<ConstraintKind>> brokenIn(const std::vector<Neighbour>
                                                     const std::vector<Project>& scenarios,
                                                     const std::stop_token& stop) {
     if (stop.stop_requested()) {
-        return std::nullopt; // perhaps not all of them are there
+        return std::nullopt; // possibly incomplete
     }
     std::vector<Project> parts{project};
     for (const Project& scenario : scenarios) {

@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    /// Stage by stage, all states from all states before. False: stopped.
+    /// Stage by stage, all states from all previous states. False after a stop.
     bool search(std::size_t stages) {
         StageStates states;
         Label blank;

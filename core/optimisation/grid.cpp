@@ -252,7 +252,7 @@ bool Grid::mayFollow(std::size_t first, std::size_t second) const {
                && b.continuousFeed_mm_min <= a.continuousFeed_mm_min);
 }
 
-/// Ways to share the steps among all stages but the last.
+/// Ways to divide the steps among all stages but the last.
 long double Grid::splits(const Shape& shape) const {
     if (shape.least.size() == 1) {
         return 1;
@@ -274,7 +274,7 @@ long double Grid::splits(const Shape& shape) const {
 
 // From the last stage to the first: number of extensions of a setting of this stage.
 std::int64_t Grid::size() const {
-    constexpr long double beyond = 9.3e18L; // a whole number of 63 bits: the rest does not matter
+    constexpr long double beyond = 9.3e18L; // exceeds 63 bits: the exact number does not matter
     long double total = 0;
     for (const std::size_t stages : m_stageCounts) {
         if (total > beyond) {

@@ -25,7 +25,7 @@ Judge::Judge(const Grid& grid, const SearchOptions& options)
     m_scenarios.reserve(scenarios.size());
     for (const Project& scenario : scenarios) {
         if (options.stop.stop_requested()) {
-            break; // nor will a cycle be run to its end
+            break; // and a cycle will not be run to its end
         }
         m_scenarios.push_back(runner(scenario, scenarios.size()));
     }
@@ -183,7 +183,7 @@ double Judge::leastWaiting_s() const {
     return least_s;
 }
 
-/// Replaces the best cycle, which is kept waiting where its time is equal.
+/// Replaces the best cycle, which keeps waiting if its time is equal.
 void Judge::put(const FeasibleCycle& found) {
     const bool tie = m_best && m_best->time_us == found.time_us;
     if (tie && m_best->variant == found.variant) {

@@ -81,7 +81,7 @@ BoundCut leastLimit(const Project& project, double b, double stock_mm) {
     return least;
 }
 
-/// The pieces as they are met, from the deepest stock on.
+/// Collects the pieces, from the deepest stock on.
 class Pieces {
 public:
     void add(double from_mm, double to_mm, const BoundCut& cut, double time_s) {
@@ -171,7 +171,7 @@ public:
             return {cut.depth_mm / m_revolution_s, cut};
         }
         std::pair<double, BoundCut> most{-1, {}};
-        double low = 0; // the first cell extends down to a standstill, where no drive is needed
+        double low = 0; // the first cell extends to standstill, where no drive is needed
         for (int i = 0; i <= feedCells; ++i) {
             const double high =
                 m_fastest * std::pow(slowestShare, 1 - static_cast<double>(i) / feedCells);
@@ -207,7 +207,7 @@ double leftByField_mm(const Part& part) {
     return std::max(shaft * (edge_mm - targetRadius(part)), 0.0) + diameterSlack_mm;
 }
 
-/// A radius of a section that is sure to lose this stock, and may stop so far above the target.
+/// A radius of a section that certainly loses this stock, and may end this far above the target.
 struct Loss {
     double stock_mm = 0, left_mm = 0;
     std::size_t section = 0;
@@ -340,7 +340,7 @@ private:
         BoundCut cut;
     };
 
-    /// Pass by pass the greatest cuts, until all is lost or none is.
+    /// The greatest cuts pass by pass, until all is lost or no cut is possible.
     [[nodiscard]] std::vector<Pass> allPasses(const std::stop_token& stop) const {
         constexpr std::size_t most = 1'000'000;
         constexpr double lastBits = 1e-9;

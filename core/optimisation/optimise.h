@@ -60,7 +60,7 @@ inline constexpr double equalMargins = 1e-9;
 enum class SearchMethod {
     full,      ///< runs every cycle of the grid from the blank until it is decided
     pruned,    ///< the same proven answer from fewer simulations
-    published, ///< heuristic for plunge: dynamic programming as the thesis has it
+    published, ///< heuristic for plunge: dynamic programming by the thesis
     labels,    ///< heuristic for plunge: labels by time and deflection
 };
 

@@ -143,7 +143,7 @@ public:
     }
 
 private:
-    /// A branch whose prefix has neither steps nor settings, about.
+    /// Approximate size of a branch whose prefix has neither steps nor settings.
     static constexpr std::size_t leftOutBytes = sizeof(Branch) + sizeof(Prefix) + 192;
     /// Beyond this ratio, most of the time would be spent on repeating steps.
     static constexpr std::size_t mostPerWhole = 5;
@@ -223,7 +223,7 @@ private:
         }
     }
 
-    /// A first answer to prune by: the quickest feasible cycle with the same feeds in all stages.
+    /// A first answer for pruning: the quickest feasible cycle with the same feeds in all stages.
     void seed(std::size_t stages) {
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {

@@ -147,7 +147,7 @@ private:
         return value;
     }
 
-    /// See 1 in the header; each setting as a share of its range.
+    /// See 1 in the header; each setting is a share of its range.
     std::vector<double> offTheSteps(const std::vector<double>& given, double firstStep) {
         const auto& settings = m_space.settings();
         std::vector<double> shares;

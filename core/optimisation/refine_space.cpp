@@ -14,7 +14,8 @@
 namespace sparkout {
 
 namespace {
-constexpr double refineSlack = 1e-9; ///< share by which a rounded value may miss its range
+constexpr double refineSlack =
+    1e-9; ///< relative tolerance of a rounded value at the end of its range
 }
 
 double RefineSpace::Setting::stepAt(double value) const {

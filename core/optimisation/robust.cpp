@@ -288,16 +288,16 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
                               return each.variant == summary.search.best->variant
                                      && each.cycle == summary.search.best->cycle;
                           })) {
-                takeBest(); // the best so far, stopped
+                takeBest(); // the best found before the stop
             }
             return summary;
         }
         auto failing = search.challenge ? std::nullopt : challenge(*summary.search.best);
         if (options.search.stop.stop_requested() && !search.challenge) {
-            summary.search.status = SearchStatus::stopped; // within its test
+            summary.search.status = SearchStatus::stopped; // during its test
             return summary;
         }
-        if (!failing) { // a challenge was drawn for this cycle
+        if (!failing) { // its own challenge was drawn
             takeBest();
             return summary;
         }

@@ -35,7 +35,7 @@ private:
     struct Before {
         bool operator()(const GridCycle& a, const GridCycle& b) const;
     };
-    /// Prefixes of cycles; one without steps does not end or breaks a requirement.
+    /// Prefixes of cycles; one without steps does not end or violates a requirement.
     using Prefixes = std::map<GridCycle, CyclePrefix, Before>;
 
     /// Returns the prefix of a cycle before its last stage; null if the cycle is refuted.

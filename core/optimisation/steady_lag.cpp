@@ -44,7 +44,7 @@ LagStep above(double infeed_mm, const Next& next) {
     return at.after_mm <= at.lag_mm ? at : LagStep{infinity, infinity};
 }
 
-/// A lag up to the steady one, next to it.
+/// A lag not above the steady one, and near it.
 template <class Next>
 double below(double above_mm, const Next& next) {
     for (double less_mm = nearEnough_mm; less_mm < above_mm; less_mm *= 2) {

@@ -25,7 +25,7 @@ Levels only(double value) {
     return std::vector<double>{value};
 }
 
-/// Work speeds, dwells at the reversals and counts of spark-outs: how many of each to choose from.
+/// Number of work speeds, dwells at the reversals and counts of spark-outs.
 double combinations(const Project& project) {
     const Optimisation& asked = *project.optimisation;
     const auto number = [](const Levels& levels) { return std::max(levelCount(levels), 1.0); };

@@ -29,7 +29,7 @@ struct Pack {
     std::string logo;                           ///< a PNG or JPEG file in base64
     std::vector<PackedLesson> lessons;
 
-    /// Entries, lessons, and the company's data as one.
+    /// Number of entries, lessons, and the company's data, which count as one.
     [[nodiscard]] std::size_t count() const;
 };
 

@@ -24,7 +24,7 @@ inline constexpr std::size_t logoText = 1'400'000; ///< letters of base64: of a 
 } // namespace limits
 
 struct ReadPack {
-    std::optional<Pack> pack; ///< given when there is no error
+    std::optional<Pack> pack; ///< given without errors
     Issues issues;
 };
 

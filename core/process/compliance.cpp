@@ -34,9 +34,9 @@ double product(const std::vector<double>& a, const std::vector<double>& b, std::
     return Numbers(a.data(), n).dot(Numbers(b.data(), n));
 }
 
-/// Segments times rests up to which each number is summed up for itself.
+/// Limit of segments times rests for separate summation.
 constexpr std::size_t mostSingly = 256;
-/// Places on either side of G up to which the same is done.
+/// Limit of places on either side of G for separate summation.
 constexpr std::size_t fewPlaces = 4;
 
 } // namespace

@@ -28,7 +28,7 @@ struct ShaftModel {
     double youngsModulus_n_mm2 = 0;    ///< E; infinity: a rigid shaft [N/mm^2]
     Mounting mounting{};               ///< the first: between centres
     double headstock_n_mm = 0;         ///< j_h [N/mm]
-    double tailstock_n_mm = 0;         ///< j_t, not read for a chuck [N/mm]
+    double tailstock_n_mm = 0;         ///< j_t, unused for a chuck [N/mm]
     double wheelHead_n_mm = 0;         ///< j_w [N/mm]
     std::vector<SupportSpring> rests;  ///< steady rests, in any order
 };
@@ -77,7 +77,7 @@ public:
     /// G(x,s) [mm/N]; G(x,s) = G(s,x) to the last bit.
     double between(double x, double s) const;
 
-    /// G(x,s) for each x of `at` (rows) and s of `from` (columns), row by row. A stop leaves zeros.
+    /// G(x,s) for each x of `at` (rows) and s of `from` (columns), row by row. Zeros after a stop.
     std::vector<double> rows(const std::vector<double>& at, const std::vector<double>& from,
                              const std::stop_token& stop = {}) const;
 

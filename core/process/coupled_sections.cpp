@@ -194,7 +194,7 @@ void CoupledSections::Solver::rootsOf(Point& point) const {
     } else if (kr > 0) {
         point.u = point.f.array() / m_width;
         point.u = 2 * point.u / (kr + (kr * kr + 4 * ks * point.u).sqrt());
-    } else { // the quotient would be 0/0 at no pressure
+    } else { // avoids 0/0 without pressure
         point.u = (point.f.array() / m_width / ks).sqrt();
     }
 }
@@ -208,7 +208,7 @@ void CoupledSections::Solver::evaluate(Point& point, const MapConst& h) const {
     m_influence.multiply(point.f.data(), point.r.data());
     point.r += point.w - h;
     point.residual = (point.w + m_own * point.f.array()).min(point.r).abs().maxCoeff();
-    if (!point.r.allFinite() || !point.u.allFinite()) { // Eigen's comparisons pass over no number
+    if (!point.r.allFinite() || !point.u.allFinite()) { // Eigen's comparisons ignore NaN
         point.residual = std::numeric_limits<double>::infinity();
     }
 }
@@ -218,8 +218,8 @@ double CoupledSections::Solver::contactForce(Index j, double f) const {
     return f * m_wholeWidth / m_width[j];
 }
 
-// dw/df at u = √a. A section about to touch has none, nor one that touches below the threshold,
-// which a singular G would not survive.
+// dw/df at u = √a; 0 for a section about to touch, and for one that touches below the threshold,
+// which a singular G would not allow.
 double CoupledSections::Solver::slope(Index j, double u, double f) const {
     double dw = 0;
     if (m_law.threshold) {

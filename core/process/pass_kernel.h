@@ -46,7 +46,7 @@ struct Lanes {
 struct LaneCoefficients {
     explicit LaneCoefficients(std::size_t count)
         : C(count), C2(count), A4(count), inverse2A(count) {}
-    /// Sets `count` lanes alike, one by default: γ [mm/N], b·k_s [N/mm], b·k_r [N/√mm].
+    /// Sets `count` equal lanes, one by default: γ [mm/N], b·k_s [N/mm], b·k_r [N/√mm].
     void set(std::size_t first, double gamma, double bks, double bkr, std::size_t count = 1);
 
     std::vector<double> C, C2, A4, inverse2A;
@@ -80,7 +80,7 @@ struct LaneBalance {
         , inverse2A(1 / (2 * (1 + gamma * bks)))
         , multiplied(bkr <= multipliedFormLimit * bks && !hasThreshold)
         , threshold(hasThreshold) {}
-    /// √a [√mm] where the infeed is h [mm] beyond the radius, as a pass has it but for rounding.
+    /// √a [√mm] for an infeed of h [mm] beyond the radius, as in a pass up to rounding.
     [[nodiscard]] double root(double h) const {
         const double infeed = h > 0 ? h : 0;
         const double q = std::sqrt(C2 + A4 * infeed);
@@ -110,7 +110,7 @@ using PassFunction = double (*)(Lanes& lanes, const LaneCoefficients& coefficien
 enum class VectorUnit { baseline, avx2 };
 
 [[nodiscard]] bool isSupported(VectorUnit unit);
-/// The widest of this processor.
+/// The widest unit of this processor.
 [[nodiscard]] VectorUnit widestUnit();
 [[nodiscard]] PassFunction passFunction(VectorUnit unit);
 

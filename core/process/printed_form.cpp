@@ -64,7 +64,7 @@ public:
         return sum / directions;
     }
 
-    /// The φ_1 after which the runout only repeats.
+    /// The period of the runout over φ_1.
     [[nodiscard]] double reach() const { return pi / m_lobes / (m_lobes % 2 == 0 ? 2 : 1); }
 
 private:
@@ -111,7 +111,7 @@ double between(double low, double high, const Value& value) {
     return middle;
 }
 
-/// Gives A_1, and φ_1 where it is not stated, of a runout that is the mean over all φ_1.
+/// Determines A_1, and φ_1 if not given, from a runout that is the mean over all φ_1.
 void fitEccentricity(PrintedForm& form, double runout_mm, bool isDirected) {
     Waves waves(form.lobes);
     form.eccentricity_mm = between(0, runout_mm / 2, [&](double a) {

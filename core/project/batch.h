@@ -16,7 +16,7 @@ struct Factor {
     std::optional<std::vector<double>> normal;     ///< [mean, standard deviation]
     std::optional<std::vector<double>> within;     ///< bounds of the normal law, [lowest, highest]
     std::optional<std::vector<double>> triangular; ///< [lowest, most frequent, highest]
-    std::optional<std::vector<double>> measured;   ///< values, each as frequent as any other
+    std::optional<std::vector<double>> measured;   ///< values, all equally frequent
     std::optional<std::vector<double>> grows;   ///< from the first to the last part of a dressing
     std::optional<int> parts_between_dressings; ///< required with `grows`
 };
@@ -42,7 +42,7 @@ struct Batch {
     int seed = 1;
     Scenarios scenarios = Scenarios::latin_hypercube;
     Factors factors;
-    // Lowest and highest of each zone or section, a row each; they scatter by themselves.
+    // Lowest and highest value of each zone or section, a row each; they scatter independently.
     NumberRows zone_stock_mm;  ///< δΠ [mm]
     NumberRows zone_runout_mm; ///< δ(ΔR) [mm]
     NumberRows zone_compliance;

@@ -9,14 +9,13 @@
 
 namespace sparkout {
 
-/// One stage of the cycle: its feeds and the radial stock it removes. As in the file, it has a
-/// place for the feeds of every kind of operation; OperationTraits lists those in use,
-/// OperationTraits::feeds.
+/// One stage of the cycle: its feeds and the radial stock it removes. As in the file, it has
+/// members for the feeds of every kind of operation; OperationTraits::feeds lists those in use.
 struct Stage {
     std::optional<double> radial_feed_mm;     ///< S_t, per double stroke [mm]
     std::optional<double> axial_feed_mm_min;  ///< S_ax [mm/min]
     std::optional<double> radial_feed_mm_min; ///< S_p [mm/min]
-    /// S_c, traverse: fed all the time beside S_t [mm/min].
+    /// S_c, traverse: continuous feed besides S_t [mm/min].
     std::optional<double> continuous_feed_mm_min;
     double stock_mm = 0; ///< Π_z, per side [mm]
     SparkOut spark_out;  ///< spark-out, only in the last stage
@@ -27,7 +26,7 @@ struct Stage {
     [[nodiscard]] double continuousFeed_mm_min() const {
         return feeds() ? continuous_feed_mm_min.value_or(0) : 0;
     }
-    /// A spark-out until size, which may wait for ever.
+    /// A spark-out until size, which may never end.
     [[nodiscard]] bool waitsForSize() const { return spark_out.mode == SparkOut::Mode::untilSize; }
     /// The given number of spark-out steps: double strokes or revolutions.
     [[nodiscard]] std::optional<int> sparkOutSteps() const {

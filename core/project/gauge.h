@@ -17,12 +17,13 @@ struct Gauge {
     std::optional<int> section;        ///< 0-based plunge section; not given: the middle one
     std::optional<double> position_mm; ///< free position along the ground length [mm]
     std::optional<double> compliance_mm_per_n; ///< γ at the free position [mm/N]
-    std::optional<double> datum_mm; ///< R − R_t that feeding counts from, position control [mm]
+    std::optional<double> datum_mm; ///< R − R_t at the zero of feeding, position control [mm]
     bool spans_gaps = true;         ///< reads across the gaps of an interrupted surface
     int commands = 5;               ///< stages the gauge can switch
     std::optional<double> delay_s;  ///< delay from the reading to the command; not given: none [s]
     double error_um = 0;            ///< e_g, error of the gauge: reading less true diameter [µm]
-    double part_warmer_k = 0; ///< ΔT, part at the gauge over the temperature it is set for [K]
+    double part_warmer_k =
+        0; ///< ΔT, part at the gauge relative to the gauge's setting temperature [K]
 };
 
 /// The excess of the gauge's reading over the true diameter [mm]: e_g + α·d·ΔT [MODEL-7].

@@ -15,7 +15,7 @@ namespace limits {
 inline constexpr std::size_t factors = 16; ///< of a batch, including those of its zones
 } // namespace limits
 
-/// The factors a batch may scatter by, in the order of their table.
+/// The factors by which a batch may scatter, in the order of their table.
 enum class FactorKind {
     stock,
     runout,

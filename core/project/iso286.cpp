@@ -22,7 +22,7 @@ constexpr ByRange upTo{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
 
 constexpr int finestGrade = 4, coarsestGrade = 14;
 
-/// IT3 (for the Δ of IT4 alone) to IT14 [µm], ISO 286-1 table 1.
+/// IT3 (only for the Δ of IT4) to IT14 [µm], ISO 286-1 table 1.
 constexpr std::array<ByRange, 12> tolerances{{
     {2, 2.5, 2.5, 3, 4, 4, 5, 6, 8, 10, 12, 13, 15},
     {3, 4, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20},

@@ -14,7 +14,7 @@
 /// 49), so their values are used; a test lists every such value. [ISO286]
 namespace sparkout {
 
-/// A size with its field on a drawing: 30h6.
+/// A size with its tolerance field on a drawing: 30h6.
 struct SizeDesignation {
     double nominal_mm = 0;
     std::string letters; ///< h, js, H, JS: small for shafts, capital for holes
@@ -34,7 +34,7 @@ struct SizeDeviations {
 /// designation; sizeDeviations() checks that the field exists.
 [[nodiscard]] std::optional<SizeDesignation> parseSizeDesignation(std::string_view text);
 
-/// A keyway on a drawing: width with its field, length, and where its first edge is.
+/// A keyway on a drawing: width with its tolerance field, length, and the place of its first edge.
 struct KeywayDesignation {
     double width_mm = 0;
     std::string field; ///< "P9"; may be empty

@@ -90,7 +90,7 @@ void changeWheelDiameter(Project& project, double diameter_mm);
 /// Numbers of lobes to assume where it is not known: an odd number changes no diameter, an even
 /// number changes them all.
 inline constexpr int oddLobes = 3, evenLobes = 2;
-/// Radii that a lobe needs, so that its height is read to 1 − cos(π/12) = 3.4 %.
+/// Number of radii per lobe, so that its height is resolved to 1 − cos(π/12) = 3.4 %.
 inline constexpr int radiiOfLobe = 12;
 
 /// The given number of lobes, or oddLobes.

@@ -56,7 +56,7 @@ double MachineSteps::stepped(double value, int steps) const {
     }
     const double place = (value - low) / step;
     const double from = steps > 0 ? std::floor(place + onStep) : std::ceil(place - onStep);
-    const double last = std::floor((high - low) / step + onStep); // infinite where high is
+    const double last = std::floor((high - low) / step + onStep); // infinite if high is
     const double next = withoutLastBits(low + std::clamp(from + steps, 0.0, last) * step);
     return (next - value) * steps > 0 ? next : value; // one beyond the ends stays there
 }

@@ -14,7 +14,7 @@ enum class ForceLawKind {
     threshold ///< b·(F'_0 + K·a): nothing is cut below F'_0
 };
 
-/// The workpiece material as the force law and the heat model see it.
+/// The workpiece material for the force law and the heat model.
 struct Material {
     std::string grade;
     std::optional<double> hardness_hrc; ///< [HRC]

@@ -55,7 +55,7 @@ struct MeasuredTrace {
     std::string note;
 };
 
-/// Statistics of parts that are not listed one by one, as a printed table has them.
+/// Statistics of parts that are not listed individually, as in a printed table.
 struct MeasuredSummary {
     MeasuredQuantity quantity = MeasuredQuantity::diameter_deviation;
     int place = 0;

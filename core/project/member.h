@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-/// Finding a member of a project by its JSON pointer, through the tables.
+/// Finds a member of a project by its JSON pointer, through the tables.
 namespace sparkout {
 
 /// A member: its row and the struct that holds it; both null if not found.

@@ -139,7 +139,7 @@ bool setNumberInput(Project& project, std::string_view path, double value) {
     NumberWalk(project, [&](NumberInput&& input, const void* owner, std::size_t part) {
         if (input.path == path) {
             set = [field = input.field, owner = const_cast<void*>(owner), part, value] {
-                store(*field, owner, part, value); // the project is no constant one
+                store(*field, owner, part, value); // the project is not const
             };
         }
     }).walkProject();

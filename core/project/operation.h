@@ -16,7 +16,7 @@ struct MachineLimits;
 struct Optimisation;
 struct Stage;
 
-/// A feed that stages set, and where machine and search speak of it.
+/// A feed set by stages, with its members in machine and search.
 struct StageFeed {
     const char* key; ///< key of its rows in Stage and Optimisation
     std::optional<double> Stage::*value;

@@ -10,7 +10,7 @@
 namespace sparkout {
 
 enum class OptimisationScenarios {
-    nominal, ///< the part as stated
+    nominal, ///< the nominal part
     stocks,  ///< every stock within one infeed
     corners, ///< also every corner of the batch
     batch    ///< also the parts of the batch
@@ -48,7 +48,7 @@ struct Optimisation {
     Levels radial_feed_mm;     ///< traverse, per double stroke [mm]
     Levels axial_feed_mm_min;  ///< traverse [mm/min]
     Levels radial_feed_mm_min; ///< plunge [mm/min]
-    /// Traverse, of stages that have no radial feed; not given: none are fed so [mm/min].
+    /// Traverse, for stages without a radial feed; not given: no continuous feed [mm/min].
     Levels continuous_feed_mm_min;
     Levels work_speed_rpm; ///< n; not given: the machine's [rev/min]
     Levels dwell_entry_s;  ///< traverse; not given: the machine's [s]

@@ -35,9 +35,9 @@ struct SteadyRest {
     double stiffness_n_um = 50; ///< [N/µm]
 };
 
-/// A range of angle where there is no surface: a keyway, the space between two splines.
+/// A range of angle without a surface: a keyway, the space between two splines.
 struct SurfaceGap {
-    double from_deg = 0;  ///< counted as φ_k is [°]
+    double from_deg = 0;  ///< angle like φ_k [°]
     double width_deg = 0; ///< [°]
 };
 
@@ -83,7 +83,7 @@ struct Part {
 struct ZoneBlank {
     double stock_mm = 0, runout_mm = 0;
 };
-/// Zone by zone; none: all are as the part.
+/// Zone by zone; empty: all are like the part.
 [[nodiscard]] std::vector<ZoneBlank> zoneBlanks(const Part& part);
 /// The greatest sum of both additions [mm]; 0 without zones.
 [[nodiscard]] double furthestZone_mm(const Part& part);

@@ -62,7 +62,7 @@ struct Project {
     Indirect<Machine> machine;
     Indirect<Gauge> gauge;
     Indirect<Cycle> cycle;
-    int sections = 4; ///< J, where the ground length has no zones
+    int sections = 4; ///< J, if the ground length has no zones
     bool sections_coupled = false;
     int zone_sections = 1; ///< number of sections in each zone
     // Requirements of shop practice; not given: not required.

@@ -192,7 +192,7 @@ private:
         return (measuredRange(part).high - measuredRange(part).low) / units::umPerMm;
     }
 
-    /// The smallest diameter of a bore's blank, which the wheel must fit into [mm].
+    /// The smallest diameter of a bore's blank, into which the wheel must fit [mm].
     double smallestBore() const {
         const Part& part = *project().part;
         const double middle =
@@ -252,7 +252,7 @@ private:
         const double most_um = tableOf<MachineForm>().find("runout_um")->hard.high;
         const bool both = roundness && runout && sound({roundnessPath, runoutPath});
         for (std::size_t i = 0; both && i < std::min(roundness->size(), runout->size()); ++i) {
-            if ((*runout)[i] < (*roundness)[i]) { // about its axis no circle fits better
+            if ((*runout)[i] < (*roundness)[i]) { // no circle fits better about its axis
                 add(IssueCode::outOfRange, runoutPath + ('/' + std::to_string(i)), um((*runout)[i]),
                     Bounds{{(*roundness)[i], most_um}, "µm"});
             }
@@ -555,7 +555,7 @@ private:
         }
     }
 
-    /// The wear flats, of which the dullness follows.
+    /// The wear flats, from which the dullness follows.
     void checkFlats(const Wheel& wheel, const ForceRecipe& recipe, const RecipeShares& shares) {
         constexpr double rounding = 1e-12; // relative; the length was derived from η
         const char* const flat = "/wheel/force_recipe/wear_flat_mm";
@@ -798,7 +798,7 @@ private:
         }
     }
 
-    /// A batch that cannot be run is no reason to refuse the cycle.
+    /// An invalid batch is no reason to refuse the cycle.
     void checkBatch() {
         for (Issue& issue : batchFaults(project())) {
             warn(issue.code, issue.path, std::move(issue.value), std::move(issue.limit));

@@ -16,7 +16,7 @@ struct ForceRecipe {
     double shear_angle_deg = 30;        ///< β_1 [°]
     std::optional<double> cut_width_mm; ///< b_j, width of a grain's cut; not given: the chips add
                                         ///< up to the metal removed
-    std::optional<double> wear_flat_mm; ///< l_g, of a grain; not given: as the dullness has it
+    std::optional<double> wear_flat_mm; ///< l_g, of a grain; not given: by the dullness
 };
 
 /// Ra of a part ground by this wheel in its dressed state, and the conditions of the measured cut.
@@ -34,16 +34,16 @@ inline constexpr double mostRoughnessFactor = 100;
 /// The grinding wheel: size, sharpness, structure.
 struct Wheel {
     std::string marking;
-    double diameter_mm = 500;  ///< D [mm]
-    double width_mm = 50;      ///< B [mm]
-    double dullness = 0.02;    ///< η, share of wear flats, 0…1
-    double radius_wear_um = 0; ///< w_k, off its radius since the control was last set to it [µm]
-    double grain_mm = 0.25;    ///< d_g [mm]
-    double grain_share = 0.5;  ///< W_g, by volume
-    double bond_share = 0.12;  ///< W_b, by volume
-    double grain_tip_angle_deg = 45;                 ///< φ [°]
-    double dressing_chipping_mm = 0.1;               ///< Δ, chipping level of dressing [mm]
-    double roughness_factor = 1;                     ///< calibration of Ra
+    double diameter_mm = 500;          ///< D [mm]
+    double width_mm = 50;              ///< B [mm]
+    double dullness = 0.02;            ///< η, share of wear flats, 0…1
+    double radius_wear_um = 0;         ///< w_k, since the control was last set to its radius [µm]
+    double grain_mm = 0.25;            ///< d_g [mm]
+    double grain_share = 0.5;          ///< W_g, by volume
+    double bond_share = 0.12;          ///< W_b, by volume
+    double grain_tip_angle_deg = 45;   ///< φ [°]
+    double dressing_chipping_mm = 0.1; ///< Δ, chipping level of dressing [mm]
+    double roughness_factor = 1;       ///< calibration of Ra
     std::optional<double> grain_surface_energy_j_m2; ///< γ_g [J/m²]
     std::optional<double> grain_modulus_gpa;         ///< E_g [GPa]
     std::optional<double> bond_surface_energy_j_m2;  ///< γ_b [J/m²]
@@ -53,7 +53,7 @@ struct Wheel {
     std::optional<double> max_speed_m_s; ///< highest working speed; not given: not limited [m/s]
     std::string dressing;                ///< tool and settings, in words
     std::optional<ForceRecipe> force_recipe; ///< not given: force by η alone
-    std::optional<MeasuredRa> measured_ra;   ///< the factor of Ra follows from it
+    std::optional<MeasuredRa> measured_ra;   ///< determines the factor of Ra
 };
 
 /// A wheel's recipe in terms of the force law of MODEL-2: the published sum over the grains in
@@ -70,7 +70,7 @@ struct Wheel {
 /// laws are one; η is then the share of wear flats on the working surface, as its name says.
 struct RecipeShares {
     double cuttingGrains_mm2 = 0; ///< n_c [1/mm²]
-    double cutWidth_mm = 0;       ///< b_j [mm]; of κ = 1 where it is not given
+    double cutWidth_mm = 0;       ///< b_j [mm]; for κ = 1 if it is not given
     double shear = 1;             ///< κ
     double dullness = 0;          ///< η
 };

@@ -71,7 +71,7 @@ namespace sparkout {
                                       double compliantGamma, double s_mm, int count,
                                       const std::function<double(double)>& most);
 
-/// The cut at which two lanes that cut alike end s apart [mm]; infinite where γ_1 = γ_2.
+/// The cut at which two lanes with equal cuts end s apart [mm]; infinite where γ_1 = γ_2.
 [[nodiscard]] double steadyCutOfSpread(const ForceLaw& law, double b, double stiffGamma,
                                        double compliantGamma, double s_mm);
 

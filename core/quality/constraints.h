@@ -8,7 +8,7 @@
 
 namespace sparkout {
 
-/// Added to each diameter limit before comparing, so that a last bit fails nobody.
+/// Added to each diameter limit before comparing, to tolerate rounding.
 inline constexpr double diameterSlack_mm = 1e-9;
 
 /// The result of checking one requirement, in the unit of its row. `limit` is the limit that the
@@ -36,7 +36,7 @@ struct ConstraintResult {
     bool holds = false;        ///< never if the value does not cover the whole surface
     bool isLeast = false;      ///< the limit is a minimum, otherwise a maximum
     std::optional<Place> at{}; ///< place in the cycle at which the value was reached, if in a pass
-    int stage = 0;             ///< stage whose setting it is, from 1; 0: set for all, or no setting
+    int stage = 0;             ///< stage of the setting, from 1; 0: common to all, or not a setting
     std::optional<double>
         otherEnd{}; ///< other end of a machine range, where `limit` is the nearer one
     std::optional<double> mostValue{}; ///< upper end of an estimate, whose lower end is the value

@@ -22,7 +22,7 @@ requiredAccuracy(const SimulationResult& result,
 [[nodiscard]] std::vector<SectionShape> shapesOfPlace(const SimulationResult& result,
                                                       std::size_t section);
 
-/// Roundness by the minimum zone, the greatest of these [mm].
+/// The greatest roundness deviation by the minimum zone [mm].
 [[nodiscard]] double roundnessOf(const SimulationResult& result, std::size_t section);
 
 void evaluateLeastDiameter(ConstraintKind kind, const Judged& of, ConstraintResults& found);

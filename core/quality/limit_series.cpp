@@ -150,7 +150,7 @@ private:
         group.cuts = std::move(kept);
     }
 
-    /// Denser towards the target, where the limit rises fastest; below it as at 0.
+    /// Denser towards the target, where the limit rises fastest; constant below it.
     void addBurn() {
         const auto& U = m_project.material->burn_rise_k;
         if (!U) {
@@ -202,7 +202,7 @@ double burnAt(const LimitPoints& burn, double stock) {
            + (stock - a.stock_mm) / (b.stock_mm - a.stock_mm) * (b.depth_mm - a.depth_mm);
 }
 
-/// The lower of burn and a constant from one stock to another, with the corner between them.
+/// The lower of burn and a constant between two stocks, with the corner between them.
 void addLower(LimitPoints& points, const LimitPoints& burn, double fixed, double from, double to) {
     if (burn.empty()) {
         points.insert(points.end(), {{from, fixed}, {to, fixed}});
@@ -306,7 +306,7 @@ LimitPoints steplessLimit(const LimitSeries& series, const LimitGroup& group) {
 
 namespace {
 
-/// A curve between two stocks next to each other of all curves' points.
+/// A curve between two adjacent stocks of all curves' points.
 struct BoundLine {
     const BoundCurve* curve = nullptr;
     double from_mm = 0, to_mm = 0; ///< depths

@@ -58,7 +58,7 @@ struct LimitSeries {
 /// More cuts than this are merged in LimitGroup::cuts.
 inline constexpr std::size_t mostLimitedCuts = 600;
 
-/// Power is no limit of one section where the sections are coupled: they share it. Without a
+/// With coupled sections power is not a limit of a single section, since they share it. Without a
 /// trajectory there are no groups.
 [[nodiscard]] LimitSeries makeLimitSeries(const SimulationResult& result,
                                           const Trajectory& trajectory);

@@ -18,7 +18,7 @@ public:
     double wheelPower(double b, double a, FormulaSheet* sheet = nullptr) const;
     double workPower(double b, double a, FormulaSheet* sheet = nullptr) const;
 
-    /// Greatest depth of cut [mm] at which the drive's power [mW] is enough.
+    /// Greatest depth of cut [mm] for which the drive's power [mW] is sufficient.
     double wheelLimitDepth(double b, double power, FormulaSheet* sheet = nullptr) const;
     double workLimitDepth(double b, double power, FormulaSheet* sheet = nullptr) const;
 
@@ -27,7 +27,7 @@ public:
     double specificEnergy(double a) const;
 
 private:
-    /// A drive as its sheets name it.
+    /// The names of a drive in its sheets.
     struct Drive {
         double speed;
         const char* speedSymbol;

@@ -18,7 +18,7 @@ namespace {
 
 using Limits = std::optional<std::vector<double>>;
 
-/// Share of a step by which a setting may miss it.
+/// Tolerance of a setting, as a share of a step.
 constexpr double stepSlack = 1e-6;
 
 double nearestSetting(double value, double low, double high, double step) {
@@ -56,7 +56,7 @@ private:
     std::vector<MachineRange> m_found;
 };
 
-/// The requirement whose row names the feed as its setting of a stage.
+/// The requirement whose row names this feed of a stage as its setting.
 ConstraintKind kindOf(const StageFeed& feed) {
     const auto row = std::ranges::find_if(requirementRows, [&](const Requirement& each) {
         return each.source == LimitSource::range && each.settingOfStage

@@ -17,7 +17,7 @@ struct MachineRange {
     double value = 0;
     double low = 0, high = 0, step = 0;
     double nearest = 0;  ///< the nearest value the machine can be set to
-    bool onStep = false; ///< whether the value is it, to 1e-6 of a step
+    bool onStep = false; ///< the value is on a step, to 1e-6 of it
 };
 
 /// Every feed and speed that the cycle sets and the machine limits, in the order of the kinds:
@@ -52,7 +52,7 @@ inline constexpr double leastOverlap = 1;
 
 /// The overlap of one stage of a traverse cycle and its limit.
 struct OverlapCheck {
-    ConstraintKind kind = ConstraintKind::overlap; ///< the requirement that has it
+    ConstraintKind kind = ConstraintKind::overlap; ///< the requirement with this limit
     int stage = 0;                                 ///< from 1
     double overlap = 0;
     double least = leastOverlap;

@@ -34,7 +34,7 @@ Amount shortMm(double value) {
     return {std::round(value * 1e5) / 1e5, "mm"};
 }
 
-/// A spark-out that leaves a stock which the deflection did not give back.
+/// A spark-out that leaves stock which the deflection did not release.
 void addSparkOut(const SimulationResult& result, Issues& found) {
     const auto& stages = result.project.cycle->stages;
     const Stage& last = stages.back();
@@ -76,7 +76,7 @@ void addDwells(const Project& project, Issues& found) {
     }
 }
 
-/// A factor of Ra beside a measured one that gives another.
+/// A factor of Ra that differs from that of the measured one.
 void addRoughness(const Project& project, Issues& found) {
     const double given = project.wheel->roughness_factor;
     const std::optional<double> measured = factorOfMeasuredRa(project);

@@ -45,7 +45,7 @@ inline constexpr int constraintKinds = static_cast<int>(ConstraintKind::count_);
 enum class ConstraintScope {
     section, ///< each zone or section at the end of the cycle
     part,    ///< the whole part at the end of the cycle
-    pass,    ///< every pass; kept is the worst
+    pass,    ///< every pass; the worst one is kept
     setting, ///< the settings of the machine and the cycle, of one stage or all
 };
 
@@ -92,8 +92,8 @@ struct Requirement {
     const char* brief;                ///< short label for a narrow table
     const char* limitName = nullptr;  ///< name of its limit of the depth of cut: "burn"
     const char* measuredBy = nullptr; ///< the reference of a deviation of form
-    const char* broken = nullptr;     ///< sentence of %1 where, %2 by how much and %3 the value
-    const char* unit = "";            ///< of limit, value and margin; none for a plain number
+    const char* broken = nullptr; ///< sentence with %1 the place, %2 the excess and %3 the value
+    const char* unit = "";        ///< of limit, value and margin; none for a plain number
     const char* unitInFull = nullptr; ///< unit with explanation
     RequirementDigits digits = {};
     bool isDeviation = false; ///< deviation of a diameter: limit and value have a sign
@@ -104,9 +104,9 @@ struct Requirement {
     Paths inputs = {};             ///< inputs that the limit needs; it is on if all are given
     const char* setting = nullptr; ///< path of the limited setting
     const char* settingOfStage = nullptr; ///< key of that setting of a stage
-    bool sharedBySections = false;        ///< coupled sections have one limit together
+    bool sharedBySections = false;        ///< coupled sections have a common limit
     Paths estimates = {};                 ///< inputs behind its value without a public source
-    bool isCapable = false;               ///< a batch states capability of it
+    bool isCapable = false;               ///< a batch reports its capability
 
     /// Appends the results: of one section if that is the scope, otherwise of all.
     void (*evaluate)(ConstraintKind kind, const Judged& of, ConstraintResults& found);
@@ -144,7 +144,7 @@ extern const std::array<Requirement, constraintKinds> requirementRows;
 /// The first of its inputs that is not given; empty if it is on.
 [[nodiscard]] std::string missingInput(const Requirement& row, const Project& project);
 
-/// The limit of a requirement whose source is an input, where it is on.
+/// The limit of a requirement whose source is an input, if it is on.
 [[nodiscard]] std::optional<double> statedLimit(const Requirement& row, const Project& project);
 
 } // namespace sparkout

@@ -6,7 +6,7 @@
 
 #include <string>
 
-/// Names in files and on the command line, which no language changes.
+/// Names in files and on the command line, independent of the language.
 namespace sparkout {
 
 [[nodiscard]] const char* zoneKey(Zone zone); ///< "rz1", "section"

@@ -27,8 +27,8 @@ constexpr double isakov = 0.2;
 constexpr double structureOf0 = 62; ///< grain share of structure 0 [%]
 constexpr double perStep = 0.5;     ///< structure numbers for one percent of grain
 
-// Estimates. The usual factor is such that a wheel F60 leaves 0.4…0.8 µm in starting cycles; how
-// much more or less another grain leaves is Isakov's law.
+// Estimates. With the usual factor a wheel F60 leaves 0.4…0.8 µm in starting cycles; the influence
+// of the grain follows Isakov's law.
 constexpr double usualRaFactor = 9.5;
 constexpr double restShare = 0.5;     ///< r, share of Ra that spark-out does not remove
 constexpr double deflectionTimes = 2; ///< ratio of τ to the time constant of the deflection
@@ -57,8 +57,8 @@ double steadyPress(const LaneBalance& balance, int passes, double a) {
 /// stages after it.
 struct CycleEnd {
     std::size_t stage = 0;
-    double infeed_mm = 0; ///< 0: no stage has one
-    double sparkOut = 0;  ///< revolutions or double strokes, where they are a number
+    double infeed_mm = 0; ///< 0: no stage has infeed
+    double sparkOut = 0;  ///< revolutions or double strokes, if counted
 };
 
 CycleEnd endOf(const Project& project) {

@@ -26,8 +26,8 @@ struct RoughnessFactor {
 [[nodiscard]] bool isRoughnessCalibrated(const Project& project);
 
 /// Ra [mm] with a factor of 1, at the infeed and the spark-out of the wheel's measured Ra, or else
-/// of the cycle, for a steady infeed at the gauge. Empty without a measured Ra, or the project has
-/// errors or no infeed.
+/// of the cycle, for a steady infeed at the gauge. Empty without a measured Ra, with errors in the
+/// project, or without infeed.
 [[nodiscard]] std::optional<double> computedAsMeasured(const Project& project);
 /// The ratio of the measured Ra to the computed one. Empty also where it is 0 to rounding, or above
 /// mostRoughnessFactor.

@@ -36,7 +36,7 @@ namespace sparkout {
 inline constexpr double leastSpecificEnergy_j_mm3 = 20;
 inline constexpr double mostSpecificEnergy_j_mm3 = 120;
 
-/// A rotation ratio this near to a whole number prints the wheel's waves onto one another: over ten
+/// A rotation ratio this near to a whole number superimposes the wheel's waves: over ten
 /// revolutions, a usual spark-out, they shift by less than half of their length [BADGER2010].
 inline constexpr double nearInteger = 0.05;
 

@@ -23,7 +23,7 @@ void append(FormulaSheet& sheet, const FormulaSheet& more) {
 void stateCoefficients(FormulaSheet& sheet, const Project& project, const Pass& pass) {
     const ForceLaw law = forceLaw(project);
     if (law.threshold) {
-        return; // the sources have none of it
+        return; // the sources give none
     }
     const double b = pass.effectiveWidth_mm;
     const bool isPlunge = pass.axialFeed_mm_min == 0;

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Keys of a table that the reader requires for some projects only.
+/// Keys of a table that the reader requires only for some projects.
 void addConditional(const StructInfo& table, const std::string& path, std::string& list) {
     for (const Field& field : table.fields) {
         const std::string here = path + "/" + field.key;

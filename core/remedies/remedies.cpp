@@ -205,7 +205,8 @@ private:
         return way.keep(k, {*std::move(trial), offered});
     }
 
-    /// The nearer of both ways, as far as they were tried; at the same distance the quicker cycle.
+    /// The nearer remedy of both directions, as far as they were tried; at equal distance the
+    /// quicker cycle.
     std::optional<Remedy> remedyOf(const RemedySetting& setting) {
         std::array ways{SettingWay(setting, false), SettingWay(setting, true)};
         std::optional<Remedy> best;

@@ -47,7 +47,7 @@ namespace sparkout {
 enum class RemedyGoal {
     none,  ///< all requirements are met with a margin: nothing is searched
     holds, ///< every requirement is met, and the cycle ends by itself
-    room,  ///< none is close to its limit, either
+    room,  ///< also none is close to its limit
 };
 
 /// The key in files and on the command line: "holds".
@@ -128,7 +128,7 @@ struct RemedyConflict {
 /// The failure of the unchanged cycle.
 enum class RemedyFault {
     none,   ///< all is met
-    part,   ///< the part as stated
+    part,   ///< the nominal part
     stocks, ///< the nominal part is good, but another stock fails
     batch,  ///< every stock is good, but too many parts of the batch are rejected
 };

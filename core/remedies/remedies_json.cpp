@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// None for a starting cycle, of which the patch has all.
+/// Omitted for a starting cycle, which the patch contains.
 template <class Value>
 std::optional<Value> ofSetting(const Remedy& remedy, const Value& value) {
     return remedy.setting.isWholeCycle() ? std::nullopt : std::optional(value);

@@ -122,7 +122,7 @@ private:
         }
     }
 
-    /// A feed or speed: between these shares of it, within the machine's range, by its steps.
+    /// A feed or speed: between these shares of it, within the machine's range, in its steps.
     void addRate(const Target& target, const Limits& limits, double least, double most,
                  double highest = std::numeric_limits<double>::infinity()) {
         Range range = rangeOf(target);

@@ -20,9 +20,9 @@ enum class RemedyKind {
     dwellEntry, ///< whole revolutions
     dwellExit,  ///< whole revolutions
     workSpeed,
-    plungeFeed,    ///< at the reversal
-    addFeed,       ///< a stage more behind the last that feeds, with half of its stock: its feed
-    addSparkOut,   ///< a spark-out more behind all: its double strokes or revolutions
+    plungeFeed, ///< at the reversal
+    addFeed, ///< an additional stage after the last feeding one, with half of its stock: its feed
+    addSparkOut,   ///< an additional spark-out at the end: its double strokes or revolutions
     stockWithFeed, ///< of the finishing stage, with another feed of the first
     startingCycle, ///< all stages, work speed, overruns and dwells: withStartingCycle()
 };
@@ -35,7 +35,7 @@ struct RemedySetting {
     RemedyKind kind;
     std::size_t stage = 0; ///< changed stage, or the one before an added stage; from 0
     std::size_t other = 0; ///< stage that takes the difference of the stock
-    double before = 0;     ///< the value there is; of a stage more the one with which all stays
+    double before = 0;     ///< current value; for an additional stage that without effect
     double low = 0, high = 0;
     SettingScale scale;
     double feed = 0, feedBefore = 0; ///< for a pair: that of the first stage
@@ -47,8 +47,8 @@ struct RemedySetting {
     /// Makes a starting cycle for the project, which stays the same for all parts of the batch and
     /// for an unworn wheel.
     void make(const Project& project);
-    /// The input that is changed, "/cycle/stages/1/radial_feed_mm"; of a stage more the stage that
-    /// is added, of a starting cycle its first stage.
+    /// The changed input, "/cycle/stages/1/radial_feed_mm"; for an additional stage that stage, for
+    /// a starting cycle its first stage.
     [[nodiscard]] std::string path(const Project& project) const;
     /// The path of an input of the unchanged project, whose row has label, symbol and unit.
     [[nodiscard]] std::string rowPath(const Project& project) const;

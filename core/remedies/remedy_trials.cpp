@@ -131,7 +131,7 @@ std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, doubl
     } else if (trial.holds) {
         std::optional<Project> fails = failingStock(changed);
         if (isOver()) {
-            return {}; // perhaps within it
+            return {}; // possibly incomplete
         }
         trial.holds = !fails;
         if (fails) {

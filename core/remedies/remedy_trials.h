@@ -80,7 +80,7 @@ private:
     std::optional<Nearest> m_opposed, m_several, m_closest;
     std::optional<Nearest> m_stocks;    ///< all is met but for another stock, by the least
     std::optional<Nearest> m_batch;     ///< all is met but for too many parts of the batch
-    int m_candidates = 0;               ///< changes that were tried on stocks drawn for them
+    int m_candidates = 0;               ///< changes tried on random stocks
     int m_drawnBatches = 0;             ///< and on parts of the batch
     std::optional<Nearest> m_idleTrial; ///< the first that meets all, with a stage more run over
 };

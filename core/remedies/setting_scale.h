@@ -5,7 +5,7 @@
 
 namespace sparkout {
 
-/// The values a setting can be given, in order: each has a whole number, its place.
+/// The possible values of a setting, in order: each has a whole number, its place.
 class SettingScale {
 public:
     /// base + k·step.

@@ -24,7 +24,7 @@ std::string digitsOf(double number) {
     return error == std::errc() ? std::string(text.data(), end) : std::string();
 }
 
-/// More than any search counts; a thousand of them can be summed without an overflow.
+/// Greater than any count; a thousand of them can be added without overflow.
 constexpr std::int64_t mostCounted = 1'000'000'000'000'000;
 
 /// Throws the error of a value with the expected one; caught only in this file.

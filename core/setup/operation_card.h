@@ -56,8 +56,8 @@ struct CardLine {
     std::optional<CardRegime> regime;   ///< for a regime
     std::optional<double> main_min;     ///< T_o of a transition
     std::optional<double> auxiliary_min; ///< T_a of a transition
-    std::vector<double> commands_mm;     ///< settings: stock per side at which each stage ends
-    std::vector<std::size_t> measured;   ///< control: the surfaces, of which `surface` is the first
+    std::vector<double> commands_mm;     ///< settings: stock per side at the end of each stage
+    std::vector<std::size_t> measured;   ///< control: the surfaces, beginning with `surface`
 };
 
 /// A measuring device: surfaces measured with the same kind form one transition.

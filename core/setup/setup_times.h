@@ -19,7 +19,7 @@ struct SetupTimes {
     std::optional<double> auxiliary_min; ///< T_a; not given: the sum of the times above [min]
     double service_percent = 0;          ///< share of T_o + T_a for service and rest [%]
     double preparation_min = 0;          ///< T_p, for the batch [min]
-    int batch_size = 1;                  ///< parts that share it
+    int batch_size = 1;                  ///< number of parts that share it
     std::optional<double> piece_min;     ///< T_1; not given: (T_o + T_a)·(1 + service/100) [min]
     friend bool operator==(const SetupTimes&, const SetupTimes&) = default;
 };

@@ -13,7 +13,7 @@ namespace sparkout {
 /// tolerance, on the nominal diameter, over the ground length without its gaps.
 [[nodiscard]] double nominalVolume_mm3(const Project& project);
 
-/// The set-up with a wheel that was just dressed, which compensates the wear of its radius.
+/// The set-up with a newly dressed wheel, without wear of its radius.
 [[nodiscard]] Setup dressedSetup(Setup setup);
 
 /// One surface of a set-up, ground in part after part between two dressings.
@@ -38,7 +38,7 @@ struct SurfaceWear {
 /// counts with its stock by the drawing. A value type.
 class WheelCourse {
 public:
-    /// Runs the surfaces before. `surface` must outlive the course and its copies.
+    /// Runs the earlier surfaces. `surface` must outlive the course and its copies.
     explicit WheelCourse(const SurfaceWear& surface, const std::stop_token& stop = {});
     /// The course for a cycle that removes this volume from the surface of the first part; runs the
     /// later surfaces. After a stop the result must not be used.

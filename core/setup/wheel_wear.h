@@ -20,7 +20,7 @@ struct WheelWear {
     friend bool operator==(const WheelWear&, const WheelWear&) = default;
 };
 
-/// Metal that cycles have removed since the wheel was dressed.
+/// Metal removed by cycles since the wheel was dressed.
 struct RemovedMetal {
     double volume_mm3 = 0; ///< V_w
     /// S = Σ V/b, b the width of the wheel in contact: in plunge grinding the ground length,
@@ -48,7 +48,7 @@ struct RemovedMetal {
 [[nodiscard]] Wheel wheelAfter(const Wheel& dressed, const WheelWear& wear,
                                const RemovedMetal& removed);
 
-/// Gives a project that has the dressed wheel the worn one, with V_k as its drive has it.
+/// Replaces the dressed wheel of a project by the worn one, with V_k by its drive.
 void wearWheel(Project& project, const WheelWear& wear, const RemovedMetal& removed);
 
 /// Whether a wheel that has removed this metal can wear no further: it is fully dull, and keeps its

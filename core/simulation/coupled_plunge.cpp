@@ -203,7 +203,7 @@ bool SectionCoupling::balance(std::size_t block, const std::stop_token& stop) {
     return true;
 }
 
-// The start of a radius that not all sections cut; false where the wheel does not reach all.
+// The start of a radius that not all sections cut; false if the wheel does not reach all.
 bool SectionCoupling::begin(std::size_t block, std::size_t k) {
     for (std::size_t j = 0; j < m_sections; ++j) {
         m_oneLag[j] = m_lag[j].of[k];
@@ -325,7 +325,7 @@ double SectionCoupling::forceOf(const Row* roots, std::size_t block, std::size_t
                            : m_law.normal(m_sliceWidth, u);
 }
 
-// A free gauge is moved by all forces.
+// All forces deflect a free gauge.
 void SectionCoupling::imposeGauge(CutWidth& width) {
     for (std::size_t k = 0; k < m_radii; ++k) {
         const double lag = m_fed[k / sideBySide].of[k % sideBySide] - m_gaugeDepth[k];
@@ -373,7 +373,7 @@ void SectionCoupling::keepPeaks(const Place& at) {
     keep(peaks.power_w, m_tangential, m_wheelSpeed_m_s);
 }
 
-/// The section that radius k is cut deepest in, the first of them.
+/// The first of the sections with the deepest cut of radius k.
 std::size_t SectionCoupling::deepest(std::size_t k) const {
     const Row* roots = &m_root[k / sideBySide * m_sections];
     std::size_t most = 0;

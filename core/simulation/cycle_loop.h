@@ -10,7 +10,7 @@ namespace sparkout {
 
 /// Readings at the end of a step.
 struct StepReading {
-    double remaining_mm = 0; ///< stock per side, as the gauge reads it
+    double remaining_mm = 0; ///< stock per side, by the gauge
     double fed_mm = 0;       ///< t_П
     double time_s = 0;
     double root = 0; ///< largest √a of the step [√mm]

@@ -15,8 +15,8 @@ struct Spread {
     double min = 0, mean = 0, max = 0;
 };
 
-/// A stretch of time of one zone or section, summed up over its radii: one double stroke or
-/// revolution, one pass, or (all three of a spread equal) one radius of one pass.
+/// One zone or section within a span of time, summed up over its radii: one double stroke or
+/// revolution, one pass, or (with equal values of a spread) one radius of one pass.
 struct FeedPoint {
     Place place;
     int radius = -1; ///< k of a point of one radius; −1: all radii
@@ -42,7 +42,7 @@ struct FeedColumn {
     FeedPoints strokes;                 ///< one point for each double stroke or revolution, thinned
 };
 
-/// A stage as it was run; stages that ended before they began are not listed.
+/// A stage that was run; stages without a step are not listed.
 struct StageSpan {
     int stage = 1;
     double start_s = 0;

@@ -149,7 +149,7 @@ double LimitWatch::worst(const Lanes& lanes, const PassRange& range) const {
     return most;
 }
 
-/// The visit of this pass that is the worst so far.
+/// Keeps the worst visit of this pass.
 void LimitWatch::keep(const Lanes& lanes, const PassRange& range, const Place* places) {
     const std::size_t end = range.first + range.count;
     if (m_lane < range.first || m_lane >= end || usage(lanes, m_lane) != m_usage) {

@@ -48,7 +48,7 @@ public:
         double duration_s = 0;
         double overlap = 1; ///< B·n/S_ax of a double stroke
         std::size_t stage = 0;
-        bool isSpiral = false; ///< a revolution in which the infeed grows with the angle
+        bool isSpiral = false; ///< a revolution with an infeed that grows with the angle
     };
     /// Takes the end of a revolution or double stroke.
     void stepDone(const Lanes& lanes, const Step& step) {

@@ -27,7 +27,7 @@ std::vector<CompliantPoint> points(const Project& project, const std::stop_token
     return sections;
 }
 
-/// Revolutions: all sections are fed by the same t_П, each for itself or coupled [MODEL-6].
+/// Makes revolutions: all sections are fed to the same t_П, independent or coupled [MODEL-6].
 class PlungeSteps : public CycleSteps, public RadiusFollower {
 public:
     PlungeSteps(const Project& project, Trajectory* trajectory, const std::stop_token& stop)

@@ -14,7 +14,7 @@ namespace sparkout {
 /// A zone of traverse grinding, or a section of plunge grinding.
 enum class Zone { rz1, nz, rz2, section };
 
-/// The steps E1…E5 of a double stroke as a zone sees them; plunge passes have none.
+/// The steps E1…E5 of a double stroke for a zone; plunge passes have none.
 enum class Step { none, e1, e2, e3, e4, e5 };
 
 enum class RunStatus {
@@ -40,7 +40,7 @@ struct Place {
     int revolution = 0; ///< revolution within the step (traverse)
 };
 
-/// Largest value of a quantity over the passes, and where it was first reached.
+/// Largest value of a quantity over the passes, and the place where it was first reached.
 struct Peak {
     double value = 0;
     Place at;
@@ -114,7 +114,7 @@ struct SectionResult {
 
 /// Result of one cycle, a value that contains the inputs to which it belongs.
 struct SimulationResult {
-    Project project;           ///< the inputs as run, without kept runs
+    Project project;           ///< inputs of the run, without kept runs
     std::string engineVersion; ///< version of the program that ran it
     RunStatus status = RunStatus::completed;
     double time_s = 0;

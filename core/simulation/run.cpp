@@ -176,7 +176,7 @@ double Run::cutLanes(const CutWidth& width, const PassFeed& feed, const PassRang
                          : cutWithThreshold(m_lanes, width.coefficients, feed, range);
 }
 
-/// Gathers for this stage from the next pass on.
+/// Collects the sums of this stage from the next pass on.
 void Run::openStage(std::size_t stage) {
     if (stage != m_openStage) {
         closeStage();
@@ -184,7 +184,7 @@ void Run::openStage(std::size_t stage) {
     }
 }
 
-/// Σa is how far the radii have moved since the stage began; Σ√a (Σv with a threshold) was added up
+/// Σa is the movement of the radii since the stage began; Σ√a (Σv with a threshold) was added up
 /// lane by lane.
 void Run::closeStage() {
     StageSums& sums = m_result.sumsByStage[m_openStage];
@@ -370,7 +370,7 @@ std::pair<double, double> Run::diameterDeviations(std::size_t point) const {
 
 std::size_t Run::deepestLane(std::size_t point) const {
     const auto begin = m_lanes.depth_mm.begin() + static_cast<std::ptrdiff_t>(point) * m_radii;
-    const auto reached = [](double a, double b) { // a gap is no radius
+    const auto reached = [](double a, double b) { // NaN in a gap
         return (a < beyondReach_mm ? a : -beyondReach_mm)
                < (b < beyondReach_mm ? b : -beyondReach_mm);
     };

@@ -164,7 +164,7 @@ public:
 private:
     static constexpr std::size_t zoneCount = 3;
 
-    /// The zones' middles, and their sections where they are several.
+    /// The zones' middles, followed by their sections if there are several.
     static std::vector<CompliantPoint> pointsOf(const Project& project,
                                                 const std::stop_token& stop) {
         std::vector<CompliantPoint> points = compliantPoints(project, stop);
@@ -410,7 +410,7 @@ private:
     }
 
     const Project& m_project;
-    std::size_t m_inZone;            ///< sections, 0 where a zone is its middle
+    std::size_t m_inZone;            ///< number of sections, 0 if a zone is its middle
     std::vector<Place> m_places;     ///< places of the sections in a pass
     std::vector<double> m_wayShares; ///< of the sections
     std::shared_ptr<const CutWidth> m_plunge1, m_plunge2, m_stroke; ///< shared by copies

@@ -108,7 +108,7 @@ Settings axialFeeds(const Project& project) {
 
 // --- work speed ---------------------------------------------------------------------------------
 
-/// V [m/min], raised by a factor against burning.
+/// V [m/min], increased by a factor against burning.
 double peripheralSpeed(const Project& project, double rise) {
     const Material& material = *project.material;
     const bool isSoft =
@@ -223,7 +223,7 @@ private:
     int m_passes;
 };
 
-/// The greatest depth of cut at which a value that rises with it is not above another [mm].
+/// The greatest depth of cut at which a rising value does not exceed a limit [mm].
 template <class Rising>
 double greatestDepth(const Rising& rising, double most) {
     constexpr double deepest_mm = 0.05;

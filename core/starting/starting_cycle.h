@@ -25,12 +25,12 @@ enum class RoughBound {
 /// "the wheel drive's power"; to be translated as "StartingCycle".
 [[nodiscard]] const char* roughBoundText(RoughBound bound);
 
-/// A project with a starting cycle, and why its roughing is no deeper.
+/// A project with a starting cycle, and the bound of its roughing depth.
 struct StartingCycle {
     Project project;
     RoughBound bound = RoughBound::table;
     bool isExceeded = false;  ///< the machine's lowest feed is more than that allows
-    double roughDepth_mm = 0; ///< a, fed by a revolution or a double stroke of roughing [mm]
+    double roughDepth_mm = 0; ///< a, infeed per revolution or double stroke of roughing [mm]
     double tableShare = 1;    ///< relative to the usual depth
 };
 

@@ -78,7 +78,7 @@ inline constexpr StartingNumber wornDullness{1.5, "", "dullness of a worn wheel 
                                              ""};
 inline constexpr StartingNumber wornStress{
     1.1, "", "flow stress of the strongest part over the given one", ""};
-/// S_ax of roughing: a lesser one where power or deflection binds and more is removed so.
+/// S_ax of roughing: reduced if power or deflection binds and removal then increases.
 inline constexpr std::array<StartingNumber, 5> axialShares{
     {{0.5, "B·n", "unhardened; MH31", "MH31"},
      {0.4, "B·n", "hardened; MH31 has 0.25", ""},
@@ -149,7 +149,7 @@ inline constexpr StartingNumber finishStockStep{0.005, "mm", "Π of finishing is
 inline constexpr StartingNumber greatestFinishStock{0.5, "Π", "Π of finishing at most", ""};
 inline constexpr StartingNumber stockStep{0.0005, "mm", "Π of the spark-out is rounded to", ""};
 
-// Steps of settings where the machine states none.
+// Steps of settings where the machine gives none.
 inline constexpr StartingNumber infeedStep{0.0005, "mm", "of S_t", ""};
 inline constexpr StartingNumber axialStep{10, "mm/min", "of S_ax", ""};
 inline constexpr StartingNumber plungeStep{0.01, "mm/min", "of S_p and S_rad", ""};

@@ -24,7 +24,7 @@ constexpr const char* usualMachine = "3М151";
 constexpr const char* usualInternalMachine = "3К227";
 constexpr const char* usualMaterial = "40Х";
 
-/// The kind of operation whose wheel travels along the part, or does not.
+/// The kind of operation with or without a wheel travelling along the part.
 Operation operationThat(bool travels) {
     const std::size_t kinds = choicesOf<Operation>().size();
     for (std::size_t i = 0; i < kinds; ++i) {
@@ -69,7 +69,7 @@ const Entry* chosen(const std::string& name, const Entry* usual, const char* pat
     return entry;
 }
 
-/// A cylinder without steps, ground on its whole length.
+/// A cylinder without steps, ground along its whole length.
 Shaft plainCylinder(const Project& project) {
     Shaft shaft;
     shaft.segments = {{project.part->length_mm, project.part->diameter_mm}};

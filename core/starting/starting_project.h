@@ -60,7 +60,8 @@ startingEntries(const StartingNames& names, const StartingDrawing& drawing, Issu
 /// grind the part with these.
 [[nodiscard]] Project withStartingCycle(Project project);
 
-/// Whether the shaft is a plain cylinder, ground on its whole length, or the quill of a bore alone.
+/// Whether the shaft is a plain cylinder, ground along its whole length, or only the quill of a
+/// bore.
 [[nodiscard]] bool hasPlainShaft(const Project& project);
 /// The project with such a shaft for its diameter and length.
 [[nodiscard]] Project withPlainShaft(Project project);
@@ -68,7 +69,7 @@ startingEntries(const StartingNames& names, const StartingDrawing& drawing, Issu
 /// A starting cycle, or the reason why there is none.
 struct StartingAnswer {
     std::optional<StartingCycle> start; ///< with a valid project
-    Issues issues;                      ///< errors, or warnings beside a project
+    Issues issues;                      ///< errors, or warnings with a project
 };
 
 /// A complete project for a drawing on a machine: part, shaft, material, wheel and machine by the

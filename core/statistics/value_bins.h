@@ -8,7 +8,7 @@
 
 namespace sparkout {
 
-inline constexpr std::size_t factorKinds = 16; ///< factors that a batch may have
+inline constexpr std::size_t factorKinds = 16; ///< greatest number of factors of a batch
 
 /// Ranks of a part's factors within their laws, from −2¹⁹ to 2¹⁹: whole numbers, so that their sums
 /// are exact. Missing factors are 0 after the others.
@@ -49,7 +49,7 @@ public:
 
     /// The values in bins at least as wide as those of a level.
     [[nodiscard]] ValueBins atLeast(int level) const;
-    /// Width of a bin of a characteristic of this resolution.
+    /// Bin width for a characteristic's resolution.
     [[nodiscard]] double width(double resolution) const;
     /// The outermost numbers of bins at a level.
     [[nodiscard]] static std::int64_t lowest(int level);

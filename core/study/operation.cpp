@@ -23,7 +23,7 @@ constexpr double usualCompliance_mm_per_n = 1.5e-4;
 /// mm/min of plunge feed for one mm per double stroke: a usual pair is 0.4 and 0.004.
 constexpr double plungePerTraverseFeed = 100;
 
-/// Cut to six significant digits, as one would enter it.
+/// Cut to six significant digits, as people enter numbers.
 double rounded(double value) {
     if (value == 0) {
         return 0;
@@ -98,7 +98,7 @@ void makePlunge(Project& project) {
     project = fitted(std::move(project), Operation::plunge);
 }
 
-/// The wheel turns at the wall of a blind bore, or before it; no other overrun is negative.
+/// Keeps the wheel from passing the wall of a blind bore; no other overrun is negative.
 void keepOffTheWall(Project& project) {
     Machine& machine = *project.machine;
     const bool wall = project.part->surface == Surface::internal && project.part->blind_bore;

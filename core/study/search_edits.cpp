@@ -29,7 +29,7 @@ double roundStep(double value) {
     return power * (digits < 1.5 ? 1 : digits < 3.5 ? 2 : digits < 7.5 ? 5 : 10);
 }
 
-/// The preferred numbers R5 from one to the other, both of which are among them [ISO 3].
+/// The preferred numbers R5 between two of them, inclusive [ISO 3].
 std::vector<double> preferred(double from, double to) {
     constexpr std::array series{1.0, 1.6, 2.5, 4.0, 6.3};
     std::vector<double> values{from};

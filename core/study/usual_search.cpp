@@ -50,7 +50,7 @@ bool isHard(const Project& project) {
 /// The feeds of a stage that a machine can be set to.
 class FeedSteps {
 public:
-    /// `usual`: the step where the machine states none.
+    /// `usual`: the step if the machine gives none.
     FeedSteps(const Project& project, const StageFeed& feed, double usual) {
         const Range hard = tableOf<Optimisation>().find(feed.key)->hard;
         const auto& range = project.machine->limits.*feed.range;
@@ -167,7 +167,7 @@ private:
         return {0.6 * now, std::max(std::min(2 * now, most_mm), now)};
     }
 
-    /// Levels of a feed for roughing and finishing, and which of them are for which.
+    /// Sets levels of a feed for roughing and finishing, and their assignment.
     void put(Optimisation& search, const StageFeed& feed, double step, const FeedRange& rough,
              const FeedRange& finish) const {
         const FeedSteps steps(m_project, feed, step);
@@ -251,7 +251,7 @@ private:
 
     const Project& m_project;
     std::vector<Stage> m_feeding;
-    int m_sparkOut = 0; ///< steps; 0: the cycle has none
+    int m_sparkOut = 0; ///< steps; 0: no spark-out
 };
 
 } // namespace

@@ -63,7 +63,7 @@ struct SweepResult {
     std::vector<SweepQuantity> quantities; ///< all that any point has
     std::vector<SweepPoint> points;        ///< the first input's values, for each of the second's
     bool stopped = false;
-    Issues issues; ///< why no point was run, as checkSweep() has them
+    Issues issues; ///< why no point was run, by checkSweep()
 
     [[nodiscard]] bool ran() const { return issues.empty(); }
     [[nodiscard]] std::size_t index(std::size_t first, std::size_t second = 0) const {
@@ -76,7 +76,7 @@ struct SweepResult {
 struct SweepOptions {
     int threads = 0; ///< 0: as many as the processor runs at once
     std::stop_token stop;
-    std::atomic<std::int64_t>* done = nullptr; ///< points done, while it runs
+    std::atomic<std::int64_t>* done = nullptr; ///< number of finished points during the run
 };
 
 /// The faults that prevent the sweep of a project; refused inputs are found only at each point.

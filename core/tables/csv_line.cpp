@@ -67,7 +67,7 @@ std::string escaped(std::string_view text) {
         if (isCode || (escapes > 0 && codeNamed(text))) {
             cell.append(escapes, backslash); // doubles each of them before a code
         }
-        // Bytes that are not UTF-8 are shown as such.
+        // Bytes that are not UTF-8 are shown as codes.
         cell += isCode      ? codeText(code)
                 : size == 0 ? printable(text.substr(0, 1))
                             : std::string(text.substr(0, size));

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-/// Writing tables that TableReader reads again, cell by cell the same.
+/// Writes tables that TableReader reads back identically, cell by cell.
 namespace sparkout {
 
 /// Whether a spreadsheet would take a cell with this text for a formula: it begins with = + - @, a
@@ -24,7 +24,7 @@ namespace sparkout {
 /// Whether it may be another than the cell.
 [[nodiscard]] bool isChangedInCell(std::string_view cell);
 
-/// A line of a table while it is written.
+/// A line of a table being written.
 class CsvLine {
 public:
     explicit CsvLine(TableDialect dialect = {}) : m_dialect(dialect) {}

@@ -36,13 +36,13 @@ public:
     /// The text must outlive it.
     explicit TableReader(std::string_view text, char delimiter, Spaces spaces = Spaces::trimmed);
 
-    /// Reads a row; false: there are no more.
+    /// Reads a row; false at the end.
     [[nodiscard]] bool next();
     /// Of the last row; valid until the next one is read.
     [[nodiscard]] const std::vector<std::string_view>& cells() const { return m_cells; }
     [[nodiscard]] std::size_t line() const { return m_line; } ///< first line of the row, from 1
     [[nodiscard]] bool isBlank() const { return m_cells.size() == 1 && m_cells.front().empty(); }
-    [[nodiscard]] bool isEmpty() const; ///< none of its cells has anything
+    [[nodiscard]] bool isEmpty() const; ///< all of its cells are empty
     /// Whether one of its cells begins with a quotation mark that does not close it.
     [[nodiscard]] bool hasStrayMark() const { return m_hasStrayMark; }
 

@@ -20,7 +20,7 @@ constexpr std::u16string_view upper1251 = u"ЂЃ‚ѓ„…†‡€‰Љ‹ЊЌ
                                           u"ђ‘’“”•–—\uFFFD™љ›њќћџ"
                                           u"\u00A0ЎўЈ¤Ґ¦§Ё©Є«¬\u00AD®Ї"
                                           u"°±Ііґµ¶·ё№є»јЅѕї";
-/// 0x80…0x9F of Windows-1252; above them it is Latin-1.
+/// 0x80…0x9F of Windows-1252; the rest is Latin-1.
 constexpr std::u16string_view upper1252 = u"€\uFFFD‚ƒ„…†‡ˆ‰Š‹Œ\uFFFDŽ\uFFFD"
                                           u"\uFFFD‘’“”•–—˜™š›œ\uFFFDžŸ";
 static_assert(upper1251.size() == 0x40 && upper1252.size() == 0x20);
@@ -187,7 +187,7 @@ bool hasControls(std::string_view bytes) {
 
 /// Whether it is UTF-8 except for a few bytes.
 bool isDamagedUtf8(std::string_view bytes) {
-    constexpr std::size_t few = 3; // times as many characters that are valid
+    constexpr std::size_t few = 3; // ratio of valid characters
     std::size_t valid = 0, others = 0;
     while (!bytes.empty()) {
         bytes.remove_prefix(asciiBytes(bytes));

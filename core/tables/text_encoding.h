@@ -15,8 +15,7 @@ enum class TextEncoding { utf8, utf16le, utf16be, utf32le, utf32be, windows1251,
 /// others Windows-1251.
 [[nodiscard]] TextEncoding encodingOf(std::string_view bytes);
 
-/// The text in valid UTF-8, without a byte order mark. Bytes that form no character become
-/// U+FFFD.
+/// The text in valid UTF-8, without a byte order mark. Invalid bytes become U+FFFD.
 [[nodiscard]] std::string decodedText(std::string_view bytes, TextEncoding encoding);
 
 /// Whether all of it is valid UTF-8.

@@ -41,13 +41,13 @@ std::size_t widthOf(double value, const Column& column) {
     return static_cast<std::size_t>(all);
 }
 
-/// The sheets one after the other, as XML in the archive.
+/// Writes the sheets one after the other as XML into the archive.
 class SheetWriter {
 public:
     SheetWriter(ZipWriter& zip, SharedTexts& texts, const KeepGoing& keepGoing, std::size_t allRows)
         : m_zip(zip), m_texts(texts), m_keepGoing(keepGoing), m_allRows(allRows) {}
 
-    /// False: it was given up.
+    /// False after a cancellation.
     bool write(const Sheet& sheet);
 
 private:
@@ -153,7 +153,7 @@ void SheetWriter::addCell(const Cell& cell, int style) {
         }
     } else if (const auto* written = std::get_if<std::string>(&cell);
                written && !written->empty()) {
-        // The mark before a text that would become a formula when it is edited.
+        // The mark of a text that would become a formula when edited.
         addText(*written, readsAsFormula(*written) ? text : plain);
     }
 }

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-/// Workbooks as Excel, LibreOffice and others read them (Office Open XML): the one writer of them,
-/// for window and command line. All texts are UTF-8.
+/// Workbooks for Excel, LibreOffice and others (Office Open XML): the only writer, for window and
+/// command line. All texts are UTF-8.
 namespace sparkout::xlsx {
 
 inline constexpr std::size_t mostRows = 1'048'576;    ///< of a sheet, with its head

@@ -52,7 +52,7 @@ bool isHexDigit(char c) {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'F') || (c >= 'a' && c <= 'f');
 }
 
-/// "_x0041_": read as the character of that code.
+/// "_x0041_": read as the character with that code.
 bool beginsWithEscape(std::string_view text) {
     constexpr std::size_t length = 7;
     return text.size() >= length && text.substr(0, 2) == "_x" && text[length - 1] == '_'

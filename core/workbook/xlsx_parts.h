@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-/// The files of a workbook beside its sheets (ECMA-376, part 1).
+/// The files of a workbook besides its sheets (ECMA-376, part 1).
 namespace sparkout::xlsx {
 
 /// Cell formats, in the order of the file's list; from `decimals` on the number of decimals.

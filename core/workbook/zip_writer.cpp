@@ -10,7 +10,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int level = 4; // half as large as the quickest, twice as quick as the usual
+constexpr int level = 4; // half as large as with the quickest, twice as quick as with the usual
 constexpr int rawDeflate = -15;
 constexpr int memory = 8;
 constexpr std::size_t roomBytes = std::size_t{64} * 1024;
