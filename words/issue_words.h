@@ -18,7 +18,7 @@ struct IssueWords {
 [[nodiscard]] IssueWords wordsOf(IssueCode code);
 [[nodiscard]] const char* wordsOf(Phrase phrase); ///< context "Limit"
 
-/// Writes issues: by itself in English, with numbers and paths as the file has them.
+/// Formulates issues; this class in English, with numbers and paths as in the file.
 class Wording {
 public:
     Wording() = default;

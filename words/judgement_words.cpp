@@ -62,7 +62,7 @@ std::string JudgementWording::percent(double share) const {
     return number(value, decimals);
 }
 
-/// "minimum diameter by 10.7 µm", of a setting its sentence.
+/// "minimum diameter by 10.7 µm", for a setting its sentence.
 std::string JudgementWording::failure(RunStatus status,
                                       const std::optional<ConstraintResult>& worst) const {
     if (status != RunStatus::completed || !worst) {

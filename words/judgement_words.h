@@ -10,7 +10,7 @@
 /// "Judgement": the command line prints them, the window and its documents translate them.
 namespace sparkout {
 
-/// Writes judgements: by itself in English.
+/// Formulates judgements; this class in English.
 class JudgementWording {
 public:
     JudgementWording() = default;

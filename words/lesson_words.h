@@ -9,8 +9,8 @@
 
 #include <string>
 
-/// Lessons, variants and marks in words, in English: for the command line, and, looked up in its
-/// language, the window.
+/// Texts about lessons, variants and marks, in English: for the command line, and translated in the
+/// window.
 namespace sparkout {
 
 /// A finding by its name in JSON.
@@ -25,7 +25,7 @@ namespace sparkout {
 /// The reason for rejecting levels; context "Variants".
 [[nodiscard]] const char* variantFaultText(VariantFault fault);
 
-/// Why a lesson has no variants at all; context "Variants".
+/// Why a lesson has no variants; context "Variants".
 [[nodiscard]] const char* lessonFaultText(LessonFault fault);
 
 /// The fault of a line in a list of students; context "Grading".
@@ -34,7 +34,7 @@ namespace sparkout {
 /// The result of a goal, in English: "passed: cycle time 2.310 min; required: at most 2.500 min".
 [[nodiscard]] std::string goalSentence(const Goal& goal, const GoalResult& result);
 
-/// A kept run whose numbers are not the engine's, in English.
+/// A kept run whose numbers differ from the engine's, in English.
 [[nodiscard]] std::string keptRunSentence(const KeptRunCheck& check);
 
 } // namespace sparkout

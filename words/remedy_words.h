@@ -10,7 +10,7 @@
 /// "Remedy": the command line prints them, the window translates them.
 namespace sparkout {
 
-/// Writes remedies of a project: by itself in English.
+/// Formulates the remedies of a project; this class in English.
 class RemedyWording {
 public:
     RemedyWording() = default;
@@ -18,7 +18,7 @@ public:
     RemedyWording(const RemedyWording&) = delete;
     RemedyWording& operator=(const RemedyWording&) = delete;
 
-    /// "S_t of stage 2 = 0.003 mm (0.0026…0.0034 mm)": the value to apply, and the interval of
+    /// "S_t of stage 2 = 0.003 mm (0.0026…0.0034 mm)": the value to apply, and the interval in
     /// which every value helps; "Starting cycle".
     [[nodiscard]] std::string change(const Project& project, const Remedy& remedy) const;
     /// "+24 s"; "the cycle takes 33 s" if the unchanged cycle does not end by itself; for a

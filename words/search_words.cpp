@@ -459,7 +459,7 @@ void SearchWording::addRefinement(const SearchOutcome& outcome,
     }
 }
 
-/// The stepless limit, and of which cycles it is.
+/// Adds the stepless limit, and the cycles to which it applies.
 void SearchWording::addLimit(const SearchOutcome& outcome, std::vector<std::string>& lines) const {
     const auto gap = gapToLimit(outcome.answer()->time_s, outcome.limit.time_s);
     if (!gap) {

@@ -15,7 +15,7 @@
 /// translation in the context "Search".
 namespace sparkout {
 
-/// Writes about searches: by itself in English, with the names that a file has.
+/// Formulates texts about searches; this class in English, with the names used in files.
 class SearchWording {
 public:
     SearchWording() = default;

@@ -19,7 +19,7 @@
 
 namespace sparkout {
 
-/// A colour by the palette that is drawn with.
+/// A colour that depends on the palette.
 using BarColour = std::function<QColor(const QPalette&)>;
 [[nodiscard]] BarColour barColour(Tone tone);
 [[nodiscard]] BarColour barColour(style::Drawn what);
@@ -39,19 +39,19 @@ struct BarBox {
     std::size_t kind = 0; ///< index among the chart's kinds, if it has several
 };
 
-/// Boxes of one colour, where a chart has several kinds of them.
+/// A kind of boxes with its colour, for a chart with several kinds.
 struct BoxKind {
     QString name;
     BarColour colour;
 };
 
-/// Values that are allowed, as a band behind the bars.
+/// Allowed values, as a band behind the bars.
 struct BarBand {
     double low = 0, high = 0;
     QString name;
 };
 
-/// A value with a name, as a line across the bars.
+/// A named value, as a line across the bars.
 struct BarLimit {
     double at = 0;
     QString name;
@@ -84,7 +84,7 @@ struct BarChart {
     bool hasTotals = false; ///< the stacks' heights are stated
     std::optional<BarBand> band;
     std::vector<BarLimit> limits;
-    std::optional<double> most; ///< bars beyond it are cut; their numbers are not
+    std::optional<double> most; ///< bars beyond it are cut, unlike their numbers
     Number number = {};         ///< a value as a text without its unit
     Number secondNumber = {};   ///< for the second axis
     QString centre = {};        ///< of a ring
@@ -108,7 +108,7 @@ struct BarChart {
     [[nodiscard]] QString description() const;
     /// A row for each category, with the visible series.
     [[nodiscard]] CsvTable table(const std::function<bool(std::size_t)>& shows) const;
-    /// Keys: the series in order, where hiding one leaves others.
+    /// Keys: the series in order, if hiding one leaves others.
     [[nodiscard]] LegendEntries legend(const QPalette& palette, bool isDimmed,
                                        const std::function<bool(std::size_t)>& shows) const;
 };

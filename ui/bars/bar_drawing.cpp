@@ -26,7 +26,7 @@ constexpr double ringRoom = 2.2;        ///< about a ring, in heights of a text
 constexpr double widestCategory = 0.58; ///< relative to the width, names beside lying bars
 constexpr double fieldAlpha = 0.22;
 constexpr double markWidth = 3;
-constexpr double lineOfCategory = 1.45; ///< a lying bar with its name, in heights of a text
+constexpr double lineOfCategory = 1.45; ///< a lying bar with its name, in text heights
 constexpr double leastType = 0.8;       ///< relative to the font, names under narrow bars
 
 QStringList linesOf(const QString& text) {
@@ -118,7 +118,7 @@ int BarDrawing::leastHeight(const BarChart& chart, const QFont& font) {
 
 // --- layout -------------------------------------------------------------------------------------
 
-/// The chart with the series that are not hidden, as far as they are drawn.
+/// The visible series of the chart.
 BarChart BarDrawing::drawnChart() const {
     BarChart drawn = m_chart;
     drawn.series.clear();
@@ -410,7 +410,7 @@ QString BarDrawing::totalText(std::size_t category) const {
                                                     : shownTotal(category));
 }
 
-/// A number's place, farther on where the line of a limit would run through it.
+/// The place of a number, moved away from the lines of limits.
 QRectF BarDrawing::beyondLimits(QRectF box, const Layout& layout, bool upwards) const {
     std::vector<double> lines;
     for (const BarLimit& limit : m_drawn.limits) {
@@ -627,7 +627,7 @@ void BarDrawing::paintSliceNumbers(QPainter& painter, const Layout& layout) {
 
 /// The largest font with which all texts fit, down to the least legible.
 QFont BarDrawing::fontFor(const QStringList& texts, double room) const {
-    constexpr double shrink = 0.95; // a font's widths do not follow its size evenly
+    constexpr double shrink = 0.95; // a font's widths do not scale evenly with its size
     const auto fits = [&](const QFont& font) {
         return std::ranges::all_of(
             texts, [&](const QString& text) { return widthOf(QFontMetricsF(font), text) <= room; });

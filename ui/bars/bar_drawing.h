@@ -16,7 +16,7 @@ class QPainter;
 
 namespace sparkout {
 
-/// A bar, a box or a slice, where it was painted.
+/// A painted bar, box or slice.
 struct BarPart {
     std::size_t series = 0, category = 0; ///< of the chart; for a box only the category counts
     QRectF rect;                          ///< for a slice, its bounding box

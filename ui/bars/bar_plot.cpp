@@ -84,7 +84,7 @@ LegendEntries BarPlot::legendEntries() const {
     return chart().legend(palette(), isDimmed(), [this](std::size_t i) { return shows(i); });
 }
 
-/// Lines and bands are no choice.
+/// Lines and bands cannot be chosen.
 LegendEntries BarPlot::besides(int) const {
     LegendEntries entries = legendEntries();
     std::erase_if(entries, [](const LegendEntry& entry) { return entry.key < 0; });

@@ -5,7 +5,7 @@ namespace sparkout {
 
 struct BarChart;
 
-/// An axis of values: round steps from `below` of them under 0 to `above` over it.
+/// An axis of values: round steps from `below` steps under 0 to `above` over it.
 struct BarScale {
     double step = 1;
     int below = 0, above = 1;

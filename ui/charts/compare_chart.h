@@ -13,12 +13,12 @@
 
 namespace sparkout {
 
-/// A run whose curves are drawn: of one of its zones or sections.
+/// A run to be drawn, with one of its zones or sections.
 struct ComparedFeeds {
     QString name; ///< for the legend
     std::shared_ptr<const FeedSeries> feeds;
     std::size_t column = 0;
-    int number = 0; ///< chooses the dash; 0: the present run
+    int number = 0; ///< index of the dash; 0: the current run
 };
 
 /// The feeds of several runs over one horizontal axis, the current run first, in two plots with a

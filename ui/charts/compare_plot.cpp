@@ -133,7 +133,7 @@ void ComparePlot::setAxis(CycleAxis axis) {
 void ComparePlot::fill() {
     clearGraphs();
     m_curves.clear();
-    for (std::size_t run = runs().size(); run-- > 0;) { // the present one on top
+    for (std::size_t run = runs().size(); run-- > 0;) { // the current one on top
         for (const Quantity quantity : quantities()) {
             QCPAxis* const value = axisOf(quantity);
             QCPGraph* const graph = addGraph(value->axisRect()->axis(QCPAxis::atBottom), value);
@@ -230,7 +230,7 @@ void ComparePlot::onMouse(QMouseEvent* event) {
     emit pointed(lines.join(u'\n'));
 }
 
-/// The visible curve of another run that passes nearest by, up or down.
+/// The visible curve of another run that passes nearest, above or below.
 const ComparePlot::Curve* ComparePlot::nearestCurve(const QPointF& at) const {
     const Curve* nearest = nullptr;
     double least = std::numeric_limits<double>::max();

@@ -34,7 +34,7 @@ public:
     void fit() override;
     void restyle() override;
 
-    /// Within a plot, wheel and drag move the time only.
+    /// Within a plot, wheel and drag move only the time.
     [[nodiscard]] QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const override;
 
     [[nodiscard]] const std::vector<ComparedFeeds>& runs() const { return m_chart.runs(); }

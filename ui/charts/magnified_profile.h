@@ -57,7 +57,7 @@ struct Reach {
 /// The largest 1-2-5 number with which all stays within 0.4…2 of the base circle, at most 10⁶.
 [[nodiscard]] double suitableMagnification(const Reach& reach, double base_mm);
 
-/// The 1-2-5 numbers from 1 on at which no sample is drawn through the centre.
+/// The 1-2-5 numbers from 1 on with which no sample is drawn through the centre.
 [[nodiscard]] std::vector<double> possibleMagnifications(const Reach& reach, double base_mm);
 
 } // namespace sparkout

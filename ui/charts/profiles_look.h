@@ -20,7 +20,8 @@ enum class ProfileLine {
     minimumZone,   ///< two circles of the minimum zone, in cross-sections
     inscribed,     ///< maximum inscribed circle and the smallest one around the profile about its
                    ///< centre
-    circumscribed, ///< minimum circumscribed circle and the one about its centre within all
+    circumscribed, ///< minimum circumscribed circle and the largest one within the profile about
+                   ///< its centre
     field,         ///< tolerance of the drawing
     gauge,         ///< position of the gauge along the axis
 };

@@ -175,7 +175,7 @@ QString briefly(const QString& text, qsizetype longest) {
     return text.size() > longest ? text.left(longest - 1) + u'…' : text;
 }
 
-/// A unit is never broken at its stroke.
+/// A unit is never broken at its slash.
 QString inOneLine(QString text) {
     return text.replace(u'/', QStringLiteral("\u2060/\u2060"));
 }

@@ -34,7 +34,7 @@ public:
 
     static constexpr QSize sample{42, 12}; ///< size of a line sample, and of the light beside it
 
-    void setRuns(std::vector<Run> runs); ///< the present one first; it cannot be unchecked
+    void setRuns(std::vector<Run> runs); ///< the current one first; it cannot be unchecked
     void setPresent(Run run);            ///< the others stay
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

@@ -123,7 +123,7 @@ QString VerdictWhy::place(const Outcome& outcome, const ConstraintResult& c) {
                                .arg(c.at->stage);
 }
 
-/// The largest axial feed with an overlap [mm/min]; with 1 it leaves no strips.
+/// The largest axial feed with an overlap [mm/min]; with an overlap of 1 it leaves no strips.
 QString mostAxialFeed(const Project& project, double overlap = 1) {
     return Names::significant(project.wheel->width_mm * project.machine->work_speed_rpm / overlap,
                               4);

@@ -229,7 +229,7 @@ void CopyTable::openMenu(const QPoint& at) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     QAction* rows = menu->addAction(tr("Copy the selected rows"));
-    rows->setShortcut(QKeySequence::Copy); // shown, and while the menu is open
+    rows->setShortcut(QKeySequence::Copy); // displayed, and while the menu is open
     rows->setEnabled(selectionModel() && !selectionModel()->selectedRows().isEmpty());
     connect(rows, &QAction::triggered, this, [this] { copySelected(); });
     QAction* action = menu->addAction(tr("Copy the table"));

@@ -36,7 +36,7 @@ public:
     /// selects the columns, which are kept under the table's object name. Requires that name.
     void setArrangeable(Settings* settings);
     void copy() const;         ///< all of it, with headings
-    void copySelected() const; ///< the selected rows; where none is, all of it
+    void copySelected() const; ///< the selected rows; without a selection the whole table
     void retranslate();        ///< the tool tip; the owner names the table
 
 signals:

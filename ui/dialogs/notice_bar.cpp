@@ -66,7 +66,7 @@ QWidget* NoticeBar::above(QWidget* content) {
 void NoticeBar::build() {
     while (QLayoutItem* item = m_rows->takeAt(0)) {
         item->widget()->hide();
-        item->widget()->deleteLater(); // perhaps one of its buttons is being clicked
+        item->widget()->deleteLater(); // one of its buttons may be clicked at this moment
         delete item;
     }
     for (const Notice& notice : m_notices) {

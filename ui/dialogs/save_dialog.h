@@ -47,7 +47,7 @@ struct SaveRequest {
 /// and offers to open it. Without settings the folder is the home folder.
 bool saveWithDialog(QWidget* window, Settings* settings, const SaveRequest& request);
 
-/// Words as the name of a file: parts joined, without the characters some system refuses.
+/// A file name from parts, without the characters that some system refuses.
 [[nodiscard]] QString fileNameOf(const QStringList& parts);
 
 } // namespace sparkout

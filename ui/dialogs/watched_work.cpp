@@ -39,7 +39,7 @@ public:
         auto* label = new QLabel(text);
         label->setTextFormat(Qt::PlainText);
         label->setWordWrap(true);
-        m_bar->setRange(0, 0); // busy, until it is known how far
+        m_bar->setRange(0, 0); // busy, until the progress is known
         m_bar->setMinimumWidth(barWidth);
         m_bar->setAccessibleName(tr("Progress"));
         auto* stop = new QPushButton(tr("&Stop"));

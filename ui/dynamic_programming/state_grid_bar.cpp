@@ -30,7 +30,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int wholePlay_ms = 30'000; ///< a large grid is played in about so long …
+constexpr int wholePlay_ms = 30'000; ///< approximate playing time of a large grid …
 constexpr int leastTick_ms = 40, mostTick_ms = 500;
 constexpr int leastGridSlider = 90; ///< width at the usual font size
 

@@ -26,7 +26,7 @@ class StateGridBar : public QWidget {
 public:
     explicit StateGridBar(QWidget* parent = nullptr);
 
-    void follow(const Project& project); ///< fills it, unless that is done or being done
+    void follow(const Project& project); ///< fills the grid, unless that is done or running
     void forget();                       ///< before another document
     /// The last filled grid; null if there is none, or if the project has no grid.
     [[nodiscard]] const StateGridOutcomePtr& outcome() const { return m_outcome; }

@@ -18,7 +18,7 @@ enum class Mark {
     error
 };
 
-/// A mark and the sentence that gives its reason.
+/// A mark and the sentence with its reason.
 struct Remark {
     Mark mark = Mark::none;
     QString reason;

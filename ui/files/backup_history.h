@@ -18,7 +18,7 @@ struct BackupCaps {
     int files = 25;
     int filesADay = 5;
     qint64 bytes = qint64{100} << 20;
-    std::chrono::seconds apart{300}; ///< a version sooner after the last one is not kept
+    std::chrono::seconds apart{300}; ///< least time between kept versions
 };
 
 /// An earlier version of a file.

@@ -34,8 +34,7 @@ const char* keyOf(CatalogueKind kind) {
     return keys[static_cast<int>(kind)];
 }
 
-/// Why a catalogue's text is refused: its first fault, at the input it is about where it is about
-/// one.
+/// Why a catalogue's text is refused: its first fault, with the input if it concerns one.
 QString faultText(const Issues& issues, CatalogueKind kind) {
     const auto first = std::find_if(issues.begin(), issues.end(), [](const Issue& issue) {
         return issue.severity == Severity::error;

@@ -44,8 +44,8 @@ public:
     [[nodiscard]] const QString& fault() const { return m_fault; }
 
     virtual void refresh() = 0; ///< reads the user's file
-    /// Moves an unreadable file to a name that is free, so that a new one can be begun.
-    /// @param[out] aside that name, where it succeeds
+    /// Renames an unreadable file, so that a new one can be begun. @param[out] aside the new name,
+    /// on success
     [[nodiscard]] QString putAside(QString& aside);
 
     // Each returns the reason why nothing was written; empty on success. Saves the project's values

@@ -25,7 +25,7 @@ struct DiskState {
     enum class Kind { missing, unreadable, file };
     Kind kind = Kind::missing;
     QByteArray hash;         ///< of the contents, for Kind::file
-    std::uint64_t links = 1; ///< names the file has
+    std::uint64_t links = 1; ///< number of hard links
 };
 
 [[nodiscard]] std::optional<FileStamp> stampOf(const QString& path);

@@ -22,7 +22,7 @@ public:
     /// Protects the file, and keeps recovery files in this folder, too.
     void protect(const QString& stateFolder, Autosave::Times times = {});
 
-    /// Saves the document and, when all of it is known to be on the disk, marks it saved.
+    /// Saves the document and, once it is completely on the disk, marks it as saved.
     [[nodiscard]] std::optional<FileError> save(const QString& path);
     void followDocument(); ///< also after reloading
 

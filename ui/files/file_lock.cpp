@@ -30,7 +30,7 @@ QString helperOf(const QString& lock) {
     return lock + QStringLiteral(".rmlock");
 }
 
-/// A program killed while it removed a dead lock leaves the helper behind.
+/// A program killed while removing a dead lock leaves the helper behind.
 void removeHelper(const QString& lock) {
     const QString helper = helperOf(lock);
     if (QFileInfo::exists(helper)) {

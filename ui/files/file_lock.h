@@ -32,7 +32,7 @@ public:
         held,
         conflict, ///< held by somebody else, see holder()
         noRight,  ///< the folder is not writable
-        failed,   ///< the lock could not be written, by a full disk for one
+        failed,   ///< the lock could not be written, for instance on a full disk
         noLock,   ///< another object has the lock's name: see strange()
     };
 

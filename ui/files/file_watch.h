@@ -21,7 +21,7 @@ public:
     /// Watches this file, known to have `hash`. An empty path ends it.
     void follow(const QString& path, const QByteArray& hash);
     void pause(); ///< until follow(), while the document writes the file
-    void check(); ///< answered by changed(), later
+    void check(); ///< reports by changed(), later
 
 signals:
     /// The file differs from the document's; emitted once for each contents.

@@ -40,7 +40,7 @@ public:
     [[nodiscard]] const LockHolder& holder() const { return m_claim.holder(); }
     /// The obstacle to locking the file; empty if there is none.
     [[nodiscard]] const QString& strangeLock() const { return m_lock.strange(); }
-    /// A file that nobody works in, such as an example, needs no lock until it is saved to.
+    /// A file that nobody edits, such as an example, needs no lock until it is saved to.
     void unlock() { m_lock.release(); }
 
     /// The contents in the window are those of this file, which has this hash; without a hash it

@@ -32,7 +32,7 @@ struct RecoveryContent {
     std::optional<Setup> setup; ///< absent: the file is damaged
 };
 
-/// The header alone, and whether the text behind it is the one that was written.
+/// The header, and whether the text after it is undamaged.
 struct RecoveryGlance {
     RecoveryHeader header;
     bool whole = false;
@@ -42,7 +42,7 @@ struct RecoveryGlance {
 
 /// The readable part: for a damaged file perhaps the header, perhaps nothing.
 [[nodiscard]] RecoveryContent readRecovery(std::string_view text);
-/// Much quicker: the project is not read.
+/// Much quicker, without reading the project.
 [[nodiscard]] RecoveryGlance glanceAtRecovery(std::string_view text);
 
 } // namespace sparkout

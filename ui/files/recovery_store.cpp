@@ -164,7 +164,7 @@ RecoveryItem RecoveryStore::readItem(const QString& file) {
     // The header adds to the greatest size of a project.
     const auto read = readFile(systemPath(file), limits::fileBytes + (64u << 10));
     if (const auto* text = std::get_if<std::string>(&read)) {
-        RecoveryGlance glance = glanceAtRecovery(*text); // the project is read when it is chosen
+        RecoveryGlance glance = glanceAtRecovery(*text); // the project is read when chosen
         item.header = std::move(glance.header);
         if (glance.whole) {
             item.state = RecoveryItem::State::ready;

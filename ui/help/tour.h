@@ -23,7 +23,7 @@ struct TourStep {
     std::function<QString()> text;
 };
 
-/// A walk through the window: a balloon beside one part after the other. Escape ends it.
+/// A tour of the window: a balloon beside one part after the other. Escape ends it.
 class Tour : public QObject {
     Q_OBJECT
 
@@ -45,7 +45,7 @@ protected:
 
 private:
     void go(int by);
-    bool showStep(); ///< false: its part is not in sight
+    bool showStep(); ///< false: its part is not visible
 
     QWidget& m_window;
     std::vector<TourStep> m_steps;

@@ -14,7 +14,7 @@ namespace sparkout {
 
 struct MeasuredWords; // words/measured_words.h
 
-/// A fit and its data in the present language.
+/// Texts about a fit and its data in the current language.
 class FitWords {
     Q_DECLARE_TR_FUNCTIONS(FitWords)
 public:

@@ -44,7 +44,7 @@ public:
     /// Restores the document's value in the last refused field; false if there is none. Undo does
     /// this first.
     bool dropNewestRefusal();
-    [[nodiscard]] const std::vector<FormPage*>& pages(); ///< built, all of them
+    [[nodiscard]] const std::vector<FormPage*>& pages(); ///< builds and returns all of them
 
 signals:
     void refusalsChanged();

@@ -15,7 +15,7 @@ inline constexpr std::array fontSizes{90, usualFontSize, 115, 130};
 
 [[nodiscard]] int fontSizeFrom(int percent); ///< the usual size for any other value
 
-/// Gives the whole program a size; may be called again at any time.
+/// Sets the size of the whole program; may be called again.
 void applyFontSize(int percent);
 [[nodiscard]] int appliedFontSize();
 

@@ -16,7 +16,7 @@ namespace sparkout {
 /// free one.
 void assignMnemonics(const QList<QAction*>& entries);
 
-/// Does so for the menu bar below a window and, whenever they open, for its menus.
+/// Does so for the menu bar of a window and, whenever they open, for its menus.
 void keepMnemonics(QWidget& window);
 
 /// Adds the shortcut to the tooltip of an action; or of every action below an object.

@@ -16,7 +16,7 @@ public:
     explicit MarkupText(QWidget* parent = nullptr) : QTextEdit(parent) {
         setReadOnly(true);
         setTextInteractionFlags(Qt::TextSelectableByMouse);
-        setFocusPolicy(Qt::NoFocus); // read, not used
+        setFocusPolicy(Qt::NoFocus); // read-only
         setFrameShape(QFrame::NoFrame);
         setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

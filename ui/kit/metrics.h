@@ -21,7 +21,7 @@ constexpr int iconProgram = 64;
 // Widths of the controls of the forms, in device-independent pixels.
 constexpr int field = 104;     ///< a number
 constexpr int fieldWide = 176; ///< a choice or a text
-constexpr int unit = 52;       ///< the unit behind a number
+constexpr int unit = 52;       ///< the unit after a number
 
 // Font sizes, as multiples of the usual size.
 constexpr double headline = 1.6; ///< the one number of a panel

@@ -17,7 +17,7 @@ class SearchCombo : public QComboBox {
     Q_OBJECT
 
 public:
-    /// Words an entry is found by beside its text: a symbol, a key, its name in another language.
+    /// Additional search words of an entry: a symbol, a key, its name in another language.
     static constexpr int wordsRole = Qt::UserRole + 50;
 
     explicit SearchCombo(QWidget* parent = nullptr);

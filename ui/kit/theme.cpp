@@ -18,7 +18,7 @@ QString code(const char* text) {
     return QString::fromLatin1(text);
 }
 
-/// Surfaces that Fusion shades its frames and buttons with.
+/// Colours with which Fusion shades its frames and buttons.
 void addShades(QPalette& palette, const ThemeColours& c) {
     const QColor button(c.button);
     const bool dark = isDark(palette);

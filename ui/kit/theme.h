@@ -20,8 +20,7 @@ inline constexpr std::array allThemes{Theme::system, Theme::light, Theme::dark, 
 [[nodiscard]] bool isThemeCode(const QString& code);
 [[nodiscard]] QPalette paletteOf(Theme theme); ///< for the system theme: the light or dark one
 
-/// Gives the whole program a theme; may be called again at any time. The present one is shown by
-/// appliedTheme().
+/// Sets the theme of the whole program; may be called again. appliedTheme() returns it.
 void applyTheme(Theme theme);
 [[nodiscard]] Theme appliedTheme();
 

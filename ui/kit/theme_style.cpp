@@ -18,7 +18,7 @@ constexpr double corner = 2;
 constexpr int groupBoxMargin = 3; ///< Fusion's, between the title of a box and its frame
 constexpr double disabledOpacity = 0.5;
 
-/// Round the outside of a rectangle, inside of it.
+/// Draws a frame just inside a rectangle.
 void outline(QPainter& painter, const QRect& rect, const QStyleOption& option) {
     if (rect.isEmpty()) {
         return;

@@ -24,7 +24,7 @@ bool isOwnMarkup(const QString& text) {
     return own.match(text).hasMatch();
 }
 
-/// Broken between words; breaks that are there stay.
+/// Broken between words; existing breaks are kept.
 QString wrapped(const QString& text) {
     QStringList lines;
     for (const QString& given : text.split(u'\n')) {

@@ -22,7 +22,7 @@ public:
 
     /// The text as passed to Qt.
     [[nodiscard]] static QString shown(const QString& text);
-    /// The text for a label with markup, by the same rule; the label breaks its lines.
+    /// The text for a label with markup, by the same rule; the label wraps it.
     [[nodiscard]] static QString markup(const QString& text);
 
 protected:

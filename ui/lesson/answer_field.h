@@ -22,7 +22,7 @@ public:
 
     virtual void show(const Answer& answer) = 0;
     virtual void put(Answer& answer) const = 0;     ///< writes its contents into an answer
-    [[nodiscard]] virtual bool isWhole() const = 0; ///< whether it can be handed in
+    [[nodiscard]] virtual bool isWhole() const = 0; ///< whether it is complete
     virtual void lock() = 0;                        ///< called when it was handed in finally
     /// Shows the engine's result beside the prediction.
     virtual void showResult(const GoalResult&) {}

@@ -26,7 +26,7 @@ public:
     using QObject::QObject;
 
     void add(Things with, std::function<void(bool hidden)> hide);
-    void add(Things with, QAction* command); ///< neither in a menu nor by keys
+    void add(Things with, QAction* command); ///< removes it from menus and shortcuts
 
     /// The things that a step hides, including other ways to see them: reports and exports repeat
     /// the views and the verdict, remedies belong to the verdict; reports, formulas and compared

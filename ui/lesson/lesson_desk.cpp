@@ -482,7 +482,7 @@ void LessonDesk::takeEntry() {
     write(m_run.file());
 }
 
-/// A set-up is kept with it where something was set.
+/// Includes the set-up if it was changed.
 void LessonDesk::keepDraft() {
     m_draft.stop();
     if (!isRunning()) {

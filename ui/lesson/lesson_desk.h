@@ -65,7 +65,7 @@ public:
     /// Tries a lesson as a student would, from a step on, without keeping anything. False if it was
     /// not begun.
     bool tryOut(const Lesson& lesson, std::size_t step);
-    void markWorks(); ///< shows the window that does
+    void markWorks(); ///< shows the window for marking
     void save();
     void saveAs();
     void leave(); ///< to a new project
@@ -134,7 +134,7 @@ private:
     };
     std::unique_ptr<Trial> m_trial;
     QString m_stateFolder;
-    bool m_isOwn = false; ///< the document is being replaced by a step
+    bool m_isOwn = false; ///< a step is replacing the document
 };
 
 } // namespace sparkout

@@ -37,7 +37,7 @@ QLabel* lessonLabel(QWidget* parent, const char* name) {
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    label->setFocusPolicy(Qt::NoFocus); // read, not used
+    label->setFocusPolicy(Qt::NoFocus); // read-only
     return label;
 }
 

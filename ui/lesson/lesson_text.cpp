@@ -30,7 +30,7 @@ QString withDecimals(double value, int digits) {
     return printedNumber(std::round(value * scale) / scale);
 }
 
-/// A number stays on the line of its sign, its tolerance and its per cent.
+/// Keeps a number on one line with its sign, tolerance and per cent sign.
 QString bound(QString text) {
     return text.replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))
         .replace(QStringLiteral(" ± "), QStringLiteral("\u00a0±\u00a0"));

@@ -364,7 +364,7 @@ void MarksDialog::dropEvent(QDropEvent* event) {
         }
     }
     event->acceptProposedAction();
-    // Later: the program it was dragged from shall not wait for an answer.
+    // Later: the source of the drag must not wait for an answer.
     QMetaObject::invokeMethod(
         this, [this, paths] { add(paths); }, Qt::QueuedConnection);
 }

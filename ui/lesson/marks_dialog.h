@@ -75,7 +75,7 @@ private:
     QProgressBar* m_progress;
     CopyTable* m_table;
     QTextBrowser* m_detail;
-    std::stop_source m_marking; ///< stopped by the user
+    std::stop_source m_marking; ///< to stop by the user
     NewestJob m_job;            ///< last member: stopped before the objects it uses are destroyed
 };
 

@@ -15,7 +15,7 @@ namespace sparkout {
 namespace {
 
 constexpr double normalQuartile = 0.6745; ///< of the standard normal distribution
-constexpr double whiskerReach = 2;        ///< standard deviations, where no extremes are stated
+constexpr double whiskerReach = 2;        ///< standard deviations, without given extremes
 
 } // namespace
 

@@ -34,7 +34,7 @@ public:
 
     struct Line {
         PackPart part;
-        std::size_t index; ///< among its kind in the pack
+        std::size_t index; ///< index among its kind in the pack
         QString name;
         QString note;
         State state;

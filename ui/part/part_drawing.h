@@ -20,7 +20,7 @@ public:
     explicit PartDrawing(QWidget* parent = nullptr);
 
     void setOutline(PartOutline outline);
-    void setPresent(std::optional<std::size_t> surface); ///< drawn as the one in front
+    void setPresent(std::optional<std::size_t> surface); ///< drawn as the current one
     void setChosenStep(std::optional<std::size_t> step); ///< where a surface is to be added
     void setTips(QStringList tips);                      ///< by surface
     [[nodiscard]] const PartOutline& outline() const { return m_outline; }

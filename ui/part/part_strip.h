@@ -27,7 +27,7 @@ public:
     void setActions(const QList<QAction*>& actions); ///< of the menu at its end
     void retranslate();
     void follow();                ///< the document
-    void tellResults(bool tells); ///< lights, margins and times, or names alone
+    void tellResults(bool tells); ///< lights, margins and times, or only names
     [[nodiscard]] QTabBar& tabs() { return *m_tabs; }
     [[nodiscard]] PartDrawing& drawing() { return *m_drawing; }
 

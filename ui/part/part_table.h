@@ -28,7 +28,7 @@ enum class PartColumn { surface, diameter, time, verdict, margin, search, batch 
                                    const PartStudies& studies);
 
 /// The surfaces side by side: a column for each, a row for the cycle time and for every requirement
-/// that any of them has, with value and limit at its worst place.
+/// of any surface, with value and limit at its worst place.
 [[nodiscard]] ValueTable surfaceComparison(const SetupState& state,
                                            const std::vector<SurfaceStatus>& statuses);
 

@@ -22,8 +22,8 @@ class PartRuns;
 class SurfaceBars;
 class ValueModel;
 
-/// The whole part beside the workbench: verdict and times of all surfaces, their comparison, and
-/// the batches and searches of all of them.
+/// The window of the whole part: verdict and times of all surfaces, their comparison, and batches
+/// and searches of all of them.
 class PartWindow : public QDialog {
     Q_OBJECT
 

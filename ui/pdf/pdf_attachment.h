@@ -10,7 +10,7 @@ class QPDF;
 
 namespace sparkout {
 
-/// A file that a PDF carries with it [ISO 32000-1, 7.11.4].
+/// A file attached to a PDF [ISO 32000-1, 7.11.4].
 struct PdfAttachment {
     QString name; ///< "shaft.sparkout"
     QByteArray data;

@@ -3,7 +3,7 @@
 
 #include "ui/pdf/pdf_tags.h"
 
-#define POINTERHOLDER_TRANSITION 4 // libqpdf with std::shared_ptr alone
+#define POINTERHOLDER_TRANSITION 4 // libqpdf with std::shared_ptr only
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFExc.hh>
@@ -176,8 +176,7 @@ QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details,
         if (!details.structure.isEmpty()) {
             putTags(document, details.structure, stopIfAsked);
         }
-        // Objects that are not packed are numbered from the root on, whichever numbers Qt gave
-        // them.
+        // Unpacked objects are numbered from the root on, whatever numbers Qt gave them.
         const auto numbered = written(document, qpdf_o_disable, stopIfAsked);
         QPDF ordered;
         ordered.setSuppressWarnings(true);

@@ -33,7 +33,7 @@ public:
         std::optional<QRectF> box = {};
     };
 
-    /// A new element, the last one of its parent.
+    /// Adds an element as the last one of its parent.
     Id add(const Element& element) {
         m_elements.push_back(element);
         return document + m_elements.size();

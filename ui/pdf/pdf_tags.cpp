@@ -3,7 +3,7 @@
 
 #include "ui/pdf/pdf_structure.h"
 
-#define POINTERHOLDER_TRANSITION 4 // libqpdf with std::shared_ptr alone
+#define POINTERHOLDER_TRANSITION 4 // libqpdf with std::shared_ptr only
 #include <qpdf/Pl_Buffer.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFObjectHandle.hh>

@@ -26,7 +26,7 @@ QPointF boundedBy(const QPointF& point) {
     return {std::clamp(point.x(), -far_px, far_px), std::clamp(point.y(), -far_px, far_px)};
 }
 
-/// The share of a line, from 0 to 1, between two values of one of its coordinates.
+/// Clips a line, as shares from 0 to 1, to values of one coordinate.
 void clip(double from, double to, double low, double high, double& first, double& last) {
     const double length = to - from;
     if (length == 0) {

@@ -15,7 +15,7 @@ class FreePlace {
 public:
     struct Found {
         QRectF place;
-        int covered = 0; ///< small squares of it that a curve runs through; 0: it is free
+        int covered = 0; ///< number of covered squares; 0: it is free
         double away = 0; ///< distance of the mark from its nearest point
     };
 
@@ -33,7 +33,7 @@ private:
 
     QRectF m_within;
     int m_columns, m_rows;
-    std::vector<char> m_covered; ///< small squares, row by row
+    std::vector<char> m_covered; ///< squares, row by row
 };
 
 } // namespace sparkout

@@ -17,7 +17,7 @@ protected:
     }
 };
 
-/// Whole numbers alone, as of things that are counted.
+/// Only whole numbers, for counts.
 class WholeTicker : public QCPAxisTickerFixed {
 public:
     WholeTicker() {

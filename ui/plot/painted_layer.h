@@ -5,8 +5,8 @@
 
 namespace sparkout {
 
-/// Something a plot paints besides its curves, on one of its layers: anywhere in the plot, or
-/// within an axis rect.
+/// A painting on a layer of a plot, besides its curves: anywhere in the plot, or within an axis
+/// rect.
 class PaintedLayer : public QCPLayerable {
 protected:
     enum class Edges { sharp, smooth };

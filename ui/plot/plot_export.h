@@ -26,7 +26,7 @@ inline constexpr int largestPictureScale = 4;
 /// Size at scale 1, in pixels of the plot's screen.
 [[nodiscard]] QSize pictureSize(const PlotPicture& picture);
 
-/// `scale` 1…4; the resolution is noted in the image, so that its size on paper stays the same.
+/// `scale` 1…4; the resolution is stored in the image, so that its size on paper is constant.
 [[nodiscard]] QImage pictureImage(const PlotPicture& picture, int scale);
 
 /// Makes the bytes of a file, on any thread; may take a second. Empty on failure.

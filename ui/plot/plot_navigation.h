@@ -19,9 +19,9 @@ class QWheelEvent;
 
 namespace sparkout {
 
-/// Moves a plot by mouse and keys, and remembers where it was. The wheel zooms at the mouse, over
-/// an axis that axis only, with Shift it pans; a drag pans; a double click fits. Keys: + − zoom,
-/// arrows pan, Ctrl+Up and Ctrl+Down zoom the values; the last plot pointed at is meant.
+/// Moves a plot by mouse and keys, with a history. The wheel zooms at the mouse, over an axis that
+/// axis only, with Shift it pans; a drag pans; a double click fits. Keys: + − zoom, arrows pan,
+/// Ctrl+Up and Ctrl+Down zoom the values; the last plot pointed at is meant.
 class PlotNavigation : public QObject {
     Q_OBJECT
 public:
@@ -63,7 +63,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    /// An axis rect and the axes of it that are meant at a point.
+    /// An axis rect and its axes at a point.
     struct Target {
         QCPAxisRect* rect = nullptr;
         QList<QCPAxis*> axes;

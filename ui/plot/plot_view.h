@@ -47,8 +47,7 @@ protected:
     /// `name` is that of the view, and the prefix of the names of its parts.
     PlotView(const QString& name, QWidget* parent, Settings* settings);
 
-    // Building.
-    /// A plot that is always shown; its legend is the view's.
+    // Adds a plot that is always visible; its legend is the view's.
     void addPlot(ViewPlot& plot, PlotSubject subject = {});
     void addCursors(ViewPlot& plot); ///< requires addPlot()
     /// Adds one of several plots, of which one is shown at a time, with buttons to fit and export

@@ -52,7 +52,7 @@ enum class Drawn {
     limit, ///< limit of a value
     forbidden,
     everyRequirementHolds,
-    holds, ///< a light; so the next two
+    holds, ///< a light, like the next two
     close,
     fails,
     // Runs and parts.

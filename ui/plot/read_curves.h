@@ -28,7 +28,7 @@ struct ReadCurve {
 };
 using ReadCurves = std::vector<ReadCurve>;
 
-/// The value of a line at a place; where it steps, the value it steps to.
+/// The value of a line at a place; at a step, the value after it.
 [[nodiscard]] std::optional<double> valueAt(const std::vector<XY>& line, double x);
 /// The value of a drawn graph, interpolated along a straight line on its axes.
 [[nodiscard]] std::optional<double> valueAt(const QCPGraph& graph, double x);

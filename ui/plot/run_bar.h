@@ -35,7 +35,7 @@ public:
     /// processor, so that they may start automatically.
     [[nodiscard]] static bool areQuick(std::int64_t runs, std::int64_t radii);
     void takeTurns() { m_turns = true; } ///< the two buttons, in one place
-    /// Shows the progress of work whose parts are counted, and stops it.
+    /// Shows the progress of a job whose parts are counted, and stops it.
     void follow(Job& job);
     void showProgress(qint64 done, qint64 parts, double left_s = -1);
     void showProgress(double share, const QString& text);

@@ -12,7 +12,7 @@ namespace sparkout {
 [[nodiscard]] QVector<qreal> runDash(int number); ///< in pen widths; empty: solid
 [[nodiscard]] QPen runPen(int number, const QColor& colour);
 
-/// A sample of it for a list.
+/// A sample of the line for a list.
 [[nodiscard]] QPixmap runSample(int number, const QColor& colour, const QSize& size, qreal ratio);
 
 } // namespace sparkout

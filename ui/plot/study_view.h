@@ -25,7 +25,7 @@ public:
     }
 
 signals:
-    /// The document is to be changed so.
+    /// An edit of the document is requested.
     void editWanted(const std::function<sparkout::Project(sparkout::Project)>& edit,
                     const sparkout::EditText& text);
     void ended(); ///< the result, or its refusal, has been drawn

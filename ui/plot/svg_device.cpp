@@ -21,7 +21,7 @@ QString number(double value) {
     return QString::number(value, 'g', 7);
 }
 
-/// Text between tags: no characters that XML does not allow.
+/// Text between tags, without characters that XML does not allow.
 QString xmlText(QString text) {
     text.removeIf([](QChar c) { return c.unicode() < 0x20 && c != u'\t' && c != u'\n'; });
     return text.toHtmlEscaped();
@@ -31,7 +31,7 @@ QString attribute(const char* name, const QString& value) {
     return QStringLiteral(" %1=\"%2\"").arg(QLatin1String(name), value.toHtmlEscaped());
 }
 
-/// Colour and, where it is not opaque, opacity.
+/// Colour and, if it is not opaque, opacity.
 QString paint(const char* name, const QColor& colour, double opacity) {
     const QString text = attribute(name, colour.name());
     const double alpha = colour.alphaF() * opacity;

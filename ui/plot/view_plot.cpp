@@ -270,7 +270,7 @@ void ViewPlot::takeLook(bool) {
     restyle();
 }
 
-// Here, because a parent learns of a new palette before its children.
+// Here, since a parent receives a new palette before its children.
 void ViewPlot::changeEvent(QEvent* event) {
     QCustomPlot::changeEvent(event);
     const bool font = event->type() == QEvent::FontChange;

@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 /// While one types or drags outcomes follow each other faster.
 constexpr auto quietBefore = 150ms;
-/// Visits of a radius of a batch that is run by itself: about a second of one processor.
+/// Limit on visits for a batch that runs by itself: about a second of one processor.
 constexpr std::int64_t mostVisits = 100'000'000;
 
 bool isQuick(const Outcome& outcome) {

@@ -180,7 +180,7 @@ bool Document::push(SetupState after, EditText text, const QString& mergeKey) {
     return true;
 }
 
-/// The present value with another project in front.
+/// The current value with another current project.
 SetupState Document::with(Project changed, std::vector<std::string> open) const {
     SetupState made = m_present;
     const SurfaceState& before = m_present.inFront();
@@ -417,7 +417,7 @@ void Document::markUnsaved() {
     m_history.resetClean();
 }
 
-/// Surfaces are known again by their place: the runs they share with the history stay shared.
+/// Surfaces are matched by their place: the runs shared with the history stay shared.
 void Document::reload(Setup setup, const QByteArray& hash) {
     endMerge();
     SetupState state = stateOf(std::move(setup));
@@ -437,7 +437,7 @@ void Document::reload(Setup setup, const QByteArray& hash) {
 }
 
 void Document::take(Setup setup, const QString& path, const QByteArray& hash, bool readOnly) {
-    shareCalibrations(setup); // older files have them with one surface
+    shareCalibrations(setup); // older files have them in one surface
     replace(stateOf(std::move(setup)), path, hash, readOnly, Kept::onDisk);
 }
 

@@ -21,7 +21,7 @@ constexpr EditText restoreText{"Edit",
                                QT_TRANSLATE_NOOP("Edit", "Restore the inputs of a kept run")};
 
 constexpr std::size_t mostRuns = 1000; ///< limit in the table of the project
-constexpr std::size_t fileShare = 2;   ///< indented, a text may grow to twice its length
+constexpr std::size_t fileShare = 2;   ///< with indentation, a text may double in length
 constexpr std::size_t valuesShare = 2; ///< half is left for the rest of the project
 
 /// Whether a name is free, both in the file and as displayed.

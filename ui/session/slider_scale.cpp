@@ -11,7 +11,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double stopsWanted = 100; ///< about as many round values over a scale
+constexpr double stopsWanted = 100; ///< approximate number of round values on a scale
 constexpr std::size_t mostStops = 2000;
 constexpr double logarithmicFrom = 20; ///< ratio of the ends
 constexpr double finestShare = 0.1;    ///< below it a scale from zero is not refined

@@ -13,7 +13,7 @@ class CopiedCells : public QMimeData {
     Q_OBJECT
 public:
     /// @param text rows of cells separated by tabs; a minus sign before a digit becomes a hyphen,
-    /// which spreadsheets read
+    ///   for spreadsheets
     explicit CopiedCells(QString text);
 
     static void toClipboard(const QString& text);
@@ -29,7 +29,7 @@ private:
     QString m_text;
 };
 
-/// The cells as a table of HTML.
+/// The cells as an HTML table.
 [[nodiscard]] QString htmlTable(const PastedCells& cells);
 
 } // namespace sparkout

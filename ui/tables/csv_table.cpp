@@ -23,7 +23,7 @@ QString pastedCell(const CsvCell& cell, const TableDialect& dialect) {
                : plain;
 }
 
-/// Spreadsheets and programs look the names up: they have plain spaces.
+/// Headings have plain spaces, since spreadsheets and programs look them up.
 std::vector<CsvCell> headerCells(const CsvTable& table) {
     QStringList names = table.header;
     names.replaceInStrings(QString(QChar::Nbsp), QStringLiteral(" "));

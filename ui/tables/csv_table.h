@@ -21,7 +21,7 @@ using CsvCell = std::variant<std::monostate, double, QString>;
 struct CsvTable {
     QStringList header;
     std::vector<std::vector<CsvCell>> rows;
-    bool byPlace = false;  ///< the first column names a place; a workbook has a sheet for each
+    bool byPlace = false;  ///< the first column is a place; a workbook has a sheet for each
     bool ownUnits = false; ///< every row has its own unit, so columns have no common decimals
 
     [[nodiscard]] bool empty() const { return rows.empty(); }
@@ -40,8 +40,8 @@ enum class CsvDialect {
 [[nodiscard]] QByteArray csvBegin();
 [[nodiscard]] QByteArray csvLine(const std::vector<CsvCell>& cells, CsvDialect dialect);
 
-/// Lines of cells separated by tabs, for the clipboard; numbers as the locale writes them, with all
-/// their digits and no group separators.
+/// Lines of cells separated by tabs, for the clipboard; numbers in the locale's format, with all
+/// their digits and without group separators.
 [[nodiscard]] QString tabSeparated(const CsvTable& table, const QLocale& locale);
 
 [[nodiscard]] TableDialect tableDialect(CsvDialect dialect);

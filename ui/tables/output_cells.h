@@ -11,7 +11,7 @@
 /// three, a share four. Outputs without a label are for programs.
 namespace sparkout {
 
-/// `name` with the ends of its interval of 95 %.
+/// Adds `name` with the ends of its 95 % interval.
 void addEstimateHeads(QStringList& header, const QString& name);
 void addIntervalCells(std::vector<CsvCell>& cells, const std::optional<Interval>& interval,
                       double factor = 1);

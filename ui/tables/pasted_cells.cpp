@@ -67,7 +67,8 @@ bool isNumberOrEmpty(const QString& cell) {
     return cell.trimmed().isEmpty() || pastedNumber(cell);
 }
 
-/// Whether a comma parts cells: all rows have as many, numbers each, and one is no decimal number.
+/// Whether a comma separates cells: all rows have the same number of commas, only numbers between
+/// them, and some row is not a decimal number.
 bool commaPartsCells(const QString& text) {
     const std::vector<QStringList> rows = rowsOf(text, u',');
     bool sure = false;
@@ -101,7 +102,7 @@ QChar cellSeparator(const QString& text) {
     return commaPartsCells(text) ? QChar(u',') : QChar();
 }
 
-/// A document that opens no file, whichever style or picture a text names.
+/// A document that opens no file, whatever style or picture a text refers to.
 class PastedDocument : public QTextDocument {
 protected:
     QVariant loadResource(int /*type*/, const QUrl& /*name*/) override { return QString(); }

@@ -51,8 +51,8 @@ bool isHeader(const QString& cell) {
            && !QStringView(u"+-\u2212\u2013.,").contains(text.front());
 }
 
-/// Whether the numbers before the commas rise by equal steps, as a column of angles does and a
-/// closed profile cannot.
+/// Whether the numbers before the commas rise in equal steps, like a column of angles and unlike a
+/// closed profile.
 bool countsBeforeTheComma(const std::vector<TextRow>& rows) {
     std::vector<double> counts;
     for (const TextRow& row : rows) {
@@ -86,7 +86,7 @@ bool commaSeparates(const std::vector<TextRow>& rows) {
     return with > 0 && (2 * numbers < with || countsBeforeTheComma(rows));
 }
 
-/// The rows by the delimiter that they show. One that no text of numbers has leaves each whole.
+/// The rows, split by their delimiter; not split by one that is absent.
 std::vector<TextRow> rowsOf(const TableText& table) {
     for (const char delimiter : {';', '\t'}) {
         std::vector<TextRow> rows = rowsOf(table, delimiter);

@@ -12,7 +12,7 @@
 /// Reading a measured profile from the text of a table.
 namespace sparkout {
 
-/// Why a text gave no profile.
+/// Why a text is not a valid profile.
 struct ProfileCsvFault {
     enum class What { notANumber, outOfRange, count };
     What what = What::notANumber;
@@ -29,7 +29,7 @@ using ProfileCsv = std::variant<std::vector<double>, ProfileCsvFault>;
 /// part.radii_per_section: even, 4…360.
 [[nodiscard]] ProfileCsv readProfileCsv(const TableText& text);
 
-/// The fault in the present language.
+/// The fault in the current language.
 [[nodiscard]] QString profileCsvFaultText(const ProfileCsvFault& fault);
 
 } // namespace sparkout

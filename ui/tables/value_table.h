@@ -15,7 +15,7 @@ namespace sparkout {
 struct ValueHead {
     QString text = {};     ///< shown instead
     QString name = {};     ///< standalone name for speech and copies; empty: the text
-    QString tip = {};      ///< plain text with indices as V_k
+    QString tip = {};      ///< plain text with indices like V_k
     const char* key = "";  ///< of the output that it is of, or a column's own
     bool isText = false;   ///< for a column: its cells are words, aligned left
     bool isStrong = false; ///< for a row: bold
@@ -27,7 +27,7 @@ struct ValueHead {
 struct ValueCell {
     QString text = {};
     QString remark = {}; ///< reason of the icon in a cell; empty: no icon
-    QString tip = {};    ///< plain text with indices as V_k
+    QString tip = {};    ///< plain text with indices like V_k
     QString said = {};   ///< spoken instead of the text; empty: the text
     CsvCell value = {};  ///< for spreadsheets and sorting; empty: the text
     QString fault = {};  ///< why the cell is invalid; empty: valid

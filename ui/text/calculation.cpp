@@ -23,7 +23,8 @@ using boost::multiprecision::cpp_rational;
 
 constexpr qsizetype longestText = 400;
 constexpr int largestExponent = 400;
-/// More digits than the middle between two doubles can have: a fraction cut there rounds right.
+/// More digits than the midpoint of two doubles can have: a fraction cut there is rounded
+/// correctly.
 constexpr int sureDigits = 800;
 
 cpp_int powerOfTen(int exponent) {

@@ -18,7 +18,7 @@ public:
     [[nodiscard]] static std::optional<Calculation> of(const QString& text);
 
     [[nodiscard]] std::optional<double> value() const { return m_value; }
-    /// Why there is no value, in the present language.
+    /// Why there is no value, in the current language.
     [[nodiscard]] const QString& fault() const { return m_fault; }
 
 private:

@@ -17,7 +17,7 @@ namespace sparkout {
 
 namespace {
 
-/// Units that formulas have and no input has.
+/// Units of formulas that are not those of an input.
 [[maybe_unused]] constexpr const char* formulaUnits[] = {
     QT_TRANSLATE_NOOP("Unit", "N"),        QT_TRANSLATE_NOOP("Unit", "N/mm"),
     QT_TRANSLATE_NOOP("Unit", "N/mm^1.5"), QT_TRANSLATE_NOOP("Unit", "K·mm^1.25/N"),
@@ -28,8 +28,7 @@ namespace {
     QT_TRANSLATE_NOOP("Unit", "N/mm^0.5"),
 };
 
-/// Decimals of a length in mm beyond its significant digits: a form error is the difference of two
-/// radii.
+/// Additional decimals of a length in mm, since a form error is the difference of two radii.
 constexpr int moreDecimals = 1;
 
 /// Replaces the minus of a number, but not of its exponent.

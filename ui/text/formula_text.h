@@ -10,8 +10,8 @@ namespace sparkout {
 /// The number of digits with which a reader can check the next line.
 inline constexpr int sheetDigits = 5;
 
-/// The number of a term as a formula shows it: "0.0125", "8.38·10⁻⁷", of lengths in mm above 1 with
-/// their nanometres.
+/// The number of a term in a formula: "0.0125", "8.38·10⁻⁷", lengths in mm above 1 with their
+/// nanometres.
 [[nodiscard]] QString formulaNumber(const FormulaTerm& term, int digits = sheetDigits);
 /// The value read off those digits.
 [[nodiscard]] double shownValue(const FormulaTerm& term, int digits = sheetDigits);

@@ -26,7 +26,7 @@ struct FieldPlace {
 /// "inputs-part#part.diameter_mm"
 [[nodiscard]] QString fieldTopic(const Field& field);
 
-/// The rows of a page as HTML, in the present language.
+/// The rows of a page as HTML, in the current language.
 [[nodiscard]] QString fieldsHtml(Page page);
 
 } // namespace sparkout

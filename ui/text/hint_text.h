@@ -29,7 +29,7 @@ namespace sparkout {
 [[nodiscard]] QString hintPlain(const Field& field);
 /// "Allowed 0.5…2000 mm, usual 5…1100 mm, default 36" as rich text; empty without limits.
 [[nodiscard]] QString limitsMarkup(const Field& field);
-/// The meaning alone, as rich text.
+/// Only the meaning, as rich text.
 [[nodiscard]] QString meaningMarkup(const Field& field);
 
 } // namespace sparkout

@@ -35,7 +35,7 @@ public:
     /// Whether the limit of the feed has no definite value: roughness that is not calibrated.
     static bool isGuess(ConstraintKind kind, const Project& project);
     static QString guessed(); ///< text shown instead
-    /// notCheckedLinks(), and where roughness is a guess that sentence.
+    /// notCheckedLinks(), plus guessed() if roughness is not calibrated.
     static QString missingLinks(const Project& project);
 
 private:

@@ -8,7 +8,7 @@
 
 namespace sparkout {
 
-/// A wheel's marking part by part in words: "25А white fused alumina; grit F60, …".
+/// The parts of a wheel's marking in words: "25А white fused alumina; grit F60, …".
 [[nodiscard]] QString markingExplained(const WheelMarking& marking);
 
 /// The changes that filling in a wheel from its marking would make: "Grain size 0.25 → 0.26 mm";

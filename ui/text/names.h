@@ -35,26 +35,26 @@ public:
     static QString constraintBrief(ConstraintKind kind); ///< "Max. diameter"
     /// A name within a sentence, in lower case; a symbol such as Ra is unchanged.
     static QString inSentence(QString name);
-    /// A place within a sentence or after a comma: Russian has a small letter there.
+    /// A place within a sentence or after a comma: in Russian in lower case.
     static QString within(const QString& place);
     /// The scope of a result: "RZ1", "whole part", "stage 2", "cycle".
     static QString where(const ConstraintResult& constraint);
-    /// A value, limit or margin in the unit of its kind, which its row names.
+    /// A value, limit or margin in the unit of its kind, given by its row.
     static QString amount(ConstraintKind kind, double value, bool withSign);
     static QString limit(const ConstraintResult& c); ///< for a range "≥50" or "≤500"
     static bool isRange(ConstraintKind kind);        ///< range of the machine, with two ends
-    /// A setting against the nearer end of its range: "2 × lower limit"; brief "2× min". Of a
-    /// range from 0, whose end is no measure, whether it is inside.
+    /// The ratio of a setting to the nearer end of its range: "2 × lower limit"; brief "2× min".
+    /// For a range from 0, whether it is inside.
     static QString inRange(const ConstraintResult& c, bool brief);
     /// "0.3…0.9": the interval of an estimate.
     static QString estimate(double least, double most);
     /// The value of a result; a dash where it does not cover the whole surface.
     static QString value(const ConstraintResult& c);
-    static QString margin(const ConstraintResult& c); ///< "+1.25", of a range as inRange()
+    static QString margin(const ConstraintResult& c); ///< "+1.25", for a range like inRange()
     /// The margin in a column next to the limit, which names the end of a range: "2×" is the ratio
     /// to a lower limit, or to an upper one.
     static QString besideLimit(const ConstraintResult& c);
-    static QString issue(const Issue& issue); ///< the sentence after its place in words
+    static QString issue(const Issue& issue); ///< the sentence after its place
     /// A remark that strips stay uncut in a traverse cycle; otherwise empty.
     static QString uncutStrips(const Project& project);
     /// A quantity of form, "roundness, machine not known" if the machine's own error is not

@@ -27,15 +27,16 @@ namespace sparkout {
 /// printedNumber().
 [[nodiscard]] QString printedNumber(double value, int digits);
 
-/// A number with an exponent as people write it: "1.5·10⁻⁸" for "1.5e-8", "10⁻¹⁵" for "1e-15". A
-/// text without an exponent stays.
+/// A number with an exponent in the usual notation: "1.5·10⁻⁸" for "1.5e-8", "10⁻¹⁵" for "1e-15". A
+/// text without an exponent is unchanged.
 [[nodiscard]] QString withPower(const QString& number);
 
 /// Changes the number of a text by steps of its last digit, in the same notation. A step to a zero
 /// that the caller refuses uses the next finer digit.
 [[nodiscard]] QString stepNumber(const QString& text, int steps, bool zeroAllowed);
 
-/// A date as the present language writes it, the year in full: "23 November 2026", "23.11.2026".
+/// A date in the format of the current language, with the full year: "23 November 2026",
+/// "23.11.2026".
 [[nodiscard]] QString dateText(const QDate& date);
 /// The date with hours and minutes.
 [[nodiscard]] QString momentText(const QDateTime& moment);
@@ -47,7 +48,7 @@ namespace sparkout {
 /// The size of a file or of free space in the units of the current language: "10 kB", "2.5 GB".
 [[nodiscard]] QString sizeText(qint64 bytes);
 
-/// A text in which no line ends between a number and its unit, a sign and its number, or within a
+/// A text without line breaks between a number and its unit, a sign and its number, or within a
 /// unit.
 [[nodiscard]] QString keptTogether(QString line);
 

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-/// The words and numbers of outputs, in the present language.
+/// The texts and numbers of outputs, in the current language.
 namespace sparkout {
 
 /// Without the unit, as short as its place in a table requires.

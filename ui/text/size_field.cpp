@@ -36,7 +36,7 @@ TypedSize readSize(const QString& typed, const Part& part) {
         return {};
     }
     auto size = parseSizeDesignation(text.toStdString());
-    if (!size) { // the letters alone
+    if (!size) { // only the letters
         size =
             parseSizeDesignation((showNumber(part.diameter_mm, QLocale::c()) + text).toStdString());
     }

@@ -13,7 +13,7 @@ namespace sparkout {
 /// cycle". Empty for a key that core/SOURCES.md does not have.
 [[nodiscard]] QString sourceText(std::string_view key);
 
-/// Every source, its key and its words.
+/// Every source with its key and text.
 [[nodiscard]] std::vector<std::pair<QString, QString>> sourceTexts();
 
 } // namespace sparkout

@@ -23,7 +23,7 @@ public:
     [[nodiscard]] static bool isStock(const Field& field);
     /// Whether the input is currently shown on the diameter.
     [[nodiscard]] static bool isOnDiameter(const Field& field);
-    /// The name of an input; of a stock with its reading: "Stock on diameter".
+    /// The name of an input; for a stock with its reading: "Stock on diameter".
     [[nodiscard]] static QString label(const Field& field);
     /// The short form for the heading of a column.
     [[nodiscard]] static QString column(const Field& field);

@@ -66,7 +66,7 @@ QString translated(const char* context, const char* text) {
     QT_TRANSLATE_NOOP("Unit", "1/mm"),
 };
 
-/// "L_p" → "Lₚ", where there are signs for all of an index.
+/// "L_p" → "Lₚ", if there are characters for the whole index.
 QString withSubscripts(QString text) {
     static const QString plain = QStringLiteral("0123456789aehijklmnoprstuvx");
     static const QString below = QStringLiteral("₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ");

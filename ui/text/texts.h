@@ -6,7 +6,7 @@
 
 #include <QString>
 
-/// The core's texts in the present language. The core marks them, the session words them.
+/// The core's texts in the current language. The core marks them for translation.
 namespace sparkout {
 
 [[nodiscard]] QString inputText(const char* text);       ///< label, hint, meaning of null

@@ -165,7 +165,7 @@ void FileCommands::openAttached(const QString& path) {
 bool FileCommands::openFile(const QString& given) {
     const QString path = QFileInfo(given).absoluteFilePath();
     const auto opening =
-        m_questions.wayToOpen(path); // first, or somebody could save while this one reads
+        m_questions.wayToOpen(path); // first, or another program could save during reading
     if (!opening) {
         return false;
     }

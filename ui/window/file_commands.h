@@ -24,7 +24,7 @@ class NoticeBar;
 class RecentFilesMenu;
 class Settings;
 
-/// The commands that deal with files: new, open, save and recover, each with its questions.
+/// The commands for files: new, open, save and recover, with their dialogs.
 class FileCommands : public QObject {
     Q_OBJECT
 

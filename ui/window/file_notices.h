@@ -28,7 +28,7 @@ public:
     void showRecovered(const RecoveryHeader& header);
     void showDamagedSettings();
     void followSaved();
-    void followDisk(); ///< the document is as its file
+    void followDisk(); ///< the document equals its file
 
 signals:
     void saveWanted();

@@ -123,7 +123,7 @@ void LessonWiring::enterViews(const Parts& parts) {
     }
 }
 
-/// Panels go when a step hides them, and with the views.
+/// Panels are hidden by a step, and together with the views.
 void LessonWiring::apply(const Parts& parts) {
     const LessonDesk& desk = parts.desk;
     const bool isCovered = desk.isCovered();

@@ -54,7 +54,7 @@ public:
     [[nodiscard]] QWidget* middle() const; ///< the views, or their cover
     void connectTo(const Parts& parts);
     void retranslate();
-    [[nodiscard]] bool mayClose(); ///< a lesson being edited is saved, or given up
+    [[nodiscard]] bool mayClose(); ///< asks to save or discard an edited lesson
 
     /// Moves to the moment that a step shows.
     static void goTo(CycleCursor& cursor, const ShownMoment& moment);

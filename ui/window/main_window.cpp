@@ -302,7 +302,7 @@ void MainWindow::connectActions() {
         on(m_actions->sizes[i], [this, i] { setFontSize(fontSizes[i]); });
     }
     on(m_actions->stockOnDiameter, [this] {
-        m_inputs->endTyping(); // meant as the field has read so far
+        m_inputs->endTyping(); // commits the text of a field
         StockReading::instance().setOnDiameter(m_actions->stockOnDiameter->isChecked());
     });
     connect(&StockReading::instance(), &StockReading::changed, this, &MainWindow::showStockReading);
@@ -661,7 +661,7 @@ void MainWindow::showInput(const std::string& path) {
     m_inputs->focusPath(place);
 }
 
-/// The field it is set in, the passes it was worst in, or the profile it was measured on.
+/// Shows the field of its setting, its worst pass, or the measured profile.
 void MainWindow::showRequirement(const ConstraintResult& requirement) {
     if (const std::string path = verdict::inputPath(requirement); !path.empty()) {
         m_layout->showInputs();
@@ -736,7 +736,7 @@ void MainWindow::recolour() {
     }
 }
 
-// But for the views, which do so themselves.
+// Except for the views, which do so themselves.
 void MainWindow::retranslate() {
     m_actions->retranslate();
     m_actions->follow(m_document, !m_inputs->refusals().empty());
@@ -786,7 +786,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->accept();
 }
 
-/// A table is pasted into the view of measurements, also while the focus is on its tab.
+/// A table is pasted into the view of measurements, even if only its tab has the focus.
 void MainWindow::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Paste) && m_tabs->currentWidget() == m_measured) {
         emit m_measured->pasteAsked();
@@ -806,7 +806,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     const QString path = event->mimeData()->urls().value(0).toLocalFile();
     event->acceptProposedAction();
     m_inputs->endTyping();
-    if (!path.isEmpty()) { // later: the program it was dragged from shall not wait for an answer
+    if (!path.isEmpty()) { // later: the source of the drag must not wait for an answer
         QMetaObject::invokeMethod(
             m_files, [this, path] { m_files->openInstead(path); }, Qt::QueuedConnection);
     }

@@ -75,7 +75,7 @@ public:
     [[nodiscard]] LessonDesk& lesson() { return *m_lesson; }
 
 signals:
-    void outcomeShown(); ///< the views have been given a new outcome
+    void outcomeShown(); ///< the views have received a new outcome
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -97,7 +97,7 @@ private:
     void connectDocument();
     void connectPart();
     void showWholePart();
-    /// The project in front with the wheel that its run had; while it runs the project itself.
+    /// The current project with the wheel of its run; the project itself while it is running.
     [[nodiscard]] const Project& asRun() const;
     [[nodiscard]] bool mayLeaveSurface();
     [[nodiscard]] QStringList refusedLines() const;

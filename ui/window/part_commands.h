@@ -24,7 +24,7 @@ public:
     PartCommands(Document& document, const PartRuns& runs, std::function<bool()> mayLeave,
                  QWidget* window);
 
-    void show(std::size_t surface); ///< brings it to the front
+    void show(std::size_t surface); ///< makes it current
     void showNext(int by);
     void add(std::optional<std::size_t> step = {}); ///< on a step of the shaft, or as chosen
     void duplicate();                               ///< the one in front

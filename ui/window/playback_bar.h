@@ -15,7 +15,7 @@ namespace sparkout {
 
 class ToolRow;
 
-/// Moves the cursor through the cycle: by steps of a chosen unit, by a slider, or by itself.
+/// Moves the cursor through the cycle: by steps of a chosen unit, by a slider, or automatically.
 class PlaybackBar : public QWidget {
     Q_OBJECT
 public:

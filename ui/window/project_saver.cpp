@@ -111,7 +111,7 @@ QString ProjectSaver::suggestedPath() const {
                 : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
         return folder + u'/' + tr("%1 copy").arg(file.completeBaseName()) + suffix;
     }
-    const Project& project = m_document.project(); // named after the part, as its drawing is
+    const Project& project = m_document.project(); // named after the part, like its drawing
     QString name = fileNameOf({QString::fromStdString(project.part->name)});
     if (name.isEmpty()) {
         name = fileNameOf({QString::fromStdString(project.title)});

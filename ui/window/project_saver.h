@@ -27,7 +27,7 @@ public:
 
 signals:
     void saved(const QString& path);
-    void reloadWanted(); ///< instead: the file was changed by another program
+    void reloadWanted(); ///< instead of saving: the file was changed by another program
 
 private:
     bool isComplete(); ///< or shows why it cannot be saved

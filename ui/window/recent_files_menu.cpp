@@ -53,7 +53,7 @@ RecentFilesMenu::RecentFilesMenu(Settings& settings, QWidget* parent)
 void RecentFilesMenu::fill() {
     for (const Entry& entry : m_entries) {
         removeAction(entry.action);
-        entry.action->deleteLater(); // perhaps it is the one being triggered
+        entry.action->deleteLater(); // it may be triggering at this moment
     }
     m_entries.clear();
     for (const QString& path : m_settings.recentFiles()) {

@@ -11,8 +11,8 @@ namespace sparkout {
 
 class Settings;
 
-/// The files opened and saved last, chosen by a digit. One that is missing stays in the list,
-/// greyed, until it is removed: its disk may only be away.
+/// The recently opened and saved files, chosen by a digit. A missing file stays in the list,
+/// disabled, until it is removed, since its disk may be temporarily absent.
 class RecentFilesMenu : public QMenu {
     Q_OBJECT
 

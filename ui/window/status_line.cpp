@@ -73,7 +73,7 @@ void StatusLine::showOutcome(const Outcome* outcome, double lastRun_ms, bool has
     case RunStatus::stopped:
     case RunStatus::refused: break;
     }
-    // Pictures that are to be compared state no time that differs from run to run.
+    // Pictures for comparison contain no times that differ between runs.
     m_time->setText(qEnvironmentVariableIsSet("SOURCE_DATE_EPOCH")
                         ? QString()
                         : tr("Computed in %1 ms").arg(QLocale().toString(lastRun_ms, 'f', 1)));

@@ -39,7 +39,7 @@ public:
     void attachAll();
     void retranslate();
 
-    [[nodiscard]] QByteArray saveState() const; ///< current tab, torn-off views and where they are
+    [[nodiscard]] QByteArray saveState() const; ///< current tab, detached views and their places
     bool restoreState(const QByteArray& state); ///< false and unchanged if the state is invalid
 
 signals:

@@ -33,7 +33,7 @@ public:
     virtual void retranslate() = 0;
     [[nodiscard]] virtual Remark remark() const { return m_issue; }
     [[nodiscard]] virtual QString refusal() const { return {}; } ///< reason of a refused text
-    virtual void dropRefusal() {} ///< shows the document's value in its place
+    virtual void dropRefusal() {}                                ///< restores the document's value
     virtual void setIssue(const Remark& issue);
     [[nodiscard]] virtual bool wide() const { return false; }  ///< also covers the unit's column
     [[nodiscard]] virtual bool tall() const { return false; }  ///< whether it is below its label

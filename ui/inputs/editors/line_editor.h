@@ -8,8 +8,8 @@ namespace sparkout {
 
 class CellsLineEdit;
 
-/// A member of several numbers in one line of text. A text it cannot read stays there, marked with
-/// its reason, while the document keeps the last good value.
+/// A member of several numbers in one line of text. An unreadable text stays, marked with its
+/// reason, while the document keeps the last valid value.
 class LineEditor : public FieldEditor {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ protected:
     [[nodiscard]] virtual bool isStored(const QString& text) const = 0;
     /// Passes a text to the document, or returns the reason for refusing it.
     [[nodiscard]] virtual QString accept(const QString& text) = 0;
-    /// The text that several pasted cells mean, or why they mean none.
+    /// The text for several pasted cells, or why they are invalid.
     struct CellsText {
         QString text = {};
         QString fault = {};

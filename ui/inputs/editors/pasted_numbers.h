@@ -19,7 +19,7 @@ public:
     PastedNumbers(const PastedCells& cells, const Range& allowed, const char* unit);
 
     [[nodiscard]] const std::vector<std::vector<double>>& rows() const { return m_rows; }
-    [[nodiscard]] std::vector<double> inOrder() const;             ///< row by row
+    [[nodiscard]] std::vector<double> inOrder() const;             ///< by rows
     [[nodiscard]] const QString& fault() const { return m_fault; } ///< empty: all are valid
 
 private:

@@ -22,7 +22,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::size_t largestFile = 1u << 20; // bytes; 360 lines need a hundredth of it
+constexpr std::size_t largestFile = 1u << 20; // bytes; 360 lines need a hundredth of this
 
 } // namespace
 

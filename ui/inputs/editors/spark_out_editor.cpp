@@ -56,7 +56,7 @@ SparkOutEditor::~SparkOutEditor() {
 }
 
 void SparkOutEditor::leave() {
-    if (!std::exchange(m_left, true)) { // closing moves the focus, which is leaving again
+    if (!std::exchange(m_left, true)) { // closing moves the focus, which would leave again
         if (m_count->hasFocus()) {
             setFocusProxy(m_count); // the table sets the focus here and stays at its cell
         }

@@ -22,7 +22,7 @@ public:
 
     void putInto(Stage& stage) const; ///< uses the last valid count
     void showStage(const Stage& stage);
-    void revert(); ///< back to the value it was opened with
+    void revert(); ///< restores the initial value
 
     [[nodiscard]] bool refused() const; ///< false while typing
     [[nodiscard]] QString refusedText() const;

@@ -29,7 +29,7 @@ public:
 
     void showProject(bool replaced) override;
     void forgetResults() override;
-    void setOutcome(const OutcomePtr& outcome) override; ///< the γ that was computed, to read
+    void setOutcome(const OutcomePtr& outcome) override; ///< the computed γ, for display
     void retranslate() override;
     [[nodiscard]] std::vector<Refusal> refusals() const override;
     bool dropRefusal(const std::string& path) override;

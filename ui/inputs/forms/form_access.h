@@ -19,7 +19,7 @@ class FormAccess {
     Q_DECLARE_TR_FUNCTIONS(FormAccess)
 public:
     FormAccess() = default; ///< every input is free
-    /// While a prediction is awaited no input is.
+    /// Locks all inputs while a prediction is awaited.
     FormAccess(const LessonStep& step, bool isAwaited);
 
     [[nodiscard]] bool isFree() const { return !m_step && !m_isAwaited; } ///< every input is
@@ -27,7 +27,7 @@ public:
     /// Whether it, or something below it, may be changed or is shown.
     [[nodiscard]] bool hasFree(std::string_view path) const;
     [[nodiscard]] bool hasShown(std::string_view path) const;
-    [[nodiscard]] QString lockText() const; ///< why a locked input is
+    [[nodiscard]] QString lockText() const; ///< why an input is locked
 
     /// Locks a widget, or undoes that; what this did not lock stays unchanged.
     static void lock(QWidget& widget, bool locked);

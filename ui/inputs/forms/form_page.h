@@ -49,10 +49,10 @@ public:
     /// Sets which inputs may be changed and which are shown.
     void setAccess(const FormAccessPtr& access);
     void setAllInputs(bool all);   ///< all inputs, or the usual ones
-    [[nodiscard]] bool hasShown(); ///< whether any input is
+    [[nodiscard]] bool hasShown(); ///< whether any input is shown
     void retranslate();
     [[nodiscard]] std::vector<Refusal> refusals() const;
-    /// Shows the document's value where a text was refused; false when it is not on this page.
+    /// Restores the document's value in a refused field; false if it is not on this page.
     bool dropRefusal(const std::string& path);
     /// Whether this page shows the field at a path.
     [[nodiscard]] bool holds(const std::string& path);

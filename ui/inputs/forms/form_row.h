@@ -62,7 +62,7 @@ private:
     QString m_calibration; ///< short text; empty: not calibrated
     bool m_isShared = false;
     Access m_access = Access::free;
-    QString m_lock;           ///< why it is locked
+    QString m_lock;           ///< why the input is locked
     bool m_isRelevant = true; ///< used by the model, and not hidden by a lesson
     bool m_isShown = true;    ///< also by its rank
 };

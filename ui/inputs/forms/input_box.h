@@ -21,7 +21,7 @@ public:
     virtual void forgetResults() {} ///< removes results shown beside the inputs
     virtual void retranslate() = 0;
     [[nodiscard]] virtual std::vector<Refusal> refusals() const = 0;
-    /// Shows the document's value where a text was refused; false when it is not here.
+    /// Restores the document's value in a refused field; false if it is not here.
     virtual bool dropRefusal(const std::string& path) = 0;
     [[nodiscard]] virtual bool holds(const std::string& path) const = 0;
     virtual void focusPath(const std::string& path) = 0;

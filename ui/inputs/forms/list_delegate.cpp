@@ -32,7 +32,7 @@ QWidget* ListDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
     auto* self = const_cast<ListDelegate*>(this);
     const ListModel& model = modelOf(index);
     NumberSpec spec = NumberSpec::of(model.field(index), m_document.project(), model.item(index));
-    spec.optional = false; // a column that is shown is needed
+    spec.optional = false; // a visible column is required
     auto* editor = new NumberField(spec, parent);
     setCell(*editor, index);
     editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

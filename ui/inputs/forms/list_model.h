@@ -25,7 +25,7 @@ class ListModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    /// The list at `path`, described by `list` (Kind::objectList).
+    /// Shows the list at `path`, described by `list` (Kind::objectList).
     ListModel(std::string path, const Field& list, Document& document);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -63,7 +63,7 @@ public:
 
     // For pasting.
     [[nodiscard]] const std::vector<const Field*>& columns() const { return m_columns; }
-    /// Rows that stay at the end when rows are added whose given columns are these.
+    /// Number of rows that stay at the end when rows with these columns are added.
     [[nodiscard]] virtual std::size_t lastRowsKept(const std::vector<const Field*>& given) const;
     /// Resizes the list of a project; the last `last` rows stay at the end. A new row is a copy of
     /// the one before it.
@@ -83,7 +83,7 @@ protected:
     /// Whether a column that the project may read is shown.
     [[nodiscard]] virtual bool shows(const Field&) const { return true; }
     [[nodiscard]] virtual QString shown(const QModelIndex& index) const;
-    [[nodiscard]] virtual int resultColumns() const { return 0; } ///< behind the fields
+    [[nodiscard]] virtual int resultColumns() const { return 0; } ///< after the fields
     [[nodiscard]] virtual QVariant resultData(const QModelIndex& index, int role) const;
     [[nodiscard]] virtual QVariant resultHeader(int column, int role) const;
     [[nodiscard]] Document& document() const { return m_document; }

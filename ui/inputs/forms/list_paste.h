@@ -24,7 +24,8 @@ class ListPaste {
     Q_DECLARE_TR_FUNCTIONS(ListPaste)
 
 public:
-    /// The list at `path`, described by `list`, as the model shows it; `at` is the selected cell.
+    /// Pastes into the list at `path`, described by `list`, as displayed by the model; `at` is the
+    /// selected cell.
     ListPaste(const ListModel& model, std::string path, const Field& list, const Project& project);
 
     void paste(PastedCells cells, const QModelIndex& at);

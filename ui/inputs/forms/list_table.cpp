@@ -302,7 +302,7 @@ void ListTable::updateReasons() {
         add(Mark::error, refusal.path, refusal.reason);
     }
     int remarks = 0;
-    for (const Issue& issue : m_issues) { // the messages have all of them
+    for (const Issue& issue : m_issues) { // the message panel has all of them
         if ((issue.path == m_path || issue.path.starts_with(m_path + "/"))
             && ++remarks <= shownRemarks) {
             add(markOf(issue), issue.path, issueText(issue));
@@ -341,7 +341,7 @@ void ListTable::retranslate() {
     name(*m_down, shown.down, tr("Ctrl+Down"));
     m_model->retranslate();
     m_sliders->retranslate();
-    if (m_refusedCells) { // the reasons in the present language
+    if (m_refusedCells) { // the reasons in the current language
         ListPaste again(*m_model, m_path, m_list, m_document.project());
         again.paste(m_refusedCells->first, m_refusedCells->second);
         m_notPasted = again.faults();
@@ -522,7 +522,7 @@ void ListTable::showMenu(const QPoint& at) {
     menu->addSeparator();
     const auto add = [menu](const QString& text, const QKeySequence& key) {
         QAction* action = menu->addAction(text);
-        action->setShortcut(key); // shown, and while the menu is open
+        action->setShortcut(key); // displayed, and while the menu is open
         return action;
     };
     connect(add(tr("Copy the &selected cells"), QKeySequence::Copy), &QAction::triggered, this,
@@ -545,7 +545,7 @@ bool ListTable::eventFilter(QObject* watched, QEvent* event) {
         }
     }
     if (watched == m_view && event->type() == QEvent::ShortcutOverride) {
-        // Copying and pasting are the table's while it has the focus.
+        // The table handles copying and pasting while it has the focus.
         const auto& key = *static_cast<QKeyEvent*>(event);
         event->setAccepted(key.matches(QKeySequence::Copy) || key.matches(QKeySequence::Paste)
                            || isCopyTable(key));

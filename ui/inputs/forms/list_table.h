@@ -34,7 +34,7 @@ class ListTable : public QWidget {
     Q_OBJECT
 
 public:
-    /// The list at `path`, described by `list` (Kind::objectList).
+    /// Edits the list at `path`, described by `list` (Kind::objectList).
     ListTable(const std::string& path, const Field& list, Document& document,
               QWidget* parent = nullptr);
 

@@ -28,7 +28,7 @@ void PageColumns::addWide(QWidget* part) {
     m_wide.push_back(part);
 }
 
-/// A column is no narrower than a page of one column that has a scroll bar.
+/// A column is at least as wide as a page of one column with a scroll bar.
 bool PageColumns::hasTwo(int width) const {
     const int bar = parentWidget()->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
     return (width - between) / 2 >= panelWidth() - bar - 2 * metrics::margin;

@@ -41,7 +41,7 @@ QLabel* noteLabel(QWidget* parent, const char* name) {
     return label;
 }
 
-/// A line to type in with its name, set like the rows of numbers, and a note below it.
+/// A labelled text field, aligned with the rows of numbers, and a note below it.
 void layOutTyped(RowHelper& helper, QLabel& label, QLineEdit& line, QLabel& note) {
     helper.setFocusProxy(&line);
     setTextWidth(line, metrics::field);
@@ -297,7 +297,7 @@ void SizeHelper::showPart() {
     showTyped();
 }
 
-/// The size that is typed, as far as the part has another.
+/// The typed size, unless the part already has it.
 std::optional<TypedSize> SizeHelper::toFill() const {
     const Part& part = *m_document.project().part;
     const TypedSize typed = readSize(m_size->text(), part);

@@ -15,7 +15,7 @@ struct Field;
 class ListModel;
 class ValueSlider;
 
-/// The sliders of one row of a table, a line for each of its numbers one plays with.
+/// The sliders of one row of a table, a line for each number with one.
 class RowSliders : public QWidget {
     Q_OBJECT
 

@@ -102,7 +102,7 @@ void StageDelegate::paintInTwoLines(QPainter& painter, QStyleOptionViewItem item
     painter.restore();
 }
 
-/// A feed, and below it in small type the same in another form.
+/// A feed, and below it in a small font the feed in another unit.
 void StageDelegate::paintWithForm(QPainter& painter, QStyleOptionViewItem item,
                                   const QString& form) {
     const QString text = std::exchange(item.text, QString());

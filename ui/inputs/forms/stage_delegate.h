@@ -22,7 +22,7 @@ public:
                               const QModelIndex& index) const override;
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
-    [[nodiscard]] static int rowHeight(const QFontMetrics& font); ///< a number above its share
+    [[nodiscard]] static int rowHeight(const QFontMetrics& font); ///< for a number above its share
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

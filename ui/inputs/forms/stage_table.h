@@ -49,7 +49,7 @@ private:
     void setContinuous(bool stated);
 
     StageModel* m_stages;
-    QCheckBox* m_continuous; ///< whether the stages state a continuous infeed, and its column shows
+    QCheckBox* m_continuous; ///< whether the stages have a continuous infeed, with its column
     QPushButton* m_sparkOut; ///< shown without a spark-out
     QPushButton* m_start;    ///< inserts a starting cycle
     QPushButton* m_fit;

@@ -35,7 +35,7 @@ bool isSameStiffness(const std::optional<Stiffness>& a, const std::optional<Stif
                    && a->wheel_head == b->wheel_head));
 }
 
-/// "4.1 → 5.2", one of them a dash where there was no run.
+/// "4.1 → 5.2", with a dash for a missing run.
 QString beforeAndAfter(const OutcomePtr& before, const OutcomePtr& after,
                        const std::function<QString(const Outcome&)>& of) {
     const auto shown = [&of](const OutcomePtr& outcome) {

@@ -24,7 +24,7 @@ public:
     void offer(const Project& with);
     void withdraw();
     [[nodiscard]] bool isTaken() const; ///< or if there is no choice
-    /// The project with the machine, and with its stiffness if that was chosen.
+    /// The project with the machine, and with its stiffness if chosen.
     [[nodiscard]] Project taken(Project with) const;
 
 signals:
@@ -33,7 +33,8 @@ signals:
 private:
     void askForEffect();
     void showEffect(const OutcomePtr& before, const OutcomePtr& after);
-    [[nodiscard]] bool isGiven() const; ///< the compliance, so that no stiffness is read
+    [[nodiscard]] bool
+    isGiven() const; ///< the compliance is given, so that stiffnesses are not used
 
     Project m_project;
     Project m_with;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int stepsOfHistory = 200;
 
-/// The index behind the name of a list, where a path is of one of its items.
+/// The index behind the name of a list, if the path is that of an item.
 std::optional<std::size_t> indexAfter(std::string_view list, const std::string& path) {
     return path.starts_with(list)
                ? std::optional(static_cast<std::size_t>(std::atoi(path.c_str() + list.size())))

@@ -48,7 +48,7 @@ QString lessonFiles() {
     return LessonEditor::tr("Lessons (*%1)").arg(editedEnding);
 }
 
-/// The variants name steps by their numbers, from 1.
+/// The variants refer to steps by their numbers, from 1.
 void renumber(Lesson& lesson, const std::function<int(int number)>& of) {
     if (lesson.variants) {
         for (FigureBound& bound : lesson.variants->figures) {

@@ -35,7 +35,7 @@ public:
     void protect(const QString& stateFolder) { m_file.protect(stateFolder); }
     [[nodiscard]] LessonDraft& draft() { return m_draft; }
     bool
-    openLesson(const QString& path); ///< a file, or a shipped lesson as a new one; false: refused
+    openLesson(const QString& path); ///< a file, or a shipped lesson as a new one; false if refused
     [[nodiscard]] bool isWhole();    ///< without faults, which are shown
     [[nodiscard]] QMenu& papers() const { return *m_papers; } ///< papers made from the work
     /// Asks what to do with unsaved changes; false if the teacher cancels.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// The inputs of a project that a lesson can name, and how the variants vary them.
+/// The inputs that a lesson can refer to, and their variation.
 namespace sparkout {
 
 /// The inputs shown in the forms, and those above them: paths in the file.

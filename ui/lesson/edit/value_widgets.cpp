@@ -174,7 +174,7 @@ bool ValueWidgets::eventFilter(QObject* watched, QEvent* event) {
         }
     }
     if (event->type() == QEvent::Wheel && !qobject_cast<QPlainTextEdit*>(watched)) {
-        event->ignore(); // the page scrolls, and no choice is changed by that
+        event->ignore(); // scrolls the page instead of changing the choice
         return true;
     }
     return QObject::eventFilter(watched, event);

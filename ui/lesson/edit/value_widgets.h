@@ -29,7 +29,7 @@ class ValueWidgets : public QObject {
 public:
     /// Finds a struct in a lesson; null if it does not exist.
     using Reach = std::function<void*(Lesson& lesson)>;
-    /// A value, and the struct it is in.
+    /// A value and its struct.
     struct Row {
         const StructInfo& table;
         const Field& field;
@@ -51,7 +51,7 @@ public:
     /// Shows part of a struct, now and whenever the lesson changes.
     void showBy(const Row& row, std::function<void(const void* owner)> show);
     void change(const Row& row, const std::function<void(void* owner)>& set, bool merges = true);
-    /// Gives it path, label and hint of its row.
+    /// Sets path, label and hint of its row.
     void name(QWidget& widget, const Row& row, const std::string& more = {});
     void watch(QWidget& widget); ///< passes undo and the wheel on
     [[nodiscard]] const void* ownerOf(const Reach& reach) const;

@@ -29,7 +29,7 @@ inline constexpr double captionPoints = 6, valuePoints = 9, smallPoints = 7.5;
 // Head: inventory, changes and sheets; signatures; product.
 extern const std::array<const char*, 3> inventory; ///< Дубл., Взам., Подл.
 inline constexpr std::array inventoryWidths{12.0, 25.0, 15.0, 15.0};
-extern const std::array<Cell, 5> changes;        ///< twice side by side
+extern const std::array<Cell, 5> changes;        ///< two side by side
 extern const std::array<const char*, 5> signers; ///< Разраб. … Утв.
 inline constexpr std::array signerWidths{20.0, 30.0, 16.0, 14.0};
 extern const std::array<Cell, 3> designations; ///< organisation, part, document

@@ -20,7 +20,7 @@ struct CardRow {
     bool keeps = false; ///< keep on one sheet with the next row
 };
 
-/// The words of operation card and sketch sheet, in the present language.
+/// The texts of operation card and sketch sheet, in the current language.
 class CardRows {
     Q_DECLARE_TR_FUNCTIONS(OperationCard)
 public:
@@ -30,7 +30,7 @@ public:
     static QString surfaceName(const Setup& setup, std::size_t surface); ///< "2 (bearing seat)"
     static QStringList tolerances(const Part& part); ///< "roundness 0.003", in mm
     static QString minutes(double value_min);        ///< two decimals
-    /// Rounded so that they add up to the rounded sum.
+    /// Rounds minutes so that they add up to the rounded sum.
     static QStringList minutesAddingUp(const std::vector<double>& values_min);
 
 private:

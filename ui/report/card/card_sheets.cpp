@@ -39,7 +39,7 @@ void value(FormSheet& sheet, const QRectF& cell, const QString& text,
     }
 }
 
-/// Cells beside each other: the caption above, the value below.
+/// Cells side by side, with captions above and values below.
 void captionedRow(FormSheet& sheet, std::span<const form::Cell> cells, const QStringList& values,
                   double x, double y, double height = captioned) {
     const double captionHeight = height == captioned ? form::halfPitch : height - 5.2;

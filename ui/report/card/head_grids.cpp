@@ -15,7 +15,7 @@ namespace sparkout::report {
 
 namespace {
 
-/// Cells beside each other, each with its caption.
+/// Cells side by side, each with its caption.
 FormGrid captionedRow(std::span<const form::Cell> cells, const QStringList& values) {
     FormGrid grid;
     std::vector<FormCell>& row = grid.rows.emplace_back();
@@ -71,7 +71,7 @@ FormGrid HeadGrids::signers(const CardHead& head) {
     const Company& of = head.company;
     FormGrid grid;
     grid.widths_mm.assign(form::signerWidths.begin(), form::signerWidths.end());
-    // Columns as both rows beside the signers need them: designations and names.
+    // Columns for both rows beside the signatures: designations and names.
     grid.widths_mm.insert(grid.widths_mm.end(), {72, 48, 12, 15, 15, 15, 15});
     constexpr std::array designationColumns{1, 2, 4};
     constexpr std::array nameColumns{2, 1, 1, 1, 1, 1};

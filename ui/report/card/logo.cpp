@@ -19,7 +19,7 @@ unsigned byteAt(const QByteArray& bytes, qsizetype at) {
     return static_cast<unsigned char>(bytes[at]);
 }
 
-/// A number of several bytes, the highest first; 0 where the bytes end before.
+/// A big-endian number of several bytes; 0 beyond the end.
 quint32 numberAt(const QByteArray& bytes, qsizetype at, int length) {
     quint32 number = 0;
     for (qsizetype i = at; i < at + length; ++i) {

@@ -23,7 +23,7 @@ public:
                                       const Company& company, const QString& file,
                                       const QDate& date);
 
-    /// The sketch sheet alone.
+    /// Only the sketch sheet.
     [[nodiscard]] static Report sketch(const Setup& setup, const Company& company,
                                        const QString& file, const QDate& date);
 

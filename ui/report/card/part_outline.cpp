@@ -9,9 +9,9 @@ namespace sparkout::report {
 
 namespace {
 
-constexpr double assumedWall = 1.5; ///< outer diameter over the largest bore, where not given
+constexpr double assumedWall = 1.5; ///< outer diameter over the largest bore, if not given
 
-/// The steps with another one laid over them.
+/// The steps with another one placed over them.
 std::vector<OutlineStep> overlaid(const std::vector<OutlineStep>& steps, const OutlineStep& over) {
     std::vector<OutlineStep> all;
     const auto add = [&all](double from, double to, double diameter) {

@@ -14,7 +14,7 @@ struct OutlineStep {
     double diameter_mm = 0;
 };
 
-/// A surface that is ground, at its place.
+/// A ground surface at its place.
 struct GroundStep : OutlineStep {
     std::size_t surface = 0; ///< index into the set-up
     bool isBore = false;

@@ -83,7 +83,7 @@ SketchSheet::SketchSheet(FormSheet& sheet, const QRectF& room, const Setup& setu
     const double height =
         std::clamp(m_room.height() - above - leaderRoom - below, leastPartHeight, mostPartHeight);
     const double largest = m_outline.largest_mm();
-    // A slender part is drawn thicker, one that is short beside its callouts longer.
+    // A slender part is drawn thicker, one that is short relative to its callouts longer.
     const double uniform = std::min(mostPartWidth / m_outline.length_mm(), height / largest);
     const double callouts = m_hasTable ? mostPartWidth : std::reduce(widths.begin(), widths.end());
     m_scaleX =

@@ -25,7 +25,7 @@ struct Institution {
     [[nodiscard]] static Institution fromKept(const QVariantMap& kept);
 };
 
-/// A text of it: its key in the settings and its name.
+/// A text of the institution: its key in the settings and its label.
 struct InstitutionField {
     const char* key;
     QString Institution::*value;

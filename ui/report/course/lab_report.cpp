@@ -171,7 +171,7 @@ private:
         m_paper.lines(recordOf(m_work, *step).answer->text);
     }
 
-    /// The program, and where its equations are from.
+    /// The program, and the sources of its equations.
     void writeSources() {
         QStringList sources{
             tr("%1: calculation of cylindrical grinding cycles: a computer program and the "

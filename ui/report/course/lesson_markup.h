@@ -13,7 +13,7 @@ namespace sparkout::report {
 /// items, tables.
 class LessonMarkup {
 public:
-    /// Formulas are numbered on from `formulas`, where one is given.
+    /// Numbers formulas starting from `formulas`, if given.
     [[nodiscard]] static std::vector<Block> blocks(const QString& markup, int* formulas = nullptr);
     /// The whole text on one line.
     [[nodiscard]] static QString inOneLine(const QString& markup);

@@ -32,7 +32,7 @@ public:
     void table(Table table, const QString& caption);
     /// With its number in the caption; returns the number.
     int figure(Figure figure);
-    /// A text of a lesson in the present language.
+    /// A text of a lesson in the current language.
     void lesson(const Bilingual& text);
     /// A text of the user, line by line.
     void lines(const std::string& text);
@@ -40,7 +40,7 @@ public:
     [[nodiscard]] const Report& report() const { return m_report; }
     [[nodiscard]] Report take() { return std::move(m_report); }
 
-    [[nodiscard]] static bool isRussian();                    ///< the present language
+    [[nodiscard]] static bool isRussian(); ///< whether the current language is Russian
     [[nodiscard]] static QString text(const Bilingual& text); ///< its markup
 
 private:

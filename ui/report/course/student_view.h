@@ -34,8 +34,8 @@ public:
 
     /// A cell of inputTable() in the notation of papers.
     [[nodiscard]] static QString cellOf(const CsvCell& cell);
-    /// Predictions of a work that were not handed in, by their steps: as long as there are any, no
-    /// result may be shown.
+    /// Predictions of a work that were not handed in, by their steps: until then no result may be
+    /// shown.
     [[nodiscard]] static std::vector<std::size_t> unpredicted(const Work& work);
 
 private:

@@ -7,7 +7,7 @@
 
 namespace sparkout::report {
 
-/// The title of a lesson, "Work 2. Programmed and actual feed", as number and name.
+/// The title of a lesson, "Work 2. Programmed and actual feed", split into number and name.
 struct WorkTitle {
     explicit WorkTitle(const Bilingual& title); ///< translated
 

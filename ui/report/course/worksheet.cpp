@@ -206,7 +206,7 @@ private:
     PaperWriter m_paper;
 };
 
-/// The first moment that the lesson shows in the cycle as given.
+/// The first moment shown by the lesson in the given cycle.
 StepWish stepOf(const Lesson& lesson) {
     for (const LessonStep& step : lesson.steps) {
         if (!step.moment || !step.moment->count || step.surface != 1) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int histogramHeight = 240, alongHeight = 300, acrossHeight = 320;
 constexpr int leastBarsHeight = 110, standingBarsHeight = 230;
-constexpr std::size_t mostAcross = 4; ///< cross-sections beside each other
+constexpr std::size_t mostAcross = 4; ///< cross-sections side by side
 constexpr double narrowBar = 0.8;     ///< least width
 
 std::vector<int> allOf(const ProfileSeries& series) {

@@ -26,7 +26,7 @@ struct SetupSubject {
     SetupRun run;
 };
 
-/// A set-up whose wheel wears, and how many parts it grinds.
+/// A set-up whose wheel wears, and its number of parts between dressings.
 struct DressingSubject {
     Setup setup;
     DressingInterval interval;
@@ -50,7 +50,7 @@ struct Subject {
     DressingSubjectPtr dressing; ///< of the set-up, for a kind that uses a batch; may be null
     Company company;             ///< for the heads
     HandoutOptions handout;      ///< options of the course hand-out
-    std::function<void()> breathe = [] {}; ///< called between figures, so that a window may live
+    std::function<void()> breathe = [] {}; ///< called between figures, to keep a window responsive
 };
 
 struct KindRow {
@@ -71,7 +71,7 @@ struct KindRow {
 /// Names the reported surface of a set-up with several.
 void nameSurface(Subject& subject, const Setup& setup, std::size_t surface);
 
-/// An outcome as the set-up of its one surface.
+/// An outcome as a set-up with one surface.
 [[nodiscard]] SetupSubject setupOf(const Outcome& outcome);
 
 /// Computes the parts between dressings for the current set-up; null if its wheel does not wear.

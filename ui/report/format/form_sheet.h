@@ -16,7 +16,7 @@
 
 class QPainter;
 
-/// A sheet of a form as values: everything at its place on the paper, in millimetres.
+/// A sheet of a form as values: everything with its position on the paper, in millimetres.
 namespace sparkout::report {
 
 inline constexpr double unitsPerMm = 720 / 25.4; ///< of the page
@@ -30,7 +30,7 @@ struct TablePlace {
     int span = 1; ///< number of columns
 };
 
-/// A text within its cell, in the middle of its height.
+/// A text within its cell, vertically centred.
 struct SheetText {
     QRectF cell;
     QString text;
@@ -67,7 +67,7 @@ struct SheetPicture {
     QString description; ///< in words
 };
 
-/// The drawing on a sheet: which of its lines, shapes and texts, from one up to another.
+/// The drawing on a sheet: ranges of its lines, shapes and texts.
 struct SheetDrawing {
     struct Range {
         std::size_t from = 0, to = 0;

@@ -61,7 +61,7 @@ FormulaBox beside(std::vector<FormulaBox> boxes) {
     return row;
 }
 
-/// "k_s" with its index below the line.
+/// "k_s" with a lowered index.
 FormulaBox symbolBox(const QString& text, double points) {
     static const QRegularExpression index(QStringLiteral("_(\\w+)"),
                                           QRegularExpression::UseUnicodePropertiesOption);

@@ -38,7 +38,7 @@ using LeafWriter = std::function<FormulaLeaf(const FormulaTerm&)>;
 /// The right side of a step; empty if it has none. The text must come from the engine.
 [[nodiscard]] std::vector<FormulaNode> rightSide(const FormulaStep& step, const LeafWriter& leaf);
 
-/// A symbol or number by itself: "√a" is a root.
+/// A single symbol or number: "√a" is a root.
 [[nodiscard]] FormulaNode leafNode(const QString& text, double value);
 
 /// On one line: "2·h/(C + √(C² + 4·A·h))"; indices and powers as "k_s" and "x^(2/3)".

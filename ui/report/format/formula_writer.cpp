@@ -67,7 +67,7 @@ FormulaNode words(const QString& text) {
     return {FormulaNode::Kind::text, text, 2, 0, {}};
 }
 
-/// The number of a term and its unit, with the powers of that raised.
+/// The number of a term and its unit, with raised powers.
 FormulaNode quantityNode(const QString& number, const FormulaTerm& term) {
     static const QRegularExpression power(QStringLiteral("(\\p{L}+)\\^([0-9]+(?:[.,][0-9]+)?)"));
     FormulaNode node{FormulaNode::Kind::row, {}, 2, term.value, {words(number)}};

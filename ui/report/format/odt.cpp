@@ -383,7 +383,7 @@ QByteArray stylesOf(const Report& report, const OdtForms& forms, bool landscape)
                 landscape ? QStringLiteral("5mm") : QStringLiteral("12mm")},
                {QStringLiteral("fo:margin-top"), QStringLiteral("10mm")},
                {QStringLiteral("fo:margin-bottom"), QStringLiteral("10mm")}});
-    // A footer is as high as symbol and name of a form with the line below them: it does not grow.
+    // A footer has a fixed height: symbol and name of a form with the line below them.
     for (const auto& [style, height] :
          {std::pair("style:header-style", "5mm"), std::pair("style:footer-style", "9mm")}) {
         xml.begin(style);

@@ -21,7 +21,7 @@ public:
     void end();
     void text(const QString& text);
     void empty(const char* name, const Attributes& attributes);
-    /// A paragraph or heading; its lines stay lines.
+    /// A paragraph or heading; line breaks are kept.
     void paragraph(const char* style, const QString& text, const char* element = "text:p");
     /// A text with symbols: the index of "k_s" is lowered.
     void symbols(const char* style, const QString& text);

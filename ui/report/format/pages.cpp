@@ -24,7 +24,7 @@ namespace {
 constexpr int pdfResolution = 1200;
 constexpr double pointsPerInch = 72;
 
-/// The title as a list of documents shows it.
+/// The title as shown in a list of documents.
 QString fullTitle(const Report& report) {
     return report.subject.isEmpty() ? report.title
                                     : report.title + QStringLiteral(" – ") + report.subject;
@@ -123,7 +123,7 @@ bool printPages(const Pages& pages, QPrinter& printer) {
 
 namespace {
 
-/// The project, so that the paper can be opened again.
+/// The project, from which the paper can be opened again.
 std::optional<PdfAttachment> attachmentOf(const Report& report) {
     const QString ending = QStringLiteral(".sparkout");
     if (report.inputs.isEmpty()) {

@@ -15,7 +15,7 @@ inline constexpr int figureWidth = 820;
 /// Sets up a plot for white paper, the same on every device; call before setting its data.
 void setUpForPaper(QCustomPlot& plot, int height);
 
-/// The plot in vectors, its legend above it.
+/// The plot as vector graphics, with its legend above.
 [[nodiscard]] Figure plotFigure(QCustomPlot& plot, const LegendEntries& legend,
                                 const QString& caption, const QString& description);
 

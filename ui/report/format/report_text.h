@@ -13,7 +13,7 @@ namespace sparkout::report {
 /// A single file with embedded SVG figures. Also well-formed XML.
 [[nodiscard]] QByteArray html(const Report& report);
 
-/// Tables and texts; a figure is described in words, and its drawing is SVG in the file itself.
+/// Tables and texts; a figure has a description and an SVG drawing in the file itself.
 [[nodiscard]] QByteArray markdown(const Report& report);
 
 /// The formats of an exported report, by file suffix.

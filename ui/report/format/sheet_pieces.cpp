@@ -15,8 +15,7 @@ namespace {
 
 using Id = PdfStructure::Id;
 
-/// The elements of a sheet's table: every row has a cell in each of its columns, or one over
-/// several of them.
+/// The elements of a sheet's table: every row has a cell for each column, or one spanning several.
 class SheetTable {
 public:
     SheetTable(const FormSheet& sheet, PdfStructure& structure, Id parent) {

@@ -28,9 +28,9 @@ public:
     [[nodiscard]] double width() const { return m_width; }
     [[nodiscard]] const QFont& font() const { return m_font; }
     [[nodiscard]] const QStringList& texts() const { return m_lines; } ///< line by line
-    /// The lines from one on, as many as given.
+    /// The lines from one on, with this count.
     [[nodiscard]] TextBox part(int first, int count) const;
-    /// "k_s" is painted with its index below the line.
+    /// Paints "k_s" with a lowered index.
     void showIndices() { m_indices = true; }
     void paint(QPainter& painter, double x, double y) const;
 

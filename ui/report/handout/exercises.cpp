@@ -42,7 +42,7 @@ struct Why {
 struct ChangeWords {
     QString statement;
     std::vector<Why> why;
-    bool moreLag = false; ///< the system lags further behind its feed
+    bool moreLag = false; ///< the lag of the system behind its feed increases
 };
 
 const char* unitOf(Asked asked) {

@@ -13,7 +13,7 @@ namespace sparkout::report {
 
 namespace {
 
-// Sheets are known by the names that the engine gives them.
+// Sheets are identified by the engine's names.
 constexpr const char *balanceName = "Elastic balance of one radius", *normalName = "Normal force",
                      *tangentialName = "Tangential force",
                      *burnName = "Limiting depth of cut, burn",

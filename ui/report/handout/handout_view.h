@@ -14,7 +14,7 @@ enum class HandoutView {
     feeds,    ///< feeds around the step, with E1…E5
     cycle,    ///< feeds over the whole cycle
     profiles, ///< cross-sections at the end
-    limits,   ///< actual feed under its limits
+    limits,   ///< actual feed below its limits
     grid,     ///< of dynamic programming
 };
 struct HandoutViewRow {

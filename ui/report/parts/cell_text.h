@@ -7,7 +7,7 @@
 
 #include <string>
 
-/// Texts and numbers as the cells of every document write them.
+/// Texts and numbers for the cells of every document.
 namespace sparkout::report {
 
 /// A text of the user on one line, without characters that are invalid in documents.

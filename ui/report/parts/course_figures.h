@@ -8,7 +8,7 @@
 
 namespace sparkout::report {
 
-/// The cross-sections as the cycle leaves them, magnified.
+/// The cross-sections at the end of the cycle, magnified.
 [[nodiscard]] Figure profilesFigure(const OutcomePtr& outcome);
 
 /// The actual feed over the stock left below its limits, at a place of the cycle; empty without

@@ -174,7 +174,7 @@ void Drawing::drawBody() {
                               QPointF(x(m_from_mm + m_part.length_mm), axis + h)));
 }
 
-/// A bore in section: its outer form is not among the inputs.
+/// A bore in section: its outer form is not an input.
 void Drawing::drawBore() {
     const double inner = mostHalf - 14;
     for (const double side : {-1.0, 1.0}) {

@@ -75,7 +75,7 @@ QString textOf(const Output<Figures>& row, const Figures& figures) {
     return share ? BatchText::share(*share) : dash;
 }
 
-/// A table while it is filled row by row.
+/// Fills a table row by row.
 class Filler {
 public:
     Filler(ValueTable& table, const std::vector<Figures>& places)

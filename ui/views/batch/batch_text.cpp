@@ -18,7 +18,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double doubtful = 0.05; ///< probability below which a shape is called not normal
+constexpr double doubtful = 0.05; ///< probability below which a distribution is called not normal
 
 /// Never rounds to 0 or to 100 %.
 QString percent(double share) {

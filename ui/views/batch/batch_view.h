@@ -46,7 +46,7 @@ public:
     [[nodiscard]] QString title() const override;
 
 signals:
-    /// A run of such inputs is to be kept beside the project, under a name.
+    /// A run of such inputs is to be kept with the project, under a name.
     void runWanted(const std::function<std::optional<sparkout::Project>(sparkout::Project)>& inputs,
                    const QString& name);
 
@@ -106,7 +106,7 @@ private:
     QPushButton* m_rows; ///< writes all parts to a file
     QPushButton* m_add;
     std::string m_wanted = "diameter"; ///< characteristic the user chose
-    BatchOutcomePtr m_shown;           ///< drawn
+    BatchOutcomePtr m_shown;           ///< the drawn one
     bool m_tellsIndices = true;
 };
 

@@ -14,7 +14,7 @@ namespace sparkout {
 
 inline constexpr double nmPerMm = 1e6; ///< γ is drawn in nm/N
 
-/// γ along the part as stacked parts, its sum, and the γ each zone or section is ground with.
+/// γ along the part as stacked parts, its sum, and the γ used for each zone or section.
 class ComplianceCurves : public LengthCurves {
     Q_DECLARE_TR_FUNCTIONS(ComplianceCurves)
 public:

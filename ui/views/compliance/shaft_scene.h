@@ -24,7 +24,7 @@ public:
     void setProject(const Project& project, const QRectF& body, double gauge_mm);
     [[nodiscard]] QRectF bounds() const { return m_bounds; } ///< [mm], y upwards
 
-    /// Words beside a thing, in pixels.
+    /// A text beside an object, in pixels.
     struct Note {
         QRectF place;
         QString text;

@@ -27,7 +27,7 @@ constexpr double visibleLimits = 3;   ///< times the deepest cut, of limits that
 constexpr double decades = 1e-4;      ///< least visible share of the deepest cut
 constexpr double forbidden_um = 1e6;  ///< far above all plots
 constexpr int forbiddenAlpha = 34;
-constexpr int markPadding = 4;              ///< about its text
+constexpr int markPadding = 4;              ///< around its text
 constexpr int namePadding = 2, nameGap = 4; ///< beside the name of a limit, and below it
 constexpr double pieceWidth = 9;            ///< width of the band along the binding limit [px]
 constexpr int pieceAlpha = 120;

@@ -301,7 +301,7 @@ void ConstraintsView::showGroup(int group) {
 
 // --- requirements -------------------------------------------------------------------------------
 
-/// The chosen requirement with the numbers of this run.
+/// The selected requirement with the values of this run.
 std::optional<ConstraintResult> ConstraintsView::chosen() const {
     const int row = m_chosen ? m_model->rowOf(*m_chosen) : -1;
     return row >= 0 ? std::optional(m_model->at(row)) : std::nullopt;

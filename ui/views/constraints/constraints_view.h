@@ -34,7 +34,7 @@ public:
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool showsMoment() const override { return true; }
-    /// Chooses it at its place, as by a click on its row.
+    /// Selects it at its place, like a click on its row.
     void showRequirement(const ConstraintResult& requirement);
 
 signals:

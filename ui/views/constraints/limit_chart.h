@@ -63,7 +63,7 @@ public:
 
 private:
     void findEnvelope();
-    /// Limits of a cut as the engine gives them, not read off the curves.
+    /// Limits of a cut by the engine, not read off the curves.
     [[nodiscard]] std::vector<DepthLimit> limitsOf(const LimitedCut& cut) const;
 
     OutcomePtr m_outcome;

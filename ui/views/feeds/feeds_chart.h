@@ -54,7 +54,7 @@ public:
     /// The extremes of the visible ones of these quantities; (0, 0) if there are none.
     [[nodiscard]] std::pair<double, double> extremes(std::initializer_list<Quantity> quantities,
                                                      const CurveChoice& choice) const;
-    /// A curve that can be read, also where it is out of sight.
+    /// A readable curve, also outside the visible range.
     [[nodiscard]] ReadCurve readCurve(std::size_t column, Quantity quantity) const;
     [[nodiscard]] CsvTable table(const CurveChoice& choice) const;
 
@@ -81,7 +81,7 @@ private:
     OutcomePtr m_outcome;
     CycleAxis m_axis = CycleAxis::time;
     CycleScale m_scale;
-    CycleScale m_strokes; ///< counts the double strokes in sight
+    CycleScale m_strokes; ///< counts the visible double strokes
     std::vector<Column> m_columns;
     double m_from_s = 0, m_to_s = 0;
     Detail m_detail = Detail::stroke;

@@ -26,7 +26,7 @@ public:
 
     explicit FeedsPlot(QWidget* parent = nullptr);
 
-    /// Shows columns of a run; the visible range is kept unless it lies outside. No replot.
+    /// Shows columns of a run; keeps the visible range unless it is outside. No replot.
     void setRun(OutcomePtr outcome, const std::vector<int>& shown);
     void setAxis(CycleAxis axis);
     void setMoment(std::optional<double> time_s); ///< moment of the cycle; empty: its end
@@ -40,7 +40,7 @@ public:
     void restyle() override;
     [[nodiscard]] PlotHistory::State visibleRange() const override;
     void setVisibleRange(const PlotHistory::State& state) override;
-    /// Within a plot, wheel and drag move the time only.
+    /// Within a plot, wheel and drag move only the time.
     [[nodiscard]] QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const override;
 
     [[nodiscard]] const FeedSeries& series() const { return m_chart.series(); }

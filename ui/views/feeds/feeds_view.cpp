@@ -570,7 +570,7 @@ QString FeedsView::hint() const {
     return tr("Point at a curve to read its values.");
 }
 
-/// The narrower the view for its type, the more lines the values need.
+/// The narrower the view relative to its font, the more lines the values need.
 void FeedsView::makeRoomForValues() {
     const int wide = width() * usualFontSize / appliedFontSize();
     setTextLines(*values(), wide >= wideView ? 2 : wide >= narrowView ? 4 : 5, 0);

@@ -14,8 +14,8 @@ namespace sparkout {
 
 using TraceComparisonsPtr = std::shared_ptr<const std::vector<TraceComparison>>;
 
-/// Compares the traces of a project with its run off the window's thread; a newer run replaces the
-/// older one.
+/// Compares the traces of a project with its run on another thread; a newer run replaces the older
+/// one.
 class TraceComparer : public QObject {
     Q_OBJECT
 

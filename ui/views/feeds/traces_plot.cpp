@@ -240,7 +240,7 @@ void TracesPlot::scaleValues() {
             if (low > high) {
                 continue;
             }
-            if (side == QCPAxis::atRight) { // about zero, so that a bias is seen
+            if (side == QCPAxis::atRight) { // centred on zero, to show a bias
                 high = std::max({std::abs(low), std::abs(high), 1e-9});
                 low = -high;
             }

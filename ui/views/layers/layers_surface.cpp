@@ -16,7 +16,7 @@ namespace sparkout {
 namespace {
 
 constexpr double firstAzimuth = -52, firstElevation = 28; ///< [°]
-constexpr double azimuthSize = 180, elevationSize = 120;  ///< [°] a drag across the plot turns by
+constexpr double azimuthSize = 180, elevationSize = 120;  ///< [°] angle of a drag across the plot
 constexpr double leastZoom = 0.5, mostZoom = 8;
 constexpr double shareOfWidth = 0.56, shareOfHeight = 0.66; ///< edge of the box in the plot
 constexpr double flatness = 0.62;                           ///< height of the box over its width

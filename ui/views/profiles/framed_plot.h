@@ -20,7 +20,7 @@ public:
 
 protected:
     void followMoves(QCPAxisRect& rect); ///< by the user, in this cell
-    /// Shows the ranges in a cell: no move by the user.
+    /// Sets the ranges of a cell, without a move by the user.
     void setRanges(const QCPAxisRect& rect, const QCPRange& x, const QCPRange& y);
     /// Shows an area at one scale for both axes.
     void showAround(const QCPAxisRect& rect, const QPointF& centre, double perPixel);

@@ -18,7 +18,7 @@ class LongitudinalPlot : public FramedPlot {
 public:
     explicit LongitudinalPlot(QWidget* parent = nullptr);
 
-    /// `shown` are the profiles drawn across the axis; in plunge they are marked here.
+    /// `shown` are the profiles in the cross-sections; in plunge they are marked here.
     void setSeries(ProfileSeries series, std::vector<ShaftStep> shaft, std::vector<int> shown);
     void setDiameters(bool diameters); ///< D − d instead of R − R_t
     void setToScale(bool toScale);

@@ -13,7 +13,7 @@ namespace sparkout {
 namespace {
 
 constexpr int leastCirclePoints = 180;
-constexpr std::size_t mostMarkers = 36; ///< more radii are not marked one by one
+constexpr std::size_t mostMarkers = 36; ///< for more radii markers are omitted
 constexpr double markSize_px = 8;
 constexpr int tallest = 100'000;
 

@@ -27,10 +27,10 @@ class ProfileCell {
 public:
     ProfileCell(QCustomPlot& plot, QCPLayoutGrid& into, bool numbersBeside);
 
-    /// Draws a profile within so far from the centre.
+    /// Draws a profile within this distance from the centre.
     void fill(const ProfileSeries& series, const Profile& profile, const PolarScale& scale,
               double reach, const ProfileLines& hidden, ReferenceCircles circles);
-    /// Blank, target and field: of a profile that was measured only the form is known.
+    /// Hides blank, target and tolerance: of a measured profile only the form is known.
     void showFormAlone() const;
     void restyle(const QFont& font, const QPalette& palette, bool dim);
     void point(const Profile& profile, const PolarScale& scale, int k);

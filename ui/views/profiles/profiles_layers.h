@@ -6,7 +6,7 @@
 
 namespace sparkout {
 
-/// Something drawn about the origin of an axis rect whose two axes have the same scale.
+/// A layer drawn about the origin of an axis rect with equal scales.
 class PolarLayer : public PaintedLayer {
     Q_OBJECT
 public:
@@ -25,7 +25,7 @@ protected:
     [[nodiscard]] QPolygonF arc(const VisiblePart& part, double radius_px) const;
 };
 
-/// The ring between two radii, its edges drawn.
+/// The ring between two radii, with its edges.
 class PolarRing : public PolarLayer {
     Q_OBJECT
 public:
@@ -105,7 +105,7 @@ private:
     std::vector<QRectF> m_names; ///< areas of the angle names
 };
 
-/// Points at one sample and the one across it.
+/// Points at one sample and the opposite one.
 class PolarPointer : public PolarLayer {
     Q_OBJECT
 public:

@@ -331,7 +331,7 @@ void ProfilesPlot::pointAway() {
     emit pointed({});
 }
 
-// Arrows alone move the plot; with Ctrl they walk from sample to sample.
+// Arrows alone move the plot; with Ctrl they step from sample to sample.
 void ProfilesPlot::keyPressEvent(QKeyEvent* event) {
     const int key = event->key();
     const bool sideways = (key == Qt::Key_Left || key == Qt::Key_Right)

@@ -12,8 +12,8 @@
 
 namespace sparkout {
 
-/// Cross-sections side by side, deviations magnified: one cell a zone or section, all at the same
-/// scale and magnification and moved together. Samples are joined by straight lines.
+/// Cross-sections side by side with magnified deviations: one cell for each zone or section, all at
+/// the same scale and magnification and moved together. Samples are joined by straight lines.
 class ProfilesPlot : public FramedPlot {
     Q_OBJECT
 public:
@@ -22,7 +22,7 @@ public:
     /// Sets the profiles with these indices; drawn by replot().
     void setSeries(ProfileSeries series, std::vector<int> shown);
     void setReference(RadiusReference reference);
-    void setMagnification(std::optional<double> wanted); ///< none: chosen by the program
+    void setMagnification(std::optional<double> wanted); ///< empty: chosen by the program
     void setCircles(ReferenceCircles circles);
     void setFilter(std::optional<int> cutoff_upr); ///< applied before the circles are fitted
     /// Adds a measured profile, in a cell of its own after the others; empty: removes it.
@@ -92,7 +92,7 @@ private:
     void rebuild();
     void clearCells();
     void buildCell(QCPLayoutGrid& into);
-    void drawProfiles(); ///< the profiles as they are shown
+    void drawProfiles(); ///< the displayed profiles
     void chooseMagnification();
     void fill();
     [[nodiscard]] QString numbersOf(std::size_t cell, bool brief) const;

@@ -21,7 +21,7 @@ public:
     static CsvTable across(const ProfileSeries& series, const std::vector<Profile>& drawn,
                            const QStringList& names, ReferenceCircles circles,
                            const ProfileLines& hidden);
-    /// A row per zone or section, from the headstock end on or as the zones are numbered.
+    /// A row for each zone or section, from the headstock end on or in the order of the zones.
     static CsvTable along(const ProfileSeries& series, LengthQuantity quantity,
                           const ProfileLines& hidden);
 

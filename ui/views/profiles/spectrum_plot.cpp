@@ -72,7 +72,7 @@ void SpectrumPlot::setSeries(const ProfileSeries& series, const std::vector<int>
     if (!same) {
         fit();
     } else if (amplitudeAxis()->range() == m_fitted) {
-        fitAmplitudes(); // nobody has zoomed
+        fitAmplitudes(); // unless the user has zoomed
     }
 }
 

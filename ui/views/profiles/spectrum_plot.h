@@ -10,7 +10,8 @@
 namespace sparkout {
 
 /// Amplitudes of a profile over the undulations per revolution: 1 is the eccentricity, 2 an oval.
-/// One axis rect a zone or section side by side, blank and profile as bars, all moved together.
+/// One axis rect for each zone or section side by side, blank and profile as bars, all moved
+/// together.
 class SpectrumPlot : public ProfilePlot {
     Q_OBJECT
 public:

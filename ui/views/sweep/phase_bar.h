@@ -23,7 +23,7 @@ class PhaseBar : public QWidget {
 public:
     explicit PhaseBar(QWidget* parent = nullptr);
 
-    void follow(const Project& project); ///< decides it, unless that is done or being done
+    void follow(const Project& project); ///< starts the check, unless it is done or running
     void forget(); ///< before another document: drops project, range and result
     /// The last result; null if there is none, or if the project cannot be checked.
     [[nodiscard]] const PhaseOutcomePtr& phases() const { return m_phases; }

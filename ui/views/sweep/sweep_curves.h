@@ -34,7 +34,7 @@ private:
     void addLimits();
     void addBands();
 
-    std::vector<std::size_t> m_quantities; ///< drawn
+    std::vector<std::size_t> m_quantities; ///< the drawn ones
     std::vector<QCPGraph*> m_curves, m_limits;
     std::vector<QCPItemRect*> m_bands;
     QCPGraph *m_chosenMarks, *m_chosenFoot;

@@ -102,8 +102,8 @@ private:
     QPushButton *m_takeButton, *m_add;
     std::vector<SweepEntry> m_entries;   ///< in the box
     std::string m_wanted = "diameter";   ///< result the user chose
-    SweepResultPtr m_shown;              ///< drawn
-    Issues m_refused;                    ///< why the present one cannot be run
+    SweepResultPtr m_shown;              ///< the drawn one
+    Issues m_refused;                    ///< why the current one cannot be run
     std::optional<std::size_t> m_chosen; ///< point of the shown result
     bool m_edited = false;               ///< the document was changed and not run yet
     bool m_asked = false;                ///< run as soon as it has

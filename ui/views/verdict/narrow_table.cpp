@@ -16,8 +16,8 @@ namespace sparkout {
 
 namespace {
 
-/// Narrow cells, so that three stages and the cycle fit beside their names into 300 px: a number
-/// at the right, a mark before it, two pixels of air.
+/// Narrow cells, so that three stages and the cycle fit beside their names into 300 px:
+/// right-aligned numbers, a mark before them, two pixels of space.
 class NarrowCells : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;

@@ -27,7 +27,7 @@ QLabel* wrapping(QWidget* parent, const QString& name) {
     return label;
 }
 
-/// Marked up, or a tool tip does not wrap.
+/// Marked up so that a tool tip wraps.
 QString paragraph(const std::string& text) {
     return QStringLiteral("<p>%1</p>").arg(withIndices(QString::fromStdString(text)));
 }

@@ -56,7 +56,7 @@ QLabel* VerdictPanel::addText(QVBoxLayout* layout, const char* name) {
     return label;
 }
 
-/// Notices, time and light stay in sight; the rest scrolls as one page.
+/// Notices, time and light are always visible; the rest scrolls as one page.
 void VerdictPanel::build() {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -321,7 +321,7 @@ void VerdictPanel::showRequirements() {
     m_model->setTable(verdictTable(m_good.get(), lightIcons(*m_table, isOld)));
 }
 
-/// The table is as high as its rows; the panel scrolls as one.
+/// The table is as high as its rows, since the panel scrolls.
 void VerdictPanel::fitTable() {
     if (m_fitting) {
         return;

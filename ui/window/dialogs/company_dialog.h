@@ -23,7 +23,7 @@ class CompanyDialog : public QDialog {
 public:
     CompanyDialog(Settings& settings, QWidget* parent);
 
-    void accept() override; ///< keeps it
+    void accept() override; ///< saves it
     /// Reads the picture of a file, or shows why it cannot be used.
     void takeLogo(const QString& path);
 

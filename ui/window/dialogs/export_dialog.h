@@ -38,10 +38,10 @@ private:
     [[nodiscard]] ExportFormat format() const;
 
     OutcomePtr m_outcome;
-    std::vector<StudyOffer> m_studies; ///< behind the last entries of m_content
+    std::vector<StudyOffer> m_studies; ///< after the last entries of m_content
     QComboBox* m_format;
     QComboBox* m_content;
-    std::vector<std::vector<ResultPart>> m_contents; ///< behind the entries of m_content
+    std::vector<std::vector<ResultPart>> m_contents; ///< by entry of m_content
     QLabel* m_note;
     QPushButton* m_go = nullptr;
 };

@@ -19,7 +19,7 @@ class TitlePageDialog : public QDialog {
 public:
     TitlePageDialog(Settings& settings, QWidget* parent);
 
-    void accept() override; ///< keeps it
+    void accept() override; ///< saves it
 
 private:
     Settings& m_settings;

@@ -11,7 +11,7 @@ namespace sparkout {
 
 class Settings;
 
-/// The command that writes a result and its trace into a file.
+/// The command that exports a result with its trace to a file.
 class ExportCommands : public QObject {
     Q_OBJECT
 

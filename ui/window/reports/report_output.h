@@ -16,7 +16,7 @@ namespace sparkout {
 class Settings;
 struct ReportActions;
 
-/// Prints reports, shows them before, and writes them into files.
+/// Prints, previews and saves reports.
 class ReportOutput : public QObject {
     Q_OBJECT
 
