@@ -2188,7 +2188,7 @@
             <translation>Следующее состояние</translation>
         </message>
         <message>
-            <source>To the end of the way back</source>
+            <source>To the end of the backtracking</source>
             <translation>К концу обратного хода</translation>
         </message>
         <message>
@@ -2475,7 +2475,7 @@ axial feed, mm/min</source>
             <translation>Состояние %1: осталось %2 мм, подача %3</translation>
         </message>
         <message>
-            <source>The way back. %1</source>
+            <source>Backtracking. %1</source>
             <translation>Обратный ход. %1</translation>
         </message>
     </context>
@@ -8503,7 +8503,7 @@ With another name both versions stay as they are.</source>
             <translation>Цикл по результатам расчёта</translation>
         </message>
         <message>
-            <source>What decided</source>
+            <source>Deciding result</source>
             <translation>Чем определено</translation>
         </message>
         <message>
@@ -10327,7 +10327,7 @@ With another name both versions stay as they are.</source>
             <translation>Заключение: цикл</translation>
         </message>
         <message>
-            <source>What decided</source>
+            <source>Deciding result</source>
             <translation>Чем определено</translation>
         </message>
         <message>
@@ -11380,7 +11380,7 @@ With another name both versions stay as they are.</source>
             <translation>; биение станка добавляет %1 мкм</translation>
         </message>
         <message>
-            <source>, more than the limit: no cycle can hold it.</source>
+            <source>, more than the limit: no cycle can meet it.</source>
             <translation>, больше предела: никакой цикл его не выдержит.</translation>
         </message>
         <message>
@@ -12215,7 +12215,7 @@ With another name both versions stay as they are.</source>
             <translation>Податливость на этой странице задана, поэтому жёсткость не используется.</translation>
         </message>
         <message>
-            <source>With it the inputs would be refused: %1</source>
+            <source>This entry would make the inputs invalid: %1</source>
             <translation>С этой записью исходные данные не будут приняты: %1</translation>
         </message>
         <message>
@@ -12642,7 +12642,7 @@ With another name both versions stay as they are.</source>
             <translation>Цикл слишком длинный для записи, проходы не показаны. Помогает меньше радиусов или сечений; требования ниже — по всему циклу.</translation>
         </message>
         <message>
-            <source>No limit of the feed is on, so any feed is allowed: enter what burns the material, or the power of a drive. The links below lead to the fields.</source>
+            <source>No limit of the feed is on, so any feed is allowed: enter the burn limit of the material, or the power of a drive. The links below lead to the fields.</source>
             <translation>Подачу ничто не ограничивает: задайте температуру прижога материала или мощность привода. Ссылки внизу ведут к полям.</translation>
         </message>
         <message>
@@ -17404,7 +17404,7 @@ target, µm</source>
             <translation>Подходящих настроек: %1; показаны наименее затратные.</translation>
         </message>
         <message>
-            <source>What was tried</source>
+            <source>Settings tried</source>
             <translation>Что проверено</translation>
         </message>
         <message>
@@ -18402,7 +18402,7 @@ good</source>
             <translation>&amp;Вычислять податливость по её жёсткости</translation>
         </message>
         <message>
-            <source>Take its &amp;stiffness</source>
+            <source>Use its &amp;stiffness</source>
             <translation>Применить её &amp;жёсткость</translation>
         </message>
     </context>
@@ -18618,7 +18618,7 @@ good</source>
             <translation>Исходные данные изменены после расчёта партии и поиска.</translation>
         </message>
         <message>
-            <source>Stopped; what was done until then is shown.</source>
+            <source>Stopped; partial results are shown.</source>
             <translation>Остановлено; показано сделанное до остановки.</translation>
         </message>
         <message>
@@ -19307,7 +19307,7 @@ good</source>
             <translation>Применить &amp;поправку Ra</translation>
         </message>
         <message>
-            <source>No Ra is measured, or the cycle does not end at size. Measured Ra comes into the project with the parts: Import measurements…</source>
+            <source>No Ra is measured, or the cycle does not end at size. Measured Ra is imported with the parts: Import measurements…</source>
             <translation>Ra не измерено, или цикл не доходит до размера. Измеренное Ra попадает в проект вместе с деталями: «Импорт измерений…»</translation>
         </message>
         <message>
@@ -19414,7 +19414,7 @@ The size alone gives α and β, that is the compliance with the force together; 
 Один размер даёт α и β, то есть податливость вместе с силой; мощность добавляет две свои составляющие; вместе с нормальной силой различаются податливость, интенсивность напряжений и степень затупления.</translation>
         </message>
         <message>
-            <source>Calibrated: %1. Undo takes it back.</source>
+            <source>Calibrated: %1. Undo reverts it.</source>
             <translation>Откалибровано: %1. Отменить можно командой «Отменить».</translation>
         </message>
         <message>
@@ -23121,7 +23121,7 @@ s</source>
             <translation>Показать про&amp;ект</translation>
         </message>
         <message>
-            <source>The project of the laboratory work comes into the window, to be changed</source>
+            <source>Opens the project of the laboratory work in the window for editing</source>
             <translation>Проект работы открывается в окне, чтобы его изменить</translation>
         </message>
         <message>
@@ -23384,7 +23384,7 @@ s</source>
         <translation>Запас, %</translation>
     </message>
     <message>
-        <source>Refused because</source>
+        <source>Reason for refusal</source>
         <translation>Причина отказа</translation>
     </message>
     <message>

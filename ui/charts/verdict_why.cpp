@@ -76,7 +76,7 @@ QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
         text += tr("; the machine's own runout adds %1 µm").arg(Names::micrometres(own_um));
     }
     if (own_um > c.limit) {
-        return text + tr(", more than the limit: no cycle can hold it.");
+        return text + tr(", more than the limit: no cycle can meet it.");
     }
     if (!c.knowsMachine) {
         text += tr("; what the machine adds is not known");

@@ -320,7 +320,7 @@ void StateGridBar::retranslate() {
     name(*m_first, tr("To the blank"));
     name(*m_previous, tr("One state back"));
     name(*m_next, tr("The next state"));
-    name(*m_end, tr("To the end of the way back"));
+    name(*m_end, tr("To the end of the backtracking"));
     name(*m_slider, tr("State that is looked at"));
     m_place->setAccessibleName(tr("Number of the state looked at"));
     showMoment();

@@ -101,7 +101,7 @@ CsvTable batchFacts(const BatchOutcome& outcome) {
     addFact(table, StudyBook::tr("What was run"), BatchText::run(outcome));
     addFact(table, StudyBook::tr("Verdict: the cycle"),
             BatchText::fitness(weigh(summary, outcome.result).fitness));
-    addFact(table, StudyBook::tr("What decided"), BatchText::decision(outcome));
+    addFact(table, StudyBook::tr("Deciding result"), BatchText::decision(outcome));
     const QString percent = unitText("%");
     addFact(table, StudyBook::tr("Parts that are not good"),
             static_cast<double>(summary.bad.count));

@@ -78,8 +78,8 @@ QWidget* WheelPage::buildRoughness() {
     take->setObjectName(QStringLiteral("roughnessTake"));
     take->setEnabled(m_roughness.has_value());
     if (!m_roughness) {
-        words->setText(tr("No Ra is measured, or the cycle does not end at size. Measured Ra comes "
-                          "into the project with the parts: Import measurements…"));
+        words->setText(tr("No Ra is measured, or the cycle does not end at size. Measured Ra is "
+                          "imported with the parts: Import measurements…"));
     } else {
         QStringList lines{tr("Factor of Ra: %1, now %2 (n = %3).")
                               .arg(FitWords::number(m_roughness->factor),

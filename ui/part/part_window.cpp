@@ -226,7 +226,7 @@ void PartWindow::showStudies() {
     m_progress->setVisible(runs);
     const bool isOld = !m_studies.empty() && !runs && !isCurrent();
     m_state->setText(isOld ? tr("The inputs have changed since the batch and the search were run.")
-                     : m_stopped ? tr("Stopped; what was done until then is shown.")
+                     : m_stopped ? tr("Stopped; partial results are shown.")
                                  : QString());
     m_state->setVisible(!m_state->text().isEmpty());
 }

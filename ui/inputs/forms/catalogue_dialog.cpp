@@ -364,7 +364,7 @@ void CatalogueDialog::showPreview() {
     const Issues errors = newErrors(m_project, taken());
     m_refused->setText(errors.empty()
                            ? QString()
-                           : tr("With it the inputs would be refused: %1")
+                           : tr("This entry would make the inputs invalid: %1")
                                  .arg(locationText(errors.front().path) + QStringLiteral(": ")
                                       + issueText(errors.front())));
 }

@@ -89,7 +89,7 @@ StiffnessOffer::StiffnessOffer(Project project, QWidget* parent)
     , m_effect(new QLabel(this)) {
     m_take->setObjectName(QStringLiteral("takeStiffness"));
     m_take->setText(isGiven() ? tr("&Compute the compliance from its stiffness")
-                              : tr("Take its &stiffness"));
+                              : tr("Use its &stiffness"));
     m_take->setToolTip(
         isGiven() ? tr("The compliance is given on the page Machine, so a stiffness is not used "
                        "there. This removes the given compliance; γ then follows from the "

@@ -141,9 +141,7 @@ void LessonEditor::build() {
         [this] { takeProject(); }));
     files->addWidget(make(
         "editShow", [] { return tr("S&how the project"); },
-        [] {
-            return tr("The project of the laboratory work comes into the window, to be changed");
-        },
+        [] { return tr("Opens the project of the laboratory work in the window for editing"); },
         [this] { emit projectWanted(); }));
     files->addWidget(make(
         "editTry", [] { return tr("&Try as a student"); },

@@ -87,7 +87,7 @@ void VariantCheckDialog::build() {
     for (const VariedInput& input : m_lesson.variants->inputs) {
         heads += checkHeading(input, project);
     }
-    heads += {tr("Best time, min"), tr("Margin, %"), tr("Refused because")};
+    heads += {tr("Best time, min"), tr("Margin, %"), tr("Reason for refusal")};
     m_table->setColumnCount(static_cast<int>(heads.size()));
     m_table->setHorizontalHeaderLabels(heads);
     m_state->setObjectName(QStringLiteral("checkState"));

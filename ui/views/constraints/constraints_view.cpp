@@ -385,8 +385,8 @@ QString ConstraintsView::remark() const {
                   "sections help; the requirements below are of the whole cycle.");
     }
     if (!limitsFeed(good()->limits)) {
-        return tr("No limit of the feed is on, so any feed is allowed: enter what burns the "
-                  "material, or the power of a drive. The links below lead to the fields.");
+        return tr("No limit of the feed is on, so any feed is allowed: enter the burn limit "
+                  "of the material, or the power of a drive. The links below lead to the fields.");
     }
     if (good()->result.status != RunStatus::completed) {
         return Names::status(good()->result.status);

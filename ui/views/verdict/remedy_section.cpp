@@ -160,7 +160,7 @@ void RemedySection::retranslate() {
         line.text->setAccessibleName(tr("Change that helps"));
         line.take->setAccessibleName(tr("Apply the change"));
     }
-    m_note->setAccessibleName(tr("What was tried"));
+    m_note->setAccessibleName(tr("Settings tried"));
     m_end->setText(tr("Stop"));
     m_end->setAccessibleName(tr("Stop looking for changes that help"));
     showResult();
