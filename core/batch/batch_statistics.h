@@ -49,8 +49,7 @@ struct PartRow {
 
 /// The statistics of the parts of a batch.
 struct BatchStatistics {
-    static constexpr std::int64_t keptRows =
-        4096; ///< parts with lower numbers are kept individually
+    static constexpr std::int64_t keptRows = 4096; ///< lower part numbers are kept individually
 
     std::int64_t parts = 0;
     std::int64_t failed = 0; ///< parts that did not reach size: no values

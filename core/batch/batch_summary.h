@@ -47,9 +47,8 @@ struct CharacteristicSummary {
     /// characteristics with hasCapability(); empty where the scatter is negligible (an index above
     /// 99), or where strips stay uncut and parts have no value.
     std::optional<Estimate> pp, ppk;
-    std::optional<double>
-        expectedOutside; ///< share of a normal distribution with this mean and s; given like ppk
-    Share outside;       ///< share outside the limits
+    std::optional<double> expectedOutside; ///< share of the normal law of this mean and s; like ppk
+    Share outside;                         ///< share outside the limits
 };
 
 /// The figures of a batch. Corners are not a sample: only their extremes and counts are reported.

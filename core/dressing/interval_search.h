@@ -25,18 +25,17 @@
 /// least cost of all cycles and intervals they hold for is the least f(T(N), N) of all N,
 /// since of the cycles that hold for N parts that of the time T(N) is the cheapest. 3. Let a search
 /// for m parts find c, with the life l ≥ m. Then T(N) = t(c) for all N from m to l:
-/// not less by (1), not more as c holds for them. Of these l is the best. What is left to look
-/// at lies below m, or beyond l with T no less than t(c). Where it finds nothing, no cycle holds
+/// not less by (1), not more as c holds for them. Of these l is the best. The remaining
+/// numbers lie below m, or beyond l with T no less than t(c). If it finds nothing, no cycle holds
 /// for m parts or more. 4. Of the numbers from a to b with T no less than τ none is better than
-/// f(τ, b): they are left
-/// out where that is not better than the best so far. The numbers with the best such bound are
-/// gone on with, so a search that is stopped knows a bound of all. 5. For the wheel's life −N
-/// stands for f, and all this holds as well.
+/// f(τ, b): they are left out if that is not better than the best so far. The numbers with the
+/// best such bound are searched next, so a stopped search knows a bound of all. 5. For the wheel's
+/// life, f is −N, and all this holds as well.
 ///
-/// Each search leaves fewer numbers, so it ends. That a wheel gets duller from part to part is not
-/// made use of: a cycle may fail for one part and hold for a later one, and all are tried, those
-/// first that shut out cycles before. From a part on to which the wheel comes as to all further
-/// ones, one stands for all.
+/// Each search leaves fewer numbers, so it ends. It does not rely on a wheel that gets duller from
+/// part to part: a cycle may fail for one part and hold for a later one. All parts are tried, first
+/// those that excluded cycles before. From the part after which the state of the wheel no longer
+/// changes, one stands for all.
 ///
 /// Among equal costs the quicker cycle wins, then the longer interval. Among the cycles of the time
 /// T(N) the one of the greatest least margin over the parts 1…N, then as optimise() has it.
@@ -86,9 +85,8 @@ struct IntervalSummary {
     SearchSummary search;
     std::optional<PartsHeld> held; ///< of the answer, if the wheel wears
     std::optional<double> cost;    ///< of a part, by the time of the nominal part
-    std::optional<double>
-        bound; ///< after a stop: lower bound of the cost, or upper bound of the life
-    std::vector<Project> parts; ///< for the answer: some of 2…N that excluded cycles, and N
+    std::optional<double> bound;   ///< after a stop: lower bound of the cost, upper of the life
+    std::vector<Project> parts;    ///< for the answer: some of 2…N that excluded cycles, and N
     int searches = 0;
 
     /// The key for comparing the answers of several grids, less is better: its cost, or minus its

@@ -20,8 +20,9 @@
 /// * the state was struck out, although the path reaches it within every limit;
 /// * the time kept in it is not the least: the path reaches it earlier;
 /// * the kept way reaches it no later but continues worse: with the remaining feeds of the path it
-///   breaks a requirement, has too many stages or ends later. The quickest way into a state is then
-///   not the one to continue, because the deflections stored by all radii are part of the state.
+///   violates a requirement, has too many stages or ends later. The quickest way into a state is
+///   then not the one to continue, because the deflections stored by all radii are part of the
+///   state.
 namespace sparkout {
 
 enum class WrongState {

@@ -182,8 +182,7 @@ bool replaceAsPosix(const std::wstring& from, const std::wstring& to) {
     char* const raw = reinterpret_cast<char*>(block.data());
     std::memcpy(raw, &info, sizeof info);
     std::memcpy(raw + offsetof(FILE_RENAME_INFO, FileName), to.data(), bytes);
-    constexpr auto renameInfoEx =
-        static_cast<FILE_INFO_BY_HANDLE_CLASS>(22); // not defined by mingw
+    constexpr auto renameInfoEx = static_cast<FILE_INFO_BY_HANDLE_CLASS>(22); // not in mingw
     return ::SetFileInformationByHandle(nativeOf(file), renameInfoEx, raw,
                                         static_cast<DWORD>(block.size() * sizeof(std::uint64_t)))
            != 0;

@@ -12,8 +12,8 @@
 /// The project file: one UTF-8 JSON text, read and written only by the tables.
 namespace sparkout {
 
-inline constexpr int projectVersion = 1; ///< of one surface
-inline constexpr int newestVersion = 2;  ///< of several, see core/setup/setup_file.h
+inline constexpr int projectVersion = 1; ///< version of a file of one surface
+inline constexpr int newestVersion = 2;  ///< with several, see core/setup/setup_file.h
 
 /// Limits of the reader; larger numbers are refused.
 namespace limits {

@@ -24,7 +24,7 @@
 ///   and their state; branch: all cycles with one prefix and next setting;
 /// * lag: infeed that a radius has not cut yet, t_П − depth; critical radii: the three by which a
 ///   last stage is bounded;
-/// * bound: a proved least time or number of steps; cut: to end a run that has broken a
+/// * bound: a proved least time or number of steps; cut: to end a run that has violated a
 ///   requirement; refute: to prove that a cycle fails before its last stage is run;
 /// * merge: to run one of several cycles with the same passes; label: time and deflection of a
 ///   state in dynamic programming;

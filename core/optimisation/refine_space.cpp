@@ -14,8 +14,7 @@
 namespace sparkout {
 
 namespace {
-constexpr double refineSlack =
-    1e-9; ///< relative tolerance of a rounded value at the end of its range
+constexpr double refineSlack = 1e-9; ///< relative tolerance at the ends of a range
 }
 
 double RefineSpace::Setting::stepAt(double value) const {

@@ -22,8 +22,7 @@ struct Gauge {
     int commands = 5;               ///< stages the gauge can switch
     std::optional<double> delay_s;  ///< delay from the reading to the command; not given: none [s]
     double error_um = 0;            ///< e_g, error of the gauge: reading less true diameter [µm]
-    double part_warmer_k =
-        0; ///< ΔT, part at the gauge relative to the gauge's setting temperature [K]
+    double part_warmer_k = 0;       ///< ΔT, part at the gauge above its setting temperature [K]
 };
 
 /// The excess of the gauge's reading over the true diameter [mm]: e_g + α·d·ΔT [MODEL-7].

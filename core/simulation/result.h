@@ -27,7 +27,7 @@ enum class RunStatus {
     refused,         ///< validate() finds errors in the project: nothing was run
 };
 
-/// validate() finds errors in the project, which was not run
+/// A run ends as tooLong beyond this number of visits (one radius under the wheel once).
 inline constexpr long long maxVisits = 50'000'000;
 
 /// A place in the cycle; numbers count from 1, sections from 0.

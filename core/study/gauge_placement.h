@@ -24,8 +24,8 @@ struct GaugePosition {
     std::size_t sectionOfMin = 0, sectionOfMax = 0;
     /// Mean diameter less nominal of each section or zone, headstock first or РЗ1, НЗ, РЗ2.
     std::vector<double> meanDeviations_mm;
-    double taper_mm = 0;  ///< of the mean radius: tailstock end less headstock end, straight fit
-    double margin_mm = 0; ///< of the mean radius: tailstock end less headstock end, linear fit
+    double taper_mm = 0;  ///< of the mean radius: tailstock end less headstock end, linear fit
+    double margin_mm = 0; ///< least distance of a diameter to the limits; negative outside
 };
 
 /// Accuracy over the length depending on the position of the gauge [MODEL-7, AKINTSEVA2020 section

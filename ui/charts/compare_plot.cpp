@@ -259,7 +259,7 @@ void ComparePlot::pointAway() {
 
 void ComparePlot::restyle() {
     ViewPlot::restyle();
-    const int half = QFontMetrics(font()).height() / 2; // of a number at the end of an axis
+    const int half = QFontMetrics(font()).height() / 2; // half the height of an axis number
     m_rects[0]->setMinimumMargins(QMargins(0, half, 0, half));
     m_rects[1]->setMinimumMargins(QMargins(0, half, 0, 0));
     for (const Quantity quantity : quantities()) { // an axis has the colour of its curves

@@ -42,12 +42,11 @@ public:
     explicit NumberField(const NumberSpec& spec, QWidget* parent = nullptr);
 
     [[nodiscard]] std::optional<double> value() const { return m_value; }
-    void
-    setValue(std::optional<double> value);   ///< keeps a refused text while the value is unchanged
-    void reset(std::optional<double> value); ///< also drops a refused text
-    void revert();                           ///< back to the value before this edit
-    void clearText();                        ///< as if deleted by hand
-    void settle();                           ///< ends the edit, like leaving the field
+    void setValue(std::optional<double> value); ///< keeps a refused text if value is unchanged
+    void reset(std::optional<double> value);    ///< also drops a refused text
+    void revert();                              ///< back to the value before this edit
+    void clearText();                           ///< as if deleted by hand
+    void settle();                              ///< ends the edit, like leaving the field
     /// Sets a reader for other notations of a number, in the unit of the value; its results are
     /// treated like those of arithmetic.
     void setReads(std::function<std::optional<double>(const QString&)> reads) {

@@ -11,7 +11,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double hatchSpacing = 6; ///< lines, along the axes
+constexpr double hatchSpacing = 6; ///< distance of the lines along the axes
 constexpr double hatchWidth = 1.2;
 constexpr std::array hatchOrder{Hatch::none,    Hatch::rising,  Hatch::falling, Hatch::level,
                                 Hatch::crossed, Hatch::upright, Hatch::squared};

@@ -74,7 +74,7 @@ public:
     /// Before the window closes or another document is opened: saves everything, or the user
     /// discards it.
     [[nodiscard]] bool mayLeave();
-    /// The views show a run of the current inputs.
+    /// Called when the views show a run of the current inputs.
     void takeOutcome(bool ran);
     void takeKeptRun(const KeptRun& run) { m_run.keepRun(run); }
     void retranslate();

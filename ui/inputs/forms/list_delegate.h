@@ -26,8 +26,7 @@ public:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     [[nodiscard]] Document& document() const { return m_document; }
-    static void setCell(QWidget& editor,
-                        const QModelIndex& cell); ///< required by all following methods
+    static void setCell(QWidget& editor, const QModelIndex& cell); ///< required by all below
     /// Whether the view still has the editor: it drops an editor before taking its focus.
     [[nodiscard]] static bool isOpen(const QWidget& editor);
     void commit(QWidget* editor); ///< if open

@@ -33,8 +33,7 @@ signals:
 private:
     void askForEffect();
     void showEffect(const OutcomePtr& before, const OutcomePtr& after);
-    [[nodiscard]] bool
-    isGiven() const; ///< the compliance is given, so that stiffnesses are not used
+    [[nodiscard]] bool isGiven() const; ///< the compliance, so that no stiffness is used
 
     Project m_project;
     Project m_with;

@@ -654,8 +654,7 @@ double PageFlow::together(std::size_t block) const {
 
 double PageFlow::scaleOf(const Figure& figure) const {
     const TextBox caption(figure.caption, reportFont(m_metrics.small), m_area.width());
-    const double heading =
-        2 * (m_metrics.heading * tenths + gap); // the previous one is kept with it
+    const double heading = 2 * (m_metrics.heading * tenths + gap); // keeps the previous one with it
     return std::min(m_area.width() / figure.size.width(),
                     (m_bottom - m_top - m_metrics.apart - caption.height() - heading)
                         / figure.size.height());
