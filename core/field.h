@@ -187,7 +187,6 @@ struct Field : Row {
     }
 };
 
-/// The table of one struct.
 struct StructInfo {
     const char* name; ///< translated in the context "Struct"
     std::span<const Field> fields;

@@ -58,7 +58,6 @@ struct AdequacyLimits {
                                             const MeasuredStatistics& measured,
                                             const std::optional<PredictedRange>& predicted);
 
-/// Judges one quantity.
 [[nodiscard]] AdequacyRow judgeAdequacy(MeasuredStatistics measured,
                                         std::optional<PredictedRange> predicted,
                                         const AdequacyLimits& limits);

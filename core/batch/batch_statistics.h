@@ -41,13 +41,11 @@ struct ValueStatistics {
     void add(const ValueStatistics& other, std::size_t mostBins);
 };
 
-/// The values of one part.
 struct PartRow {
     std::int64_t part = 0;
     std::vector<double> values;
 };
 
-/// The statistics of the parts of a batch.
 struct BatchStatistics {
     static constexpr std::int64_t keptRows = 4096; ///< lower part numbers are kept individually
 
@@ -71,7 +69,7 @@ struct BatchStatistics {
 
 [[nodiscard]] bool operator==(const PartValue& a, const PartValue& b);
 [[nodiscard]] bool operator==(const ValueStatistics& a, const ValueStatistics& b);
-/// Bit for bit; rows in the same order.
+/// Compares bit for bit, with rows in the same order.
 [[nodiscard]] bool operator==(const BatchStatistics& a, const BatchStatistics& b);
 
 } // namespace sparkout

@@ -33,7 +33,6 @@ public:
     [[nodiscard]] std::vector<double> values(std::int64_t part) const;
     /// The part as a project without a batch, to be run again.
     [[nodiscard]] Project project(std::int64_t part) const;
-    /// The project with these values of its factors.
     [[nodiscard]] Project projectWith(const std::vector<double>& values) const;
     /// The ranks of these values within the laws of their factors.
     [[nodiscard]] RankScores scores(const std::vector<double>& values) const;

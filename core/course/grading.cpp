@@ -57,7 +57,6 @@ const BestRow* rowOfVariant(const GradeWish& wish, int variant) {
     return found == wish.best.end() ? nullptr : &*found;
 }
 
-/// Marks one work.
 class WorkMarker {
 public:
     WorkMarker(const Lesson& lesson, const GradeWish& wish, BestAnswers& best,

@@ -38,7 +38,6 @@ std::string cellAt(const Cells& cells, std::size_t column) {
     return column < cells.size() ? withSingleSpaces(cells[column]) : std::string();
 }
 
-/// The columns of a list.
 class Columns {
 public:
     /// False if these are not headings.

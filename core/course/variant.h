@@ -34,7 +34,6 @@ struct BestAnswer {
 /// Whether a step asks for a time that follows from the best.
 [[nodiscard]] bool asksForBest(const Lesson& lesson);
 
-/// The index of the varied surface.
 [[nodiscard]] std::size_t variedSurface(const Lesson& lesson);
 
 /// The lesson with the inputs of a variant. Times that depend on the best are set if it is given:

@@ -31,7 +31,6 @@ struct CheckedVariant {
     std::optional<BestAnswer> best; ///< for a step that asks for requirements or a time
 };
 
-/// Whether a step needs a search.
 [[nodiscard]] bool needsSearch(const Lesson& lesson);
 
 /// A set-up with a value of one free input that gives the required figure of a step; empty if none

@@ -35,7 +35,6 @@ namespace sparkout {
 /// The seal of an entry that follows another.
 [[nodiscard]] std::string nextSeal(const std::string& before, const WorkEntry& entry);
 
-/// Adds an entry with its seal.
 void addEntry(Work& work, WorkEntry entry);
 
 /// The first broken seal: 0 that of the work itself, otherwise the number of an entry from 1. Empty

@@ -46,7 +46,6 @@ struct DressingOptions {
     std::stop_token stop;
 };
 
-/// The parts between dressings of a set-up.
 struct DressingInterval {
     DressingFault fault = DressingFault::none;
     Issues issues; ///< why a surface or its batch cannot be run

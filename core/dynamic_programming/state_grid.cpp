@@ -39,7 +39,6 @@ std::vector<double> risingLevels(const Levels& levels) {
     return values;
 }
 
-/// Fills the grid level by level.
 class GridFiller {
 public:
     GridFiller(const Project& project, StateGridSize size, const std::stop_token& stop)

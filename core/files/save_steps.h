@@ -12,7 +12,6 @@
 
 namespace sparkout {
 
-/// The failure of a step.
 struct StepFailure {
     FileStep step;
     int systemError;
@@ -50,7 +49,6 @@ struct SaveTarget {
 /// After the rename: makes it durable and opens the file with the target's name.
 [[nodiscard]] StepOutcome openPlaced(const SaveTarget& target, Descriptor& placed);
 
-/// Whether two descriptors are of one file.
 [[nodiscard]] bool sameFile(const Descriptor& a, const Descriptor& b);
 
 /// The failure for the caller, with the free space of the target's disk.

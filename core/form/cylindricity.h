@@ -32,7 +32,6 @@ struct CylinderZone {
     double reference_mm = 0; ///< least squares: the fitted radius; otherwise the middle
     std::vector<CylinderContact> contacts; ///< minimum zone
 
-    /// The cylindricity deviation.
     [[nodiscard]] double deviation() const { return outer_mm - inner_mm; }
 };
 

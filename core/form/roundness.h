@@ -49,7 +49,6 @@ struct RoundnessZone {
     /// Minimum zone: radii with alternating contacts to the outer and inner circle, by rising k.
     std::array<std::size_t, 4> contacts{};
 
-    /// The roundness deviation.
     [[nodiscard]] double deviation() const { return outer_mm - inner_mm; }
 };
 

@@ -33,7 +33,6 @@ template <class Owner>
     return owner ? outputsJson(rows, *owner) : nlohmann::ordered_json();
 }
 
-/// A list of them.
 template <class Owner, class Owners>
 [[nodiscard]] nlohmann::ordered_json outputsJsonOfEach(std::span<const Output<Owner>> rows,
                                                        const Owners& owners) {

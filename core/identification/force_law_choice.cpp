@@ -24,7 +24,7 @@ constexpr double sourcesParameters = 4, thresholdParameters = 3;
 constexpr int mostMore = 500;           ///< revolutions
 constexpr double leastMean_mm2 = 1e-18; ///< of squares, if there is no noise
 
-/// A fit of offset and scale of a curve.
+/// A straight line fitted to a curve: offset and scale.
 struct Line {
     double scale = 0, offset = 0;
     double squares = std::numeric_limits<double>::infinity();

@@ -80,7 +80,6 @@ struct JudgedBatch {
     }
     [[nodiscard]] bool holds() const { return isWhole && parts > 0 && !fails(); }
 };
-/// Judges a batch that was run.
 [[nodiscard]] JudgedBatch judgeBatch(const BatchResult& result, const BatchSummary& summary);
 
 /// State of a cycle: the first of these that applies.

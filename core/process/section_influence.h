@@ -22,7 +22,7 @@ public:
     [[nodiscard]] double own(std::size_t j) const { return m_matrix[j * m_size + j]; }    ///< G_jj
     [[nodiscard]] const double* of(std::size_t j) const { return &m_matrix[j * m_size]; } ///< G_j·
 
-    /// G·f [mm]. The two are not one.
+    /// G·f [mm]. The arrays must not overlap.
     void multiply(const double* f_n, double* product_mm) const;
     /// The solution of (D + G)·x = b over the sections in `free`, in rising order; x is 0
     /// elsewhere. D > 0 is added to the diagonal, of all J sections; `x` holds b and receives the

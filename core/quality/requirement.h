@@ -128,7 +128,7 @@ struct Requirement {
     }
 };
 
-/// In the order of the kinds.
+/// The requirements in the order of their kinds.
 extern const std::array<Requirement, constraintKinds> requirementRows;
 
 [[nodiscard]] inline const Requirement& requirementOf(ConstraintKind kind) {

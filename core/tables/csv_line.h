@@ -21,7 +21,7 @@ namespace sparkout {
 
 /// The text from which csvCell() made a cell, given without its quotation marks.
 [[nodiscard]] std::string textOfCell(std::string_view cell);
-/// Whether it may be another than the cell.
+/// Whether csvCell() may have changed the text of the cell.
 [[nodiscard]] bool isChangedInCell(std::string_view cell);
 
 /// A line of a table being written.

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] std::string_view utf8() const { return std::string_view(m_text).substr(m_begin); }
     [[nodiscard]] TextEncoding encoding() const { return m_encoding; }
     [[nodiscard]] std::size_t bytes() const { return m_bytes; } ///< of the file
-    /// Of the bytes of the file.
+    /// The hash of the file's bytes.
     [[nodiscard]] std::string sha256() const;
     [[nodiscard]] bool isBlank() const;
 

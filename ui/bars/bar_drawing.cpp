@@ -58,7 +58,6 @@ qsizetype mostLines(const QStringList& texts) {
 
 } // namespace
 
-/// The layout of a chart in its picture.
 struct BarDrawing::Layout {
     QSizeF size;
     ChartArea area;
@@ -135,7 +134,7 @@ BarChart BarDrawing::drawnChart() const {
     return drawn;
 }
 
-/// Of the values themselves, which may be cut.
+/// The sum of the values themselves, even where their bars are cut.
 double BarDrawing::shownTotal(std::size_t category) const {
     double sum = 0;
     for (const std::size_t i : m_drawnSeries) {

@@ -19,7 +19,6 @@ class QValueAxis;
 
 namespace sparkout {
 
-/// The look of a chart.
 struct ChartLook {
     QPalette palette;
     QFont font;

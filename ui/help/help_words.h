@@ -18,7 +18,7 @@ public:
     explicit HelpWords(const QString& wanted);
 
     [[nodiscard]] bool isEmpty() const { return m_wanted.empty(); }
-    /// Whether the text contains each of them.
+    /// Whether the text contains each word.
     [[nodiscard]] bool areIn(const QString& text) const;
 
     struct Place {

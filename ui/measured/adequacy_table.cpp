@@ -55,7 +55,7 @@ std::vector<ValueHead> headsOf() {
          .key = "inside"}};
 }
 
-/// With all numbers and their digits.
+/// The table with all numbers and their digits.
 CsvTable sheetOf(const Project& project, const std::vector<AdequacyRow>& rows) {
     CsvTable table;
     table.header << AdequacyTable::tr("Quantity") << AdequacyTable::tr("Where");

@@ -19,7 +19,7 @@ public:
     DressingDialog(Setup setup, QWidget* parent);
 
     void find(); ///< runs the parts, with progress and a way to stop
-    /// Closed to edit the wear.
+    /// Whether the dialog was closed to edit the wear.
     [[nodiscard]] bool wantsWear() const { return m_wantsWear; }
     [[nodiscard]] const DressingInterval& interval() const { return m_interval; }
 

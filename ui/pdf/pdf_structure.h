@@ -38,7 +38,7 @@ public:
         m_elements.push_back(element);
         return document + m_elements.size();
     }
-    /// By their numbers, beginning with the root.
+    /// The element with this number; the root has the lowest.
     [[nodiscard]] const Element& at(Id id) const { return m_elements.at(id - document - 1); }
     [[nodiscard]] Id end() const { return document + 1 + m_elements.size(); }
     [[nodiscard]] bool isEmpty() const { return m_elements.empty(); }

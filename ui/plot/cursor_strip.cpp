@@ -164,7 +164,7 @@ void CursorStrip::resizeEvent(QResizeEvent* event) {
     showDifference();
 }
 
-/// The first field's that is marked.
+/// Shows the reason of the first marked field.
 void CursorStrip::showReason() {
     for (const std::size_t cursor : {std::size_t{0}, std::size_t{1}}) {
         Remark remark = m_fields[cursor]->remark();

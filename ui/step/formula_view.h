@@ -20,7 +20,6 @@ public:
     void setSheet(const FormulaSheet& sheet);
     void clearSheet();
     [[nodiscard]] QString text() const; ///< as copied
-    /// For any sheet.
     [[nodiscard]] static QString textOf(const FormulaSheet& sheet);
 
 protected:

@@ -29,7 +29,6 @@ using ProfileCsv = std::variant<std::vector<double>, ProfileCsvFault>;
 /// part.radii_per_section: even, 4…360.
 [[nodiscard]] ProfileCsv readProfileCsv(const TableText& text);
 
-/// The fault in the current language.
 [[nodiscard]] QString profileCsvFaultText(const ProfileCsvFault& fault);
 
 } // namespace sparkout

@@ -47,7 +47,6 @@ void addUnits(const StructInfo& table, QSet<QString>& units) {
     }
 }
 
-/// The translated units.
 QSet<QString> knownUnits() {
     QSet<QString> units;
     addUnits(tableOf<Project>(), units);

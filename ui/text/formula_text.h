@@ -16,7 +16,6 @@ inline constexpr int sheetDigits = 5;
 /// The value read off those digits.
 [[nodiscard]] double shownValue(const FormulaTerm& term, int digits = sheetDigits);
 
-/// The name and source of a sheet.
 [[nodiscard]] QString formulaHead(const FormulaSheet& sheet);
 
 /// A formula with its numbers in the current language, plain text: its name and source, then one

@@ -28,7 +28,6 @@ class NumberLines : public QWidget {
     Q_OBJECT
 
 public:
-    /// One number.
     struct Line {
         std::string path; ///< path in the project
         NumberSpec spec;

@@ -16,9 +16,7 @@ class LessonPage : public QTabWidget {
     Q_OBJECT
 
 public:
-    /// For the work as a whole.
     explicit LessonPage(LessonDraft& draft, QWidget* parent = nullptr);
-    /// For one of its steps.
     LessonPage(LessonDraft& draft, std::size_t step, QWidget* parent = nullptr);
 
     /// Shows the value at a path, or the nearest widget.

@@ -25,7 +25,6 @@ namespace {
 
 constexpr int conclusionLines = 12; ///< to be written by hand
 
-/// Writes the report section by section.
 class LabReportWriter {
     Q_DECLARE_TR_FUNCTIONS(LabReport)
 public:

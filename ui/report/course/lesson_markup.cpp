@@ -35,7 +35,6 @@ QString raised(const QString& text) {
     return signs;
 }
 
-/// Reads the markup tag by tag.
 class MarkupReader {
 public:
     explicit MarkupReader(int* formulas) : m_formulas(formulas) {}

@@ -29,7 +29,6 @@ namespace sparkout::report {
 
 namespace {
 
-/// Writes the passport section by section.
 class PassportWriter {
     Q_DECLARE_TR_FUNCTIONS(Passport)
 public:

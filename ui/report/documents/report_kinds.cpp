@@ -56,7 +56,7 @@ Report withSurface(Report report, const Subject& subject) {
     return report;
 }
 
-/// With the project's own numbers.
+/// The company with the project's own numbers.
 Company companyOf(const Subject& subject) {
     return subject.company.with(*subject.outcome->result.project.card);
 }

@@ -21,7 +21,6 @@ namespace sparkout::report {
 
 namespace {
 
-/// Writes the hand-out section by section.
 class HandoutWriter {
     Q_DECLARE_TR_FUNCTIONS(CourseHandout)
 public:

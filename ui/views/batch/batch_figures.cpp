@@ -75,7 +75,6 @@ QString textOf(const Output<Figures>& row, const Figures& figures) {
     return share ? BatchText::share(*share) : dash;
 }
 
-/// Fills a table row by row.
 class Filler {
 public:
     Filler(ValueTable& table, const std::vector<Figures>& places)

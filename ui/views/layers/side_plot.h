@@ -12,7 +12,6 @@ namespace sparkout {
 class SidePlot : public PartPlot {
     Q_OBJECT
 public:
-    /// Keys of the legend.
     enum Key { wheelKey, surfaceKey, unloadedKey, fieldKey };
 
     explicit SidePlot(QWidget* parent = nullptr);
@@ -28,7 +27,6 @@ public:
     [[nodiscard]] double above_um(double radius_mm) const; ///< height above the target, as drawn
     /// Drawn radius of a surface, including its deflection.
     [[nodiscard]] double seen_mm(const SceneSurface& surface) const;
-    /// The rectangle of the wheel.
     [[nodiscard]] QRectF wheelRect() const;
     [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] QString values() const;          ///< the balance under the wheel in one sentence

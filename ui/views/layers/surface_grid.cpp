@@ -27,7 +27,6 @@ QColor mixed(const QColor& over, const QColor& under, double share) {
                             part(over.blueF(), under.blueF()));
 }
 
-/// Makes the surface of a run, row after row.
 class SheetMaker {
 public:
     SheetMaker(const LayerSeries& series, const LayersDone& done, const QPalette& palette, bool dim)

@@ -20,7 +20,6 @@ protected:
     void draw(QCPPainter* painter) override;
 
 private:
-    /// A piece of the surface.
     struct Facet {
         QPolygonF corners;
         double nearness = 0;

@@ -15,7 +15,7 @@ namespace sparkout {
 /// The chosen circles; null if none are chosen or none are fitted.
 [[nodiscard]] const RoundnessZone* shownZone(const Profile& profile, ReferenceCircles circles);
 
-/// Their line in the legend.
+/// The circles' line in the legend.
 [[nodiscard]] std::optional<ProfileLine> lineOf(ReferenceCircles circles);
 
 } // namespace sparkout

@@ -16,7 +16,7 @@ public:
 
     void fit() override;
     [[nodiscard]] LegendEntries legendEntries() const override;
-    /// By the order of the legend: key i is curve i.
+    /// The curves in the order of the legend.
     [[nodiscard]] const std::vector<QCPGraph*>& curves() const { return m_curves; }
     [[nodiscard]] const std::vector<QCPGraph*>& limits() const { return m_limits; }
     /// Where every requirement holds, as values of the input.

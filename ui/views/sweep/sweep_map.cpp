@@ -178,7 +178,7 @@ void SweepMap::fillMarks() {
     }
 }
 
-/// All cells.
+/// Shows all cells.
 void SweepMap::fit() {
     if (empty() || sweep().inputs.size() < 2) {
         return;
