@@ -48,7 +48,7 @@ enum class IssueCode {
     stocksDoNotSumUp,
     tooManyStages,
     notUsedHere,
-    notWithThreshold, ///< of the force
+    notWithThreshold, ///< the force has no threshold
     tooMuchGap,
     gapBetweenRadii,
     gaugeDropsIn,

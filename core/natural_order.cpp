@@ -30,7 +30,7 @@ int naturalOrder(std::string_view a, std::string_view b) {
     const auto at = static_cast<std::size_t>(differ.first - a.begin());
     if (at == a.size() && at == b.size())
         return 0;
-    std::size_t begin = at; // of the number in which they differ
+    std::size_t begin = at; // start of the number in which they differ
     while (begin > 0 && isDigit(a[begin - 1]))
         --begin;
     const int byLetter = valueAt(a, at) - valueAt(b, at);

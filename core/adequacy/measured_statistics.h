@@ -15,7 +15,7 @@ struct MeasuredStatistics {
     int place = 0; ///< −1: the whole part
     std::int64_t count = 0;
     double mean = 0;
-    std::optional<double> deviation; ///< of two or more values, or as given
+    std::optional<double> deviation; ///< standard deviation of two or more values, or as given
     std::optional<double> least, greatest;
     std::vector<double> values; ///< in rising order; empty for a summary
     bool isSummary = false;

@@ -24,7 +24,7 @@ struct PredictedRange {
     double mean = 0;
     std::optional<double> deviation{};    ///< empty for corners, and without scatter
     std::int64_t count = 0;               ///< parts of the batch; 0: as given
-    double least = 0, most = 0;           ///< of all parts
+    double least = 0, most = 0;           ///< extremes of all parts
     std::optional<Quartiles> quartiles{}; ///< given with a deviation
 };
 

@@ -158,7 +158,7 @@ Project withUsualBatch(Project project) {
     if (checkBatch(project).empty()) {
         return project;
     }
-    project.batch = std::move(usual); // only those with which every part is valid
+    project.batch = std::move(usual); // keep only the factors with which every part is valid
     for (const FactorKind kind : kinds) {
         lawIn(project, kind) = usualFactor(kind, project);
         if (!checkBatch(project).empty()) {

@@ -24,7 +24,7 @@ namespace sparkout {
 /// A property of a work to be examined; the teacher decides on the consequences.
 enum class WorkFlag {
     unreadable,    ///< not a work, or with faults: not marked
-    foreign,       ///< of another lesson or another version of it: not marked
+    foreign,       ///< a work of another lesson or another version of it: not marked
     edited,        ///< a seal is broken, or its lesson or variant is not the one given out
     copied,        ///< its variant or its entries equal those of another student's work
     handedInTwice, ///< the same student handed in another work
@@ -55,7 +55,7 @@ struct GradedWork {
     std::string name, group;
     int variant = 0;
     std::set<WorkFlag> flags;
-    Issues issues;                       ///< of an unreadable work
+    Issues issues;                       ///< faults of an unreadable work
     std::optional<std::size_t> brokenAt; ///< brokenSeal()
     std::vector<std::string> copiedFrom; ///< names of the other students
     std::vector<std::string> untrueRuns; ///< names of kept runs

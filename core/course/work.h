@@ -43,7 +43,7 @@ struct WorkSheet {
     int variant = 0;   ///< number of the variant, from 1
     /// Level of each varied input, from 0; empty if all have the same project.
     std::vector<double> levels;
-    std::string lesson_sha256; ///< of the original lesson, as given to students
+    std::string lesson_sha256; ///< hash of the original lesson, as given to students
     std::string sha256;        ///< seal of all of this and of `lesson`
     std::vector<WorkEntry> entries;
 };

@@ -32,7 +32,7 @@ struct WornFailure {
     std::size_t surface = 0;
     /// The part of the surface's batch, from 0; empty: the nominal part.
     std::optional<std::int64_t> scenario;
-    Issues issues; ///< of the inputs with this wheel; empty: it was run
+    Issues issues; ///< faults of the inputs with this wheel; empty: it was run
     RunStatus status = RunStatus::completed;
     std::optional<ConstraintResult> worst; ///< the worst violation, once completed
 };
@@ -54,7 +54,7 @@ struct DressingInterval {
     std::optional<WornFailure> end;
     /// No part ever fails, since the wheel no longer changes.
     bool isEndless = false;
-    bool isStopped = false;     ///< without a result
+    bool isStopped = false;     ///< stopped without a result
     double partVolume_mm3 = 0;  ///< removed by the cycles of the first part
     std::int64_t tried = 0;     ///< runs
     std::vector<double> time_s; ///< times of all cycles of each part 1…N, nominal

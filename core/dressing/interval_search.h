@@ -58,7 +58,7 @@ struct PartsHeld {
     std::int64_t parts = 0; ///< parts for which it is fit, limited by the requested number
     bool isEndless = false; ///< also fit for any greater number
     bool isAll = false;     ///< limited by the requested number: it may be fit for more
-    double meanTime_s = 0;  ///< of these parts
+    double meanTime_s = 0;  ///< mean time of these parts
     /// The requirement violated most by the next part; empty if it does not reach size, or if none
     /// fails.
     std::optional<ConstraintKind> end;
@@ -83,8 +83,8 @@ struct IntervalSummary {
     /// The answer, or the best found; the counts are those of all searches. Its bound is that of
     /// the time.
     SearchSummary search;
-    std::optional<PartsHeld> held; ///< of the answer, if the wheel wears
-    std::optional<double> cost;    ///< of a part, by the time of the nominal part
+    std::optional<PartsHeld> held; ///< parts held by the answer, if the wheel wears
+    std::optional<double> cost;    ///< cost of a part, by the time of the nominal part
     std::optional<double> bound;   ///< after a stop: lower bound of the cost, upper of the life
     std::vector<Project> parts;    ///< for the answer: some of 2…N that excluded cycles, and N
     int searches = 0;

@@ -29,8 +29,8 @@ public:
 
 private:
     WheelWear m_wear;
-    RemovedMetal m_part;                ///< of all surfaces
-    std::vector<RemovedMetal> m_before; ///< of the earlier surfaces of each
+    RemovedMetal m_part;                ///< metal removed by all surfaces
+    std::vector<RemovedMetal> m_before; ///< metal removed by the earlier surfaces of each
 };
 
 } // namespace sparkout

@@ -226,7 +226,7 @@ private:
     StateGrid m_filled;
     Ways m_ways; ///< to the previous level
     std::optional<CyclePrefix> m_blank;
-    std::vector<double> m_margins; ///< of the cycles that end in the states of the last level
+    std::vector<double> m_margins; ///< margins of the cycles into the last level's states
 };
 
 } // namespace

@@ -51,10 +51,10 @@ struct FileFacts {
     std::uint64_t links = 1;
     std::int64_t size = 0;
     std::int64_t modified_ns = 0;
-    std::int64_t changed_ns = 0; ///< of the inode, also if the time of modification is set back
+    std::int64_t changed_ns = 0; ///< the inode's; setting the modification time changes it
     bool writeProtected = false; ///< by its mode or attribute, for any user
     bool ofThisUser = false;
-    std::uint32_t mode = 0; ///< of the system: mode, or attributes; owner and group
+    std::uint32_t mode = 0; ///< the system's mode or attributes; owner and group
     std::uint32_t user = 0;
     std::uint32_t group = 0;
 };

@@ -46,9 +46,9 @@ struct SafeFileWriter::State {
     Existing existing;
     SaveTarget target;
     Descriptor file;
-    std::string name; ///< of the temporary file
+    std::string name; ///< name of the temporary file
     std::optional<TemporaryName> temporary;
-    std::string block; ///< not written yet
+    std::string block; ///< bytes that are not written yet
     std::uint64_t length = 0, sum = firstSum;
     std::optional<FileError> error;
 

@@ -23,7 +23,7 @@ using StepOutcome = std::optional<StepFailure>;
 /// The file to be replaced: its folder, its name there and, if it exists, the old file, kept open
 /// where open files can be replaced.
 struct SaveTarget {
-    std::filesystem::path parent; ///< of the folder
+    std::filesystem::path parent; ///< parent of the folder
     Folder folder;
     std::string name;
     bool exists = false;

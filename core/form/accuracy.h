@@ -42,7 +42,7 @@ struct ZoneForm {
 
 /// A part against the drawing.
 struct PartAccuracy {
-    std::vector<SectionAccuracy> sections; ///< of a zone with several the least round one
+    std::vector<SectionAccuracy> sections; ///< one per zone: its least round section
     std::vector<ZoneForm> zones;           ///< for zones with several sections
     CylinderZone leastSquares;
     CylinderZone minimumZone;

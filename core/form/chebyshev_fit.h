@@ -75,7 +75,7 @@ private:
     std::array<Point, size> m_basis;
     std::array<double, size> m_weights{};
     std::vector<std::size_t> m_candidates;
-    std::vector<double> m_residuals; ///< of one section
+    std::vector<double> m_residuals; ///< residuals of one section
 };
 
 } // namespace sparkout

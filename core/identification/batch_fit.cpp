@@ -45,7 +45,7 @@ struct PlaceMean {
 /// The derivatives of the means by the parameters.
 struct Meeting {
     double criterion = std::numeric_limits<double>::infinity();
-    double setting_um = 0;     ///< of the gauge, relative to the project's
+    double setting_um = 0;     ///< setting of the gauge, relative to the project's
     Eigen::VectorXd left_um;   ///< measured less predicted
     Eigen::MatrixXd whitening; ///< makes the errors of the means independent, of size 1
 };
@@ -465,10 +465,10 @@ private:
     std::size_t m_setting;              ///< its index in the list; the size of the list: none
     std::vector<std::size_t> m_factors; ///< indices of the others
     std::vector<PlaceMean> m_means;
-    Eigen::MatrixXd m_covariance; ///< of the means, without their variances
+    Eigen::MatrixXd m_covariance; ///< covariance of the means, without their variances
     std::map<Point, SizesOverPhases> m_known;
     Meeting m_best;
-    Point m_at; ///< of the best point
+    Point m_at; ///< coordinates of the best point
     Identification m_result;
 };
 

@@ -104,7 +104,7 @@ private:
 
     struct Term {
         FittedKind kind;
-        double sign; ///< in the sum of the logarithms
+        double sign; ///< sign in the sum of the logarithms
     };
 
     [[nodiscard]] bool has(FittedKind kind) const {

@@ -186,8 +186,8 @@ private:
     }
 
     Project m_scaled;
-    ForceLaw m_law;       ///< of the unchanged project
-    ForceLaw m_scaledLaw; ///< of the run cycle
+    ForceLaw m_law;       ///< force law of the unchanged project
+    ForceLaw m_scaledLaw; ///< force law of the run cycle
     bool m_withPlaces, m_isExternal;
     double m_kwPerN = 0;
     Trajectory m_trajectory;

@@ -16,7 +16,7 @@ enum class FitSource { size, power, force, parts };
 struct FitGroup {
     FitSource source = FitSource::size;
     int trace = -1;             ///< index in the project; −1: parts
-    std::optional<int> place;   ///< of a size; not given: at the gauge
+    std::optional<int> place;   ///< place of a size; not given: at the gauge
     std::vector<double> time_s; ///< for traces
     std::vector<int> places;    ///< for parts, one for each value
     std::vector<double> values; ///< mm of diameter, kW, N; of parts µm from the nominal diameter
@@ -37,7 +37,7 @@ struct FitData {
     std::vector<FitGroup> groups;
     std::vector<int> withoutFactor; ///< currents without a conversion to power, by index
     [[nodiscard]] bool has(FitSource source) const;
-    [[nodiscard]] std::size_t count() const; ///< of all values
+    [[nodiscard]] std::size_t count() const; ///< number of all values
 };
 
 /// The measured values of a project: the traces with these numbers (empty: all), and optionally the

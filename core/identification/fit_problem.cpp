@@ -290,7 +290,7 @@ double FitProblem::startOfShift(Scalars scalars) const {
         const double shift = i == 0 ? 0 : from + (to - from) * (i - 1) / (tries - 1);
         scalars.shift_s = shift;
         double sum = 0;
-        std::optional<double> offset_mm; // of the first trace of sizes
+        std::optional<double> offset_mm; // offset of the first trace of sizes
         for (std::size_t g = 0; g < m_data.groups.size(); ++g) {
             const FitGroup& group = m_data.groups[g];
             if (!keepsStep(group)) {

@@ -84,7 +84,7 @@ private:
     const FitData& m_data;
     std::stop_token m_stop;
     std::vector<FittedParameter> m_parameters;
-    bool m_hasThreshold; ///< for the force
+    bool m_hasThreshold; ///< whether the force has a threshold
     std::vector<int> m_steps;
     std::vector<double> m_noise, m_weights;
     std::size_t m_priors = 0;

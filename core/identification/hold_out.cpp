@@ -47,7 +47,7 @@ std::vector<Calibration> variedInputs(const Project& project) {
 
 /// The expected signals of gauge and drive in a cycle, with the ends of its stages.
 struct Predicted {
-    std::vector<int> steps; ///< of each stage
+    std::vector<int> steps; ///< steps of each stage
     CycleResponse shown;
     double firstFeed_s = 0; ///< middle of the first feed
     double lastFeed_s = 0;  ///< end of the last feed
@@ -124,7 +124,7 @@ void widen(Interval& interval, double value) {
 /// The excess of a trace over the prediction around a time, and its standard error.
 struct Excess {
     double mean = 0, error = 0;
-    double slope = 0; ///< of the predicted values, per second
+    double slope = 0; ///< slope of the predicted values, per second
 };
 
 class HeldOutTrace {

@@ -33,7 +33,7 @@ struct Unidentified {
 /// How well the data determine the parameters at the best fit.
 struct Identifiability {
     double condition = 1;           ///< of the derivatives with normalised columns
-    std::vector<double> covariance; ///< of the coordinates, row by row, for noise 1
+    std::vector<double> covariance; ///< covariance of the coordinates, row by row, for noise 1
     std::vector<Unidentified> unidentified;
     std::vector<double> columns; ///< derivatives of the residuals by the coordinates
 };

@@ -69,7 +69,7 @@ public:
             m_result.status =
                 lacks() ? IdentificationStatus::doesNotFit : IdentificationStatus::cannotTell;
         } else {
-            std::vector<double> errors; // of the coordinates
+            std::vector<double> errors; // errors of the coordinates
             for (std::size_t i = 0; i < m_best.q.size(); ++i) {
                 errors.push_back(std::sqrt(found.covariance[i * m_best.q.size() + i]));
             }

@@ -54,7 +54,7 @@ struct FitResiduals {
     int trace = -1;
     std::vector<double> values; ///< measured less predicted, in the order of the data
     double rms = 0;
-    std::optional<TraceNoise> noise{}; ///< of a trace, from differences of neighbours
+    std::optional<TraceNoise> noise{}; ///< noise of a trace, from differences of neighbours
     LackOfFit lack{};                  ///< lack of fit of a trace
     UnlikeCycle unlike{};              ///< cause of the lack of fit
     std::size_t outliers = 0;          ///< lone outliers, with a lower weight in the judgement
@@ -70,11 +70,11 @@ struct Identification {
     std::vector<std::vector<double>> covariance; ///< of the values; for factors of their logarithms
     std::vector<std::vector<double>> correlation;
     std::vector<FitResiduals> residuals;
-    std::optional<Normality> normality; ///< of the residuals, each divided by the RMS of its group
+    std::optional<Normality> normality; ///< for residuals divided by the RMS of their group
     std::vector<OutOfStep> outOfStep;   ///< omitted times, hardly 0: the values are wrong
     double condition = 1;
     std::vector<Unidentified> unidentified;
-    std::vector<int> stepsByStage;          ///< of the fitted cycle
+    std::vector<int> stepsByStage;          ///< steps of the fitted cycle, by stage
     std::optional<ForceLawChoice> forceLaw; ///< supported by its spark-out, if that is recorded
     std::vector<int> withoutFactor;         ///< omitted currents without a given factor; by index
     std::size_t count = 0;                  ///< measured values

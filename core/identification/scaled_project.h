@@ -10,7 +10,7 @@ namespace sparkout {
 /// Factors on the inputs that determine the depths of cut.
 struct CycleFactors {
     double alpha = 1, beta = 1, compliance = 1, flowStress = 1, dullness = 1;
-    std::vector<double> places; ///< of the compliance of each zone or section; empty: 1
+    std::vector<double> places; ///< factors of the compliance of each zone or section; empty: 1
     double blankRunout_mm = 0;  ///< ΔR itself
     friend bool operator==(const CycleFactors&, const CycleFactors&) = default;
 };

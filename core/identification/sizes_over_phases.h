@@ -13,7 +13,7 @@ namespace sparkout {
 /// section the mean diameter less the nominal one.
 struct SizesOverPhases {
     std::vector<double> means_um;      ///< empty: no cycle reached size
-    std::vector<double> deviations_um; ///< of one part
+    std::vector<double> deviations_um; ///< deviations of one part
 };
 
 /// Over usualPhases(), one infeed of stock, with this number of evenly spaced stocks: a step of the

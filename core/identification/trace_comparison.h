@@ -14,13 +14,13 @@ namespace sparkout {
 struct TraceComparison {
     int trace = 0; ///< index in the project
     FitSource source = FitSource::size;
-    std::optional<int> place;      ///< of a size; not given: at the gauge
+    std::optional<int> place;      ///< place of a size; not given: at the gauge
     std::vector<double> time_s;    ///< from the beginning of the cycle
     std::vector<double> measured;  ///< mm from the target, kW, N; a size without the offset
     std::vector<double> predicted; ///< at the same times
-    double rms = 0;                ///< of measured less predicted
+    double rms = 0;                ///< RMS of measured less predicted
     double shift_s = 0;            ///< beginning of the cycle in the trace
-    double offset_mm = 0;          ///< of the gauge's zero, subtracted from the sizes
+    double offset_mm = 0;          ///< offset of the gauge's zero, subtracted from the sizes
 };
 
 /// Compares the traces of a project with its cycle with these numbers of steps in its stages.

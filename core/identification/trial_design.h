@@ -46,13 +46,13 @@ struct TrialExpectation {
 };
 
 struct Trial {
-    double feedFactor = 1; ///< of the project's first stage
-    double radialFeed = 0; ///< in the unit of the operation
+    double feedFactor = 1; ///< factor of the feed of the project's first stage
+    double radialFeed = 0; ///< feed in the unit of the operation
     TrialSparkOut sparkOut = TrialSparkOut::none;
     TrialRecord record = TrialRecord::size;
     std::vector<int> stepsByStage;
     double duration_s = 0;
-    std::size_t samples = 0; ///< of all traces
+    std::size_t samples = 0; ///< number of samples of all traces
     /// ln det of the information about the parameters, with offset and time of the recorder and the
     /// idle power, which a fit proposes, determined from the same traces; not given if some of the
     /// parameters are undetermined.

@@ -10,8 +10,8 @@ namespace sparkout {
 enum class Unlike {
     drift, ///< the difference grows with time
     lag,   ///< proportional to the speed, or to changes of speed, of the trace
-    stage, ///< in one stage
-    spike, ///< in a few values
+    stage, ///< misfit in one stage
+    spike, ///< misfit in a few values
     other,
     count_
 };

@@ -17,7 +17,7 @@ struct RoughnessCalibration {
     double factor = 1;                  ///< geometric mean over the measured values
     std::optional<Interval> interval95; ///< Student's, of the logarithms of two or more
     std::size_t count = 0;
-    std::string wheel, dressing; ///< to which it applies
+    std::string wheel, dressing; ///< the wheel and dressing to which it applies
 };
 
 /// From the parts and statistics in the project's section `measured`. Empty without a measured Ra

@@ -52,7 +52,7 @@ struct GoalResult {
     std::optional<double> time_min;   ///< time of the cycle, if it ended by itself
     RunStatus status = RunStatus::completed;
     std::vector<std::string> forbidden; ///< paths of inputs changed that are not free
-    Issues issues;                      ///< of a set-up that cannot be run
+    Issues issues;                      ///< faults of a set-up that cannot be run
 
     [[nodiscard]] bool passed() const { return finding == Finding::passed; }
 };

@@ -14,7 +14,7 @@ namespace sparkout {
 /// centre, stock = total − depth [mm].
 struct BurnStretch {
     double total = 0, low = 0, centre = 0;
-    std::array<double, 5> c{}; ///< of x⁰…x⁴
+    std::array<double, 5> c{}; ///< coefficients of x⁰…x⁴
 
     /// √a relative to its limit for a radius at this depth below first touch.
     [[nodiscard, gnu::always_inline]] double usage(double root, double depth_mm) const {

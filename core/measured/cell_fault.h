@@ -12,7 +12,7 @@ namespace sparkout {
 struct CellFault {
     std::size_t line = 0;   ///< counted from 1; 0: the whole text
     std::size_t column = 0; ///< counted from 1; 0: the whole line
-    Issue issue;            ///< without a path
+    Issue issue;            ///< the issue, without a path
     friend bool operator==(const CellFault&, const CellFault&) = default;
 };
 

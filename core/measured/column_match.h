@@ -16,15 +16,15 @@ enum class ColumnQuantity {
     ignored,
     part,               ///< number or name of the part
     place,              ///< zone or section
-    diameter,           ///< of a part; several columns: several diameters
+    diameter,           ///< diameter of a part; several columns: several diameters
     diameter_deviation, ///< less the nominal diameter
     roundness,
     radial_runout,
     cylindricity,
     roughness_ra,
-    when, ///< of a part, as text
+    when, ///< time of a part, as text
     note,
-    time, ///< of the samples of traces
+    time, ///< time of the samples of traces
     gauge_size,
     wheel_power,
     spindle_current,

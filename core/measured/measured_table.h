@@ -16,7 +16,7 @@
 namespace sparkout {
 
 namespace limits {
-inline constexpr std::size_t measuredBytes = 256U << 20; ///< of the file
+inline constexpr std::size_t measuredBytes = 256U << 20; ///< largest file that is read
 } // namespace limits
 
 /// The interpretation of a table, proposed from its text and changeable by the user.

@@ -123,8 +123,8 @@ private:
     double m_tolerance_mm = 0;         ///< tolerance of a stock at which a step ends a stage
     std::vector<double> m_infeeds_mm;  ///< by setting
     std::vector<FollowedFeed> m_feeds; ///< by setting; empty: no cycle can be refuted
-    std::optional<SteadyLags> m_lags;  ///< of these feeds
-    std::vector<End> m_ends;           ///< of the requested last stages
+    std::optional<SteadyLags> m_lags;  ///< lags of these feeds
+    std::vector<End> m_ends;           ///< ends of the requested last stages
     double m_leastDepth_mm =
         0; ///< less than the final depth of any gauged radius, for the least stock
     double m_excess_mm =

@@ -58,7 +58,7 @@ private:
         long long number = 0; ///< in the order of the portions
         std::vector<GridCycle> cycles;
         std::size_t done = 0; ///< number of decided cycles: fewer after a stop
-        SearchCounts counts;  ///< of these cycles
+        SearchCounts counts;  ///< counts of these cycles
         [[nodiscard]] bool isDone() const { return done == cycles.size(); }
     };
 

@@ -392,7 +392,7 @@ private:
     static constexpr std::size_t fewestTogether = 2, mostTogether = 3;
     ForceLaw m_law;
     double m_b, m_gamma = 0, m_infeed_mm, m_left_mm, m_cell_mm;
-    std::vector<BoundCut> m_most;      ///< of a pass that leaves up to the upper end of a cell
+    std::vector<BoundCut> m_most;      ///< cuts of a pass that leaves up to a cell's upper end
     std::vector<double> m_lastCuts_mm; ///< greatest sums of the last two, three … cuts
 };
 

@@ -165,7 +165,7 @@ private:
     const Project& m_project;
     Variants m_variants;
     const SearchOptions& m_options;
-    SearchOptions m_own;                                 ///< for the variants
+    SearchOptions m_own;                                 ///< options for the variants
     std::vector<std::pair<double, std::size_t>> m_order; ///< least time [s] and variant
     bool m_unprepared = false;                           ///< stopped before the search
     std::size_t m_at = 0;

@@ -171,7 +171,7 @@ enum class SearchStatus {
     infeasible, ///< no cycle of the grid is feasible
     stopped,    ///< stopped on request: best so far and bound
     found,      ///< found by a heuristic: feasible, but a quicker one may exist
-    notFound,   ///< not found by a heuristic: one may exist
+    notFound,   ///< no cycle found by a heuristic: one may exist
 };
 
 struct SearchSummary {

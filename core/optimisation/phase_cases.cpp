@@ -47,7 +47,7 @@ std::vector<std::int64_t> cornersOf(const std::vector<GivenFactor>& factors) {
         }
     }
     if (corners.size() == 1) {
-        corners.clear(); // only the nominal part
+        corners.clear(); // only the nominal part is left
     }
     return corners;
 }

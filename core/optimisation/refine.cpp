@@ -64,7 +64,7 @@ public:
             return m_best;
         }
         const std::vector<double> given = m_space.valuesOf(m_best.cycle);
-        for (const bool again : {false, true}) { // from the given cycle, then from the best found
+        for (const bool again : {false, true}) { // from the given cycle, then the best found
             for (const double firstStep : {0.1, 0.3, 0.03}) { // each finds minima that others miss
                 const auto from = again ? m_space.valuesOf(m_best.cycle) : given;
                 descend(m_space.rounded(offTheSteps(from, firstStep)));

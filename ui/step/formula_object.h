@@ -26,7 +26,7 @@ public:
     /// The format of the character that represents a piece; `text` is its one-line form.
     [[nodiscard]] QTextCharFormat add(const report::FormulaNode& node, const QString& text);
     [[nodiscard]] static QString textOf(const QTextFormat& format);
-    void setPixels(double fontSize) { m_pixels = fontSize; } ///< of the text
+    void setPixels(double fontSize) { m_pixels = fontSize; } ///< font size of the text
     void setRoom(double width) { m_room = width; }           ///< a wider piece is pressed together
 
     QSizeF intrinsicSize(QTextDocument* document, int position, const QTextFormat& format) override;

@@ -22,7 +22,7 @@ namespace sparkout {
 namespace {
 
 constexpr double equationIndent = 16,
-                 paragraphGap = 6; ///< of the lines of an equation, of paragraphs [px]
+                 paragraphGap = 6; ///< gaps of lines in an equation, of paragraphs [px]
 constexpr QChar mayBreak(0x200b);
 
 const QString equalsSign = QStringLiteral(" = ");

@@ -248,7 +248,7 @@ void Actions::buildToolBar(QToolBar& bar) {
     bar.addSeparator();
     bar.addAction(keepRun);
     bar.addSeparator();
-    bar.addAction(reports.front().preview); // of the cycle card
+    bar.addAction(reports.front().preview); // preview of the cycle card
     bar.addSeparator();
     bar.addAction(examples);
     if (auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(m_new->menuAction()))) {

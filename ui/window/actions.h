@@ -55,7 +55,7 @@ public:
     std::vector<ReportActions> reports; ///< in the order of the table of kinds
     std::vector<ReportActions> papers;  ///< of a laboratory work, in the order of their table
     QAction* company;                   ///< company and signatures in their heads
-    QAction* titlePage;                 ///< of laboratory reports
+    QAction* titlePage;                 ///< the title page of laboratory reports
     QAction* importPack;
     QAction* exportPack;
     QAction* importMeasured;

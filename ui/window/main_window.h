@@ -123,7 +123,7 @@ private:
     Document m_document;
     Studies m_studies;
     OutcomePtr m_outcome;
-    bool m_isOutcomeOfBefore = false; ///< of another document or surface
+    bool m_isOutcomeOfBefore = false; ///< the outcome of another document or surface
     CycleCursor m_cursor;
     KeptRuns* m_kept;
     PartRuns* m_partRuns;

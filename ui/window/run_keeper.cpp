@@ -33,7 +33,7 @@ RunKeeper::RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notic
     connect(&kept, &KeptRuns::replaced, this, [this] {
         m_waiting = false;
         m_reported = false;
-        m_aside.stop(); // of another document
+        m_aside.stop(); // the run belongs to another document
         endAside();
         m_notices.remove(keepKey);
         m_notices.remove(changedKey);

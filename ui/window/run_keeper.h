@@ -40,7 +40,7 @@ private:
     const RunController& m_runs;
     NoticeBar& m_notices;
     OutcomePtr m_outcome;
-    bool m_waiting = false;  ///< for the run to be kept
+    bool m_waiting = false;  ///< whether the run to be kept is awaited
     bool m_reported = false; ///< whether differences in kept runs of this project were reported
     QString m_asideName;     ///< name of the background run; may be empty
     QTimer m_patience;       ///< a short run needs no notice

@@ -24,7 +24,9 @@ public:
     ~ViewTabs() override;
 
     void addView(View* view);
-    [[nodiscard]] const std::vector<View*>& views() const { return m_views; } ///< in order
+    [[nodiscard]] const std::vector<View*>& views() const {
+        return m_views;
+    }                                        ///< the views in order
     [[nodiscard]] View* currentView() const; ///< of the active window, otherwise of the current tab
     [[nodiscard]] bool isDetached(const View* view) const;
     [[nodiscard]] bool canDetach() const { return count() > 1; }
@@ -52,7 +54,7 @@ private:
     class Window;
 
     [[nodiscard]] Window* findWindow(const View* view) const;
-    [[nodiscard]] int placeOf(const View* view) const; ///< of its tab among the existing ones
+    [[nodiscard]] int placeOf(const View* view) const; ///< index of its tab among the existing ones
     void openMenu(const QPoint& place);
     void showTexts();
     void fitTabs();

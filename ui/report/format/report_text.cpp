@@ -287,7 +287,7 @@ private:
         return text + u'\n';
     }
 
-    static constexpr int blankSigns = 60; ///< of a line for handwriting
+    static constexpr int blankSigns = 60; ///< underscores of a line for handwriting
 
     QStringList m_headings;
     QString m_text, m_pictures;

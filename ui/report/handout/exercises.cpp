@@ -25,7 +25,7 @@ namespace {
 
 constexpr double digitsKept = 1e6;
 
-constexpr double leastTime_min = 5e-4; ///< of a stage
+constexpr double leastTime_min = 5e-4; ///< least time of a stage
 
 struct ExerciseText {
     Q_DECLARE_TR_FUNCTIONS(Exercises)

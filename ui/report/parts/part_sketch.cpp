@@ -27,7 +27,7 @@ constexpr double zoneLine = 34, lengthLine = 206, wholeLine = 230;
 constexpr double arrow = 7, centre = 26, wallWidth = 10;
 constexpr double supportName = axis + mostHalf + 22; ///< below the body
 constexpr int fontPixels = 12;
-constexpr double betweenNames = 8; ///< of a row
+constexpr double betweenNames = 8; ///< distance between the names of a row
 constexpr QColor ink(0, 0, 0), faint(110, 110, 110), paper(255, 255, 255), body(225, 230, 236),
     ground(190, 205, 222);
 

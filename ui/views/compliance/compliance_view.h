@@ -53,7 +53,7 @@ private:
     ComplianceStudies* m_studies;
     OutcomePtr m_studied; ///< run of the shown diameters
     int m_done = 0, m_total = 0;
-    bool m_fitNext = false; ///< at the next result
+    bool m_fitNext = false; ///< fit the view at the next result
 };
 
 } // namespace sparkout

@@ -45,7 +45,7 @@ protected:
     [[nodiscard]] LegendEntry entry(int key, QColor colour, Qt::PenStyle pen,
                                     const QString& text) const;
     void takeField(const Part& part);
-    [[nodiscard]] double middle_um() const { return m_middle_um; } ///< of the tolerance
+    [[nodiscard]] double middle_um() const { return m_middle_um; } ///< middle of the tolerance
     /// Draws the limits of the tolerance along the length, ± half its width.
     void drawLimits(const Part& part);
     void clearLimits();

@@ -157,7 +157,7 @@ void PolarGrid::drawSpokes(QCPPainter* painter) {
     }
     m_names.clear();
     // Names are outside the rim if there is room, otherwise just inside a large enough circle.
-    constexpr double share = 0.2; ///< of the radius that a name may cover
+    constexpr double share = 0.2; ///< share of the radius that a name may cover
     const QFontMetricsF metrics(mParentPlot->font());
     for (int angle = 0; angle < 360; angle += 90) {
         const QString name = mParentPlot->locale().toString(angle) + QChar(0x00B0);

@@ -24,13 +24,15 @@ public:
     explicit PhaseBar(QWidget* parent = nullptr);
 
     void follow(const Project& project); ///< starts the check, unless it is done or running
-    void forget(); ///< before another document: drops project, range and result
+    void forget(); ///< forgets project, range and result before another document
     /// The last result; null if there is none, or if the project cannot be checked.
     [[nodiscard]] const PhaseOutcomePtr& phases() const { return m_phases; }
     [[nodiscard]] bool busy() const { return m_job->running(); }
-    [[nodiscard]] bool stale() const { return m_stale; } ///< of another project or range
-    [[nodiscard]] QString remark() const;                ///< the result, or why there is none
-    void showState(bool accepted);                       ///< false: the newest inputs are refused
+    [[nodiscard]] bool stale() const {
+        return m_stale;
+    }                                     ///< whether the result is of another project or range
+    [[nodiscard]] QString remark() const; ///< the result, or why there is none
+    void showState(bool accepted);        ///< false: the newest inputs are refused
     void retranslate();
 
 signals:

@@ -100,7 +100,7 @@ private:
     QWidget* m_toolBar = nullptr;
     QAction* m_take;
     QPushButton *m_takeButton, *m_add;
-    std::vector<SweepEntry> m_entries;   ///< in the box
+    std::vector<SweepEntry> m_entries;   ///< the entries in the box
     std::string m_wanted = "diameter";   ///< result the user chose
     SweepResultPtr m_shown;              ///< the drawn one
     Issues m_refused;                    ///< why the current one cannot be run

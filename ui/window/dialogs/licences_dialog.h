@@ -17,7 +17,7 @@ public:
 
     struct Component {
         QString name;
-        QString licence; ///< as an SPDX identifier
+        QString licence; ///< its SPDX identifier
         QString copyright;
     };
     [[nodiscard]] static std::vector<Component> components(); ///< Sparkout first
