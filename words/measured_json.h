@@ -27,7 +27,7 @@ struct MeasuredAnswer {
     std::vector<AdequacyRow> rows;
     std::vector<HoldOutRow> holdOut;
     std::optional<Identification> fit;
-    std::vector<FittedParameter> parameters; ///< of the fit
+    std::vector<FittedParameter> parameters; ///< parameters of the fit
 };
 
 /// A time omitted from a fit of these parameters.

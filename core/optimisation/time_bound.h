@@ -61,8 +61,8 @@ private:
 
     struct Rate {
         double infeed_mm = 0;     ///< f
-        double fixed_s = 0;       ///< of a step, for any infeed
-        double step_s = 0;        ///< of a full step
+        double fixed_s = 0;       ///< time of a step for any infeed
+        double step_s = 0;        ///< time of a full step
         double s_per_mm = 0;      ///< r
         double next_s_per_mm = 0; ///< least r of the setting itself and of those that may follow
         double sparkOut_s = 0;    ///< time of a spark-out setting
@@ -71,7 +71,7 @@ private:
     double m_total;
     double m_mostLast_mm = 0; ///< greatest L'
     double m_sparkOut_s = 0;  ///< the least of the grid's spark-outs
-    double m_delay_s = 0;     ///< from the size to the end of the cycle
+    double m_delay_s = 0;     ///< time from the size to the end of the cycle
     bool m_shortLastStep;
 };
 

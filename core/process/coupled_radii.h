@@ -40,7 +40,7 @@ public:
     static constexpr std::size_t thirds = 3; ///< a third in which nothing moves is skipped
     static constexpr std::size_t third = sideBySide / thirds;
     using Set = std::bitset<sideBySide>; ///< marks some of the twelve radii
-    static constexpr int mostSteps = 8;  ///< of Newton, each with its correction
+    static constexpr int mostSteps = 8;  ///< steps of Newton's method, each with its correction
 
     /// The values of twelve radii in one section.
     struct alignas(32) Row {

@@ -103,7 +103,7 @@ public:
     /// Largest residual of a solution [mm], in addition to rounding errors at a large h.
     static constexpr double tolerance_mm = 1e-13;
     static constexpr int maxIterations = 100;  ///< greatest number of quick steps
-    static constexpr int maxDescents = 20'000; ///< of the descent; about ten are needed
+    static constexpr int maxDescents = 20'000; ///< steps of the descent; about ten are needed
 
 private:
     class Solver;

@@ -62,7 +62,7 @@ struct ShopColumn {
 };
 
 struct ShopNumbers {
-    std::vector<ShopColumn> stages; ///< as many as the cycle has; zero for a stage that did not run
+    std::vector<ShopColumn> stages; ///< one for each stage; zero if it did not run
     ShopColumn cycle;
     double wheelSpeed_rpm = 0;
     double rotationRatio = 0; ///< wheel rev/min : work rev/min

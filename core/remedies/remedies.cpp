@@ -365,7 +365,7 @@ private:
     const Project& m_project;
     bool m_isRun = false;
     std::optional<double> m_time_s; ///< empty: the cycle does not end by itself
-    Issues m_issues;                ///< of the unchanged project
+    Issues m_issues;                ///< issues of the unchanged project
     bool m_singleHelps = false;     ///< one setting alone helps
     const RemedyOptions& m_options;
     RemedyTrials m_trials;

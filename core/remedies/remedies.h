@@ -81,7 +81,7 @@ struct Remedy {
     /// not run; for a pair the current value does not count.
     std::optional<double> failing{};
     bool holdsBeyond = false;             ///< the next value behind the interval is good, too
-    double time_s = 0;                    ///< of the cycle
+    double time_s = 0;                    ///< time of the cycle
     std::optional<double> timeChange_s{}; ///< of the unchanged cycle, if that ends by itself
     std::vector<ConstraintResult> requirements{}; ///< the worst of each kind
     std::optional<StockRange> stocks{}; ///< per side, for all of which it was decided to be good
@@ -118,7 +118,7 @@ struct RemedyConflict {
     std::optional<ConstraintResult> first;  ///< unchanged; empty: the cycle does not end
     std::optional<ConstraintResult> second; ///< the worst violation with the setting below, if any
     std::optional<RemedySetting> setting;   ///< the setting of the conflict
-    double value = 0;                       ///< of the setting
+    double value = 0;                       ///< value of the setting
     double stock_mm = 0;                    ///< per side, at which it fails with the setting
 };
 

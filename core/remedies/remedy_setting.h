@@ -13,9 +13,9 @@ namespace sparkout {
 
 /// A change made by a remedy: one setting, or several where none helps alone.
 enum class RemedyKind {
-    radialFeed, ///< of a feeding stage
-    axialFeed,  ///< of a stage
-    stock,      ///< of a stage; its neighbour takes the difference
+    radialFeed, ///< feed of a feeding stage
+    axialFeed,  ///< feed of a stage
+    stock,      ///< stock of a stage; its neighbour takes the difference
     sparkOut,   ///< double strokes or revolutions of the last stage
     dwellEntry, ///< whole revolutions
     dwellExit,  ///< whole revolutions

@@ -125,7 +125,7 @@ private:
 
     const SimulationResult& m_result;
     const Trajectory& m_trajectory;
-    std::vector<int> m_stages; ///< of each double stroke or revolution
+    std::vector<int> m_stages; ///< stages of each double stroke or revolution
     LayerSeries m_series;
 };
 

@@ -412,7 +412,7 @@ private:
     const Project& m_project;
     std::size_t m_inZone;            ///< number of sections, 0 if a zone is its middle
     std::vector<Place> m_places;     ///< places of the sections in a pass
-    std::vector<double> m_wayShares; ///< of the sections
+    std::vector<double> m_wayShares; ///< shares of the sections
     std::shared_ptr<const CutWidth> m_plunge1, m_plunge2, m_stroke; ///< shared by copies
     std::array<LaneBalance, zoneCount> m_plungeBalances;
     int m_entryDwell, m_exitDwell;

@@ -242,7 +242,7 @@ double greatestDepth(const Rising& rising, double most) {
 struct BoundDepth {
     double depth_mm;
     RoughBound bound = RoughBound::table;
-    bool isExceeded = false; ///< by the machine's lowest feed
+    bool isExceeded = false; ///< the machine's lowest feed exceeds the bound
 
     void keepTo(double most_mm, RoughBound by) {
         if (most_mm < depth_mm) {

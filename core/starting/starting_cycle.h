@@ -16,7 +16,7 @@ struct StartingEnds {
 enum class RoughBound {
     table,      ///< usual depths and feeds [MH31]
     power,      ///< the wheel drive's power
-    deflection, ///< of machine and part
+    deflection, ///< deflection of machine and part
     burn,       ///< the damaged layer
     range,      ///< the machine's highest feed
 };

@@ -14,7 +14,7 @@ namespace sparkout {
 
 /// The data of a drawing about a surface to be ground.
 struct StartingDrawing {
-    std::string name;                   ///< of part and project
+    std::string name;                   ///< name of part and project
     std::optional<Operation> operation; ///< not given: plunge if the wheel covers the length
     Surface surface = Surface::external;
     double diameter_mm = 0;                              ///< d, nominal [mm]

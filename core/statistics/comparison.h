@@ -19,7 +19,7 @@ struct VarianceRatio {
     double ratio = 1; ///< s₁²/s₂²
     std::int64_t freedom = 1, otherFreedom = 1;
     double low = 0, high = 0; ///< bounds of the ratio by chance at this confidence
-    double probability = 1;   ///< of a ratio at least as far from 1, on either side
+    double probability = 1;   ///< probability of a ratio at least as far from 1, on either side
     [[nodiscard]] bool differs() const { return ratio < low || ratio > high; }
 };
 /// For standard deviations of n ≥ 2 values each, the other not 0.

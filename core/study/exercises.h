@@ -49,7 +49,7 @@ struct ExerciseRun {
     std::size_t stage = 0;                 ///< the stage whose feed is slower
     std::optional<Place> at{};             ///< the step in question, in both runs
     std::vector<ExerciseAnswer> answers{}; ///< answers that can be read off
-    std::vector<double> timeByStage_s{};   ///< of the changed project
+    std::vector<double> timeByStage_s{};   ///< times of the changed project
 };
 
 inline constexpr std::size_t mostExercises = 5;

@@ -13,7 +13,7 @@ namespace sparkout {
 
 /// The part after a cycle with the gauge at one position.
 struct GaugePosition {
-    double position_mm = 0;         ///< of the gauge, from the headstock end of the ground length
+    double position_mm = 0;         ///< position from the headstock end of the ground length
     Zone zone = Zone::section;      ///< the gauge's zone (traverse)
     double compliance_mm_per_n = 0; ///< γ at the gauge
     RunStatus status = RunStatus::completed;

@@ -38,7 +38,7 @@ struct Profile {
     double diameterMin_mm = 0;    ///< min of D_k less the nominal diameter
     double diameterMax_mm = 0;    ///< max of D_k less the nominal diameter
     double radialRunout_mm = 0;   ///< R_max − R_min plus the machine's geometric runout
-    double mean_mm = 0;           ///< of the radii
+    double mean_mm = 0;           ///< mean of the radii
     RoundnessZone leastSquares;
     RoundnessZone minimumZone; ///< after addMinimumZone()
     /// After addHeldCircles(); not given if no such circle exists beside a wide gap.
@@ -61,9 +61,9 @@ struct ProfileSeries {
         zoneSections;                ///< at the end of the cycle, where zones have several sections
     std::vector<ZoneForm> zoneForms; ///< forms of those zones; empty: not computed
     int stroke = 0;         ///< number of the last double stroke or revolution; 0: the blank
-    int strokeCount = 0;    ///< of the whole cycle
+    int strokeCount = 0;    ///< number of strokes of the whole cycle
     bool strokeDone = true; ///< false: the moment is within that stroke
-    int stage = 0;          ///< of that stroke; 0: the blank, or not known
+    int stage = 0;          ///< stage of that stroke; 0: the blank, or not known
     double time_s = 0;      ///< from the start of the cycle
     bool knowsRunout = true,
          knowsRoundness = true; ///< whether the machine's own runout and roundness are included

@@ -18,7 +18,7 @@ struct RobustTrail {
 /// The answer of a search of a grid.
 struct GridAnswer {
     const Project& asked; ///< the project that was searched
-    const Project& best;  ///< with the machine settings of the answer
+    const Project& best;  ///< the project with the machine settings of the answer
     const Cycle& cycle;
     std::optional<RobustTrail> robust; ///< only for a robust search
 };

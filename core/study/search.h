@@ -119,7 +119,7 @@ struct SearchOutcome {
     bool areLevelsCutShort = false; ///< a further round was stopped
     std::vector<LevelEdge> edges;   ///< edges of the grid that its best cycle reaches
     std::vector<SettingEdge> settingEdges; ///< likewise for machine settings and spark-out
-    SearchSummary search;                  ///< of the last round
+    SearchSummary search;                  ///< summary of the last round
     std::optional<RobustSummary> robust;   ///< `search` is its last one
     std::optional<IntervalSummary>
         interval; ///< `search` is the one for the answer's number of parts

@@ -66,7 +66,7 @@ public:
 private:
     Project m_searched;
     int m_round = 1;
-    std::optional<double> m_time_s, m_margin; ///< from the previous round
+    std::optional<double> m_time_s, m_margin; ///< best values of the previous round
 };
 
 } // namespace sparkout

@@ -57,7 +57,7 @@ struct SweptInput {
 
 /// The result of a sweep, a value with its inputs.
 struct SweepResult {
-    Project project; ///< with its sweep, without kept runs
+    Project project; ///< the project with its sweep, without kept runs
     std::string engineVersion;
     std::vector<SweptInput> inputs;
     std::vector<SweepQuantity> quantities; ///< all that any point has

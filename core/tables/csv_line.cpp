@@ -16,7 +16,7 @@ namespace sparkout {
 namespace {
 
 constexpr char backslash = '\\';
-constexpr std::size_t codeSize = 5; ///< of u202E
+constexpr std::size_t codeSize = 5; ///< length of u202E
 
 /// Tabs and line ends are quoted, which every spreadsheet understands.
 bool standsInQuotes(unsigned code) {

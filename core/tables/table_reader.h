@@ -10,7 +10,7 @@
 namespace sparkout {
 
 namespace limits {
-inline constexpr std::size_t cellBytes = 128U << 10U; ///< of a quoted cell
+inline constexpr std::size_t cellBytes = 128U << 10U; ///< largest size of a quoted cell
 } // namespace limits
 
 /// The notation of a table.

@@ -31,7 +31,7 @@ private:
     std::size_t m_begin = 0;
     std::size_t m_bytes = 0;
     TextEncoding m_encoding = TextEncoding::utf8;
-    std::string m_digest; ///< of the bytes, if they differ from the text
+    std::string m_digest; ///< digest of the bytes, if they differ from the text
 };
 
 } // namespace sparkout

@@ -11,9 +11,9 @@
 /// command line. All texts are UTF-8.
 namespace sparkout::xlsx {
 
-inline constexpr std::size_t mostRows = 1'048'576;    ///< of a sheet, with its head
-inline constexpr std::size_t mostNameLength = 31;     ///< of a sheet, in UTF-16 units
-inline constexpr std::size_t mostTextLength = 32'767; ///< of a cell, in UTF-16 units
+inline constexpr std::size_t mostRows = 1'048'576;    ///< rows of a sheet, with its head
+inline constexpr std::size_t mostNameLength = 31;     ///< length of a sheet's name, in UTF-16 units
+inline constexpr std::size_t mostTextLength = 32'767; ///< length of a cell's text, in UTF-16 units
 inline constexpr std::size_t rowsBetweenLooks = 500;  ///< between checks for a cancellation
 
 /// A cell: empty, a number, or a text. A number that is not finite counts as empty.

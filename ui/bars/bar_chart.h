@@ -73,7 +73,7 @@ struct BarChart {
     bool isLying = false; ///< bars from left to right, the first category on top
     QString what;         ///< the categories are: "Stage"
     QStringList categories;
-    QString axis, unit; ///< of the values: "Time", "min"
+    QString axis, unit; ///< name and unit of the values: "Time", "min"
     QString secondAxis, secondUnit;
     std::vector<BarSeries> series;
     std::vector<BarBox> boxes; ///< by category
@@ -87,7 +87,7 @@ struct BarChart {
     std::optional<double> most; ///< bars beyond it are cut, unlike their numbers
     Number number = {};         ///< a value as a text without its unit
     Number secondNumber = {};   ///< for the second axis
-    QString centre = {};        ///< of a ring
+    QString centre = {};        ///< text in the centre of a ring
     QString remark = {};        ///< a sentence on omitted data, for instance
     /// The name of a series in a category, if it differs.
     std::function<QString(std::size_t series, std::size_t category)> partName = {};

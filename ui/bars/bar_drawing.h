@@ -18,7 +18,7 @@ namespace sparkout {
 
 /// A painted bar, box or slice.
 struct BarPart {
-    std::size_t series = 0, category = 0; ///< of the chart; for a box only the category counts
+    std::size_t series = 0, category = 0; ///< in the chart; a box uses the category only
     QRectF rect;                          ///< for a slice, its bounding box
     QPainterPath slice = {};              ///< empty: the rect
 
@@ -83,7 +83,7 @@ private:
     ChartScene m_scene;
     BarChart m_drawn; ///< with the visible series
     std::vector<std::size_t> m_drawnSeries;
-    ChartArea m_area; ///< as last painted
+    ChartArea m_area; ///< area as last painted
     std::vector<BarPart> m_parts;
     std::vector<QRectF> m_taken; ///< occupied by texts
     QStringList m_texts;

@@ -58,7 +58,7 @@ Span spanOf(const BarChart& chart, bool onSecond) {
     for (const double sum : chart.sums) {
         span.take(sum);
     }
-    const double lowest = span.low; // of the bars
+    const double lowest = span.low; // lowest value of the bars
     for (const BarLimit& limit : chart.limits) {
         span.take(limit.at);
     }

@@ -39,7 +39,7 @@ struct ChartArea {
     [[nodiscard]] double barShare(const BarChart& chart) const;
     [[nodiscard]] double at(const BarChart& chart, const BarScale& scale, double value) const;
     [[nodiscard]] double middle(const BarChart& chart, std::size_t category) const; ///< across
-    [[nodiscard]] double room(const BarChart& chart) const; ///< of a category, across
+    [[nodiscard]] double room(const BarChart& chart) const; ///< width of a category
     /// From a value to another, in a category, across by its index among its bars.
     [[nodiscard]] QRectF bar(const BarChart& chart, const BarScale& scale, std::size_t category,
                              double from, double to, double middle, double width) const;

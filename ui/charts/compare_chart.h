@@ -41,8 +41,8 @@ public:
     [[nodiscard]] Quantity second(std::size_t row) const { return m_second.at(row); }
     [[nodiscard]] std::array<Quantity, 4> quantities() const; ///< left and right, by row
     [[nodiscard]] std::vector<XY> line(std::size_t run, Quantity quantity) const;
-    [[nodiscard]] double end() const;                          ///< of the longest run, on the axis
-    [[nodiscard]] QString timeLabel() const;                   ///< "Time, min"
+    [[nodiscard]] double end() const;        ///< end of the longest run on the axis
+    [[nodiscard]] QString timeLabel() const; ///< "Time, min"
     [[nodiscard]] static QString briefName(Quantity quantity); ///< for an axis, since plots are low
     [[nodiscard]] QStringList shortNames() const;              ///< unique short names of the runs
     /// The values of a run at a place of the axis, on one line.
@@ -55,10 +55,10 @@ public:
 private:
     [[nodiscard]] const FeedPoints& pointsOf(std::size_t run) const;
     [[nodiscard]] QString shortName(std::size_t run) const;
-    [[nodiscard]] double longest_s() const; ///< of the runs
+    [[nodiscard]] double longest_s() const; ///< time of the longest run
 
     std::vector<ComparedFeeds> m_runs;
-    std::vector<CycleScale> m_scales; ///< of each run
+    std::vector<CycleScale> m_scales; ///< scale of each run
     CycleAxis m_axis = CycleAxis::time;
     std::array<Quantity, rowCount> m_second{secondQuantities[0][0], secondQuantities[1][0]};
 };

@@ -38,7 +38,7 @@ public:
     [[nodiscard]] QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const override;
 
     [[nodiscard]] const std::vector<ComparedFeeds>& runs() const { return m_chart.runs(); }
-    [[nodiscard]] QCPAxis* axisOf(Quantity quantity) const;             ///< of a drawn quantity
+    [[nodiscard]] QCPAxis* axisOf(Quantity quantity) const; ///< value axis of a drawn quantity
     [[nodiscard]] QCPGraph* curve(int number, Quantity quantity) const; ///< null: no such run
     [[nodiscard]] std::optional<double> moment_s() const { return m_moment_s; }
     [[nodiscard]] LegendEntries legendEntries() const override;

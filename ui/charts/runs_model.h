@@ -24,7 +24,7 @@ public:
         QString detail;      ///< the lines below
         QString description; ///< for the tool tip
         std::optional<Light> light;
-        int number = 0; ///< of its dash; negative: not drawn
+        int number = 0; ///< number of its dash; negative: not drawn
         bool chosen = true;
         bool isOwn = true;                   ///< otherwise its name is not editable here
         std::optional<JudgedState> judged{}; ///< its mark replaces the light

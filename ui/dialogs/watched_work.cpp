@@ -26,7 +26,7 @@ namespace {
 constexpr int unfelt_ms = 20; // shorter work needs no event loop
 constexpr int quick_ms = 400; // shorter work needs no dialog, which would only flash
 constexpr int tick_ms = 50;
-constexpr int steps = 1000; // of the bar
+constexpr int steps = 1000; // number of steps of the bar
 constexpr int barWidth = 360;
 
 /// The progress of the work, and a button to stop it.

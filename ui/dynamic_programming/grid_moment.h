@@ -10,7 +10,7 @@ namespace sparkout {
 /// A moment of filling a grid: states are filled level by level, in each from the least feed on;
 /// then the path is read back from the last level.
 struct GridMoment {
-    int level = 0; ///< of the current state; 0: the blank, nothing is filled
+    int level = 0; ///< level of the current state; 0: the blank, nothing is filled
     std::size_t feed = 0;
     int stepsBack = 0; ///< states read back so far, with that one
 };

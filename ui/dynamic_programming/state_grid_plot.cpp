@@ -18,7 +18,7 @@ namespace {
 
 constexpr double gridRoom = 0.6; ///< beyond the outer states
 constexpr int labelDigits = 3;
-constexpr int cellTint = 28; ///< of a reached state, up to 255
+constexpr int cellTint = 28; ///< opacity of a reached state, up to 255
 constexpr std::array parts{GridPart::rulePath, GridPart::provenPath, GridPart::wrong,
                            GridPart::noMove, GridPart::moves};
 

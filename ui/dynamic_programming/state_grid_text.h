@@ -19,9 +19,9 @@ class StateGridText {
 public:
     static QString progress(qint64 done, qint64 parts, double left_s);
     static QString fault(StateGridFault fault);  ///< why there is no grid; empty if there is one
-    static TimeUnit unit(const StateGrid& grid); ///< of the times of its states
+    static TimeUnit unit(const StateGrid& grid); ///< unit of the times of its states
     static QString amount(double time_s, const TimeUnit& unit); ///< "8.241", without the unit
-    static QString time(double time_s);                         ///< of a whole cycle, with its unit
+    static QString time(double time_s); ///< time of a whole cycle, with its unit
     static QString feed(const StageSetting& setting, Operation operation); ///< "0.004 · 1800"
     static QString state(int level, std::size_t feed);                     ///< "[5, 3]"
     static QString cycle(const Cycle& cycle);

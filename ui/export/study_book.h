@@ -18,7 +18,7 @@ inline constexpr std::array allStudyKinds{StudyKind::batch, StudyKind::sweep, St
 /// A completed study with the data for its description. Exactly one outcome is given.
 struct Study {
     BatchOutcomePtr batch = {};
-    SobolIndicesPtr indices = {}; ///< of the batch, if they were computed
+    SobolIndicesPtr indices = {}; ///< indices of the batch, if they were computed
     SweepResultPtr sweep = {};
     SearchOutcomePtr search = {};
     std::optional<double> before_s = {}; ///< time of the cycle compared with the search

@@ -107,8 +107,8 @@ private:
     std::function<std::optional<double>(const QString&)> m_reads;
     std::function<std::optional<double>(double, int)> m_steps;
     bool m_waits = false; ///< the text is valid, but waits for a pause
-    Remark m_own;         ///< of the text
-    Remark m_issue;       ///< of the value, from validation
+    Remark m_own;         ///< remark on the text
+    Remark m_issue;       ///< remark on the value, from validation
     Remark m_shown;
     QString m_hint;
     QTimer m_typing;

@@ -24,7 +24,7 @@ struct FileStamp {
 struct DiskState {
     enum class Kind { missing, unreadable, file };
     Kind kind = Kind::missing;
-    QByteArray hash;         ///< of the contents, for Kind::file
+    QByteArray hash;         ///< hash of the contents, for Kind::file
     std::uint64_t links = 1; ///< number of hard links
 };
 

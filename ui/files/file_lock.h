@@ -59,7 +59,7 @@ private:
     void readHolder();
 
     std::unique_ptr<QLockFile> m_lock;
-    QString m_path; ///< of the lock file
+    QString m_path; ///< path of the lock file
     std::optional<FileStamp> m_stamp;
     State m_state = State::none;
     LockHolder m_holder;

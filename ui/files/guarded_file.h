@@ -78,8 +78,8 @@ private:
     bool m_isReadOnly = false;
     bool m_isProtected = false;
     FileWatch m_watch;
-    FileLock m_lock;                 ///< of the file
-    FileLock m_claim;                ///< of the claimed file
+    FileLock m_lock;                 ///< lock of the file
+    FileLock m_claim;                ///< lock of the claimed file
     QString m_claimed;               ///< real path of the claim; may be empty
     bool m_keepLock = false;         ///< the claimed file is the locked one
     QByteArray m_attempted;          ///< hash of a save the disk did not confirm

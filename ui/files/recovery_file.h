@@ -19,7 +19,7 @@ namespace sparkout {
 /// The data of a document besides its project.
 struct RecoveryHeader {
     QString title;
-    QString path; ///< of the user's file; empty: never saved
+    QString path; ///< path of the user's file; empty: never saved
     QDateTime when;
     QByteArray diskHash; ///< hash of the user's file when last read or written; may be empty
     bool readOnly = false;

@@ -62,7 +62,7 @@ public:
     explicit RecoveryOffer(Descriptor lock) : m_lock(std::move(lock)) {}
 
 private:
-    Descriptor m_lock; ///< of the folder
+    Descriptor m_lock; ///< lock of the folder
 };
 
 RecoveryClaim::RecoveryClaim(QString file, std::unique_ptr<QLockFile> lock)

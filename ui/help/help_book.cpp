@@ -127,7 +127,7 @@ const QRegularExpression& headingPattern() {
 
 std::vector<HelpSection> sectionsOf(const QString& html) {
     std::vector<HelpSection> sections;
-    qsizetype end = 0; // of the last heading
+    qsizetype end = 0; // end of the last heading
     const auto finish = [&](qsizetype next) {
         if (!sections.empty()) {
             sections.back().text = plainOf(html.mid(end, next - end));

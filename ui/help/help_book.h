@@ -17,7 +17,7 @@ struct HelpSection {
 struct HelpPage {
     QString id; ///< "feeds"; links name it as "help:feeds#anchor"
     QString title;
-    QString group; ///< of the contents
+    QString group; ///< group in the contents
     QString html;
     std::vector<HelpSection> sections;
 };

@@ -42,7 +42,7 @@ private:
     void leaveOut();
     void fitTimes();
     void take();
-    [[nodiscard]] Project calibrated() const; ///< with the fitted values
+    [[nodiscard]] Project calibrated() const; ///< the project with the fitted values
     /// Inputs that would be refused or unusual with the values found, in words.
     [[nodiscard]] QString consequences() const;
     [[nodiscard]] IdentificationRequest request() const;

@@ -28,7 +28,7 @@ private:
     QCheckBox* add(const QString& text, const QString& name);
 
     std::vector<QCheckBox*> m_traces;
-    std::vector<int> m_numbers;   ///< of the traces
+    std::vector<int> m_numbers;   ///< numbers of the traces
     QCheckBox* m_parts = nullptr; ///< null: no part has a diameter
 };
 

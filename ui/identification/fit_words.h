@@ -26,7 +26,7 @@ public:
     static QString group(const Project& project, const FitResiduals& residuals);
     static QString status(IdentificationStatus status);
     static QString advice(Advice advice);
-    static QString trial(const MeasuredWords& words); ///< of a trial
+    static QString trial(const MeasuredWords& words); ///< text of a trial
     /// "factor of α, factor of β: record …", for undetermined parameters.
     static QString unidentified(const Project& project, const std::vector<FittedParameter>& list,
                                 const Unidentified& one);

@@ -29,7 +29,7 @@ public:
     ~StiffnessPage() override;
 
 signals:
-    void taken(const sparkout::Project& project); ///< with the found stiffnesses
+    void taken(const sparkout::Project& project); ///< the project with the found stiffnesses
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

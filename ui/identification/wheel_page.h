@@ -25,7 +25,7 @@ public:
     explicit WheelPage(const Project& project, QWidget* parent = nullptr);
 
 signals:
-    void taken(const sparkout::Project& project); ///< with the found values
+    void taken(const sparkout::Project& project); ///< the project with the found values
 
 private:
     QWidget* buildRoughness();

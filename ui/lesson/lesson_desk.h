@@ -122,7 +122,7 @@ private:
     HiddenThings m_hidden;
     std::function<void()> m_endTyping = [] {};
     std::optional<ShownMoment> m_moment; ///< shown with the next outcome
-    GuardedFile m_file;                  ///< of the work
+    GuardedFile m_file;                  ///< the file of the work
     DiskWait m_wait;
     GuardQuestions m_questions;
     bool m_wasCovered = false; ///< before handing in

@@ -64,7 +64,7 @@ private:
     MarkupText* m_task;
     QLabel* m_asked;
     AnswerField* m_field = nullptr;
-    QVBoxLayout* m_place = nullptr; ///< of the field
+    QVBoxLayout* m_place = nullptr; ///< place of the field
     QLabel* m_note;
     QPushButton* m_handIn;
     QLabel* m_found;

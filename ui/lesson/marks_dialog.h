@@ -70,7 +70,7 @@ private:
     ValueModel* m_model;
     QLabel* m_inputs;
     QPushButton* m_mark = nullptr;
-    QPushButton *m_export = nullptr, *m_book = nullptr; ///< as CSV, as a workbook
+    QPushButton *m_export = nullptr, *m_book = nullptr; ///< buttons for CSV and for a workbook
     QPushButton* m_stop = nullptr;
     QProgressBar* m_progress;
     CopyTable* m_table;

@@ -33,7 +33,7 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 signals:
-    void edited(); ///< by the user
+    void edited(); ///< called after an edit by the user
 
 private:
     [[nodiscard]] int rowsShown() const override { return static_cast<int>(m_matches.size()); }

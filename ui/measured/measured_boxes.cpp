@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double normalQuartile = 0.6745; ///< of the standard normal distribution
+constexpr double normalQuartile = 0.6745; ///< quartile of the standard normal distribution
 constexpr double whiskerReach = 2;        ///< standard deviations, without given extremes
 
 } // namespace

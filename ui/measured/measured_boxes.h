@@ -17,7 +17,7 @@ class MeasuredBoxes {
     Q_DECLARE_TR_FUNCTIONS(MeasuredBoxes)
 public:
     enum Kind : std::size_t { predictedKind, measuredKind };
-    static std::vector<BoxKind> kinds(); ///< of a chart, in that order
+    static std::vector<BoxKind> kinds(); ///< kinds of boxes of a chart, in that order
 
     static std::optional<BarBox> predicted(const PredictedRange& range);
     /// Quartiles of listed parts; for a summary those of a normal distribution with its mean and s.

@@ -11,7 +11,7 @@ namespace sparkout {
 
 /// The text of a table of measurements, and its origin.
 struct MeasuredSource {
-    QString name; ///< of the file; empty: pasted
+    QString name; ///< name of the file; empty: pasted
     TableText text;
 };
 

@@ -18,7 +18,7 @@ namespace sparkout {
 namespace {
 
 const QString noneStated = QStringLiteral("–");
-constexpr qsizetype placesListed = 6; ///< of a quantity, in a sentence
+constexpr qsizetype placesListed = 6; ///< number of places of a quantity listed in a sentence
 
 QString capitalised(QString text) {
     if (!text.isEmpty()) {

@@ -29,7 +29,7 @@ public:
 
     // A value of a comparison for tables; a dash if it is missing.
     static QString value(double value_um, MeasuredQuantity quantity);
-    static QString width(double width_um, MeasuredQuantity quantity); ///< of an interval
+    static QString width(double width_um, MeasuredQuantity quantity); ///< width of an interval
     static QString mean(const AdequacyRow& row);
     static QString bias(const AdequacyRow& row); ///< "−0.7 ± 0.5 (1.6)"
     static QString predicted(const AdequacyRow& row);

@@ -37,7 +37,7 @@ public:
     [[nodiscard]] bool hasAnythingToAsk() const; ///< for a copy: a keyway or tolerances
 
     [[nodiscard]] QString name() const;
-    [[nodiscard]] bool isCopy() const; ///< of the current surface, keeping its cycle
+    [[nodiscard]] bool isCopy() const; ///< whether it copies the current surface, keeping its cycle
     [[nodiscard]] Project project() const;
     /// Numbers of its drawing that are yet to be given.
     [[nodiscard]] std::vector<std::string> openInputs() const;
@@ -59,7 +59,7 @@ private:
     PartDrawing* m_drawing;
     QListWidget* m_places;
     QComboBox* m_begin;
-    bool m_isBeginChosen = false; ///< by the user
+    bool m_isBeginChosen = false; ///< whether the user chose the beginning
     QLineEdit* m_name;
     QWidget* m_along; ///< parts of the drawing to keep
     QCheckBox *m_gaps, *m_deviations, *m_tolerances;

@@ -22,7 +22,7 @@ public:
     void setOutline(PartOutline outline);
     void setPresent(std::optional<std::size_t> surface); ///< drawn as the current one
     void setChosenStep(std::optional<std::size_t> step); ///< where a surface is to be added
-    void setTips(QStringList tips);                      ///< by surface
+    void setTips(QStringList tips);                      ///< tool tips of the surfaces
     [[nodiscard]] const PartOutline& outline() const { return m_outline; }
     [[nodiscard]] double xOf(double place_mm) const; ///< in widget coordinates
     [[nodiscard]] QSize sizeHint() const override;

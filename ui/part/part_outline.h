@@ -12,7 +12,7 @@ namespace sparkout {
 /// The part of a set-up as drawn from the side: the steps of its body, and the ground surfaces.
 struct PartOutline {
     struct Step {
-        double from_mm = 0; ///< from the headstock end
+        double from_mm = 0; ///< distance from the headstock end
         double length_mm = 0;
         double diameter_mm = 0;
 

@@ -24,7 +24,7 @@ class PartStrip : public QFrame {
 public:
     PartStrip(Document& document, const PartRuns& runs, QWidget* parent = nullptr);
 
-    void setActions(const QList<QAction*>& actions); ///< of the menu at its end
+    void setActions(const QList<QAction*>& actions); ///< actions of the menu at its end
     void retranslate();
     void follow();                ///< the document
     void tellResults(bool tells); ///< lights, margins and times, or only names

@@ -25,7 +25,7 @@ struct Bookmark {
 
 struct PdfDetails {
     QString title, author, subject, creator; ///< empty ones are left out
-    QString language;                        ///< of the whole document: "ru"
+    QString language;                        ///< language of the whole document: "ru"
     QDate date;
     std::vector<Bookmark> outline; ///< in the order of the pages
     PdfStructure structure = {};   ///< its marks are painted; empty: the document is not tagged

@@ -109,7 +109,7 @@ private:
 
     const PdfStructure& m_structure;
     std::vector<Token> m_operation; ///< up to its name
-    std::vector<double> m_numbers;  ///< of its operands
+    std::vector<double> m_numbers;  ///< numbers among its operands
     int m_depth = 0;
     bool m_isMark = false; ///< the rectangle was removed, its fill operator follows
     bool m_isOpen = false;

@@ -23,7 +23,7 @@ class Settings;
 
 /// The properties of a plot that its tools need; only `heading` is required.
 struct PlotSubject {
-    std::function<QStringList()> heading; ///< of an exported picture: the view, then the project
+    std::function<QStringList()> heading; ///< for an exported picture: view, then project
     std::function<QString()> name; ///< name in the export button, for a view with several plots …
     QStringView icon = u"export";  ///< … and its icon
     std::function<LegendEntries()> legend;

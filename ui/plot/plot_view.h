@@ -143,7 +143,7 @@ protected:
     [[nodiscard]] QString refusedText() const;                  ///< the notice if none is drawn
     [[nodiscard]] virtual QString remark() const { return {}; } ///< a remark on the drawn outcome
     [[nodiscard]] virtual QStringList heading() const;          ///< heading of exported pictures
-    [[nodiscard]] virtual const Project* shownProject() const;  ///< of the outcome, or null
+    [[nodiscard]] virtual const Project* shownProject() const;  ///< the outcome's project, or null
     [[nodiscard]] QString projectTitle() const;                 ///< its title
     [[nodiscard]] virtual QStringList subheading() const {
         return {};

@@ -24,9 +24,7 @@ public:
     ~ViewTabs() override;
 
     void addView(View* view);
-    [[nodiscard]] const std::vector<View*>& views() const {
-        return m_views;
-    }                                        ///< the views in order
+    [[nodiscard]] const std::vector<View*>& views() const { return m_views; } ///< in order
     [[nodiscard]] View* currentView() const; ///< of the active window, otherwise of the current tab
     [[nodiscard]] bool isDetached(const View* view) const;
     [[nodiscard]] bool canDetach() const { return count() > 1; }

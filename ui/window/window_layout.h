@@ -67,8 +67,7 @@ private:
     QDockWidget* m_messagesDock;
     QDockWidget* m_sheetDock;
     QDockWidget* m_lessonDock;
-    QHash<QDockWidget*, bool>
-        m_away; ///< docks that were hidden, and whether they were visible before
+    QHash<QDockWidget*, bool> m_away;         ///< with whether they were visible
     std::optional<QByteArray> m_beforeLesson; ///< the state of the window
     PanelWidths* m_widths;
     MessagesDock* m_messages;

@@ -121,7 +121,7 @@ private:
     FormAccessPtr m_access = std::make_shared<const FormAccess>();
     std::string m_cataloguePath; ///< path of the struct that it fills
     std::vector<ListTable*> m_lists;
-    std::vector<std::pair<ListTable*, QLabel*>> m_sharedLists; ///< with the labels that say so
+    std::vector<std::pair<ListTable*, QLabel*>> m_sharedLists; ///< with their labels
     StageTable* m_stages = nullptr;                            ///< one of the lists
     SectionBox* m_projectBox = nullptr;
     bool m_replaced = false;

@@ -122,7 +122,7 @@ private:
     QToolButton* m_down = nullptr;
     Issues m_issues;
     QStringList m_notPasted; ///< reasons, until the next action
-    std::optional<std::pair<PastedCells, QModelIndex>> m_refusedCells; ///< and their position
+    std::optional<std::pair<PastedCells, QModelIndex>> m_refusedCells; ///< with their position
     bool m_replaced = false;
     std::optional<int> m_wanted; ///< row to select after the next update
 };

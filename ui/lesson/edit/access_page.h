@@ -41,7 +41,7 @@ private:
     QComboBox* m_others;
     QLineEdit* m_search;
     QTreeWidget* m_tree;
-    QComboBox* m_access; ///< of the selected ones
+    QComboBox* m_access; ///< access to the selected inputs
     std::map<std::string, QTreeWidgetItem*> m_items;
 };
 

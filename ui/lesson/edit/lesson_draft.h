@@ -33,7 +33,7 @@ public:
     [[nodiscard]] const QString& path() const { return m_path; }
     [[nodiscard]] bool isChanged() const { return !m_history.isClean(); }
     [[nodiscard]] QUndoStack& history() { return m_history; }
-    [[nodiscard]] std::string text() const; ///< of its file
+    [[nodiscard]] std::string text() const; ///< contents of the draft's file
     /// The errors found by the strict reader of lessons.
     [[nodiscard]] Issues faults() const;
     /// The project to which a path of the lesson refers, as stored in the lesson: a step, a varied

@@ -36,7 +36,7 @@ public:
     [[nodiscard]] LessonDraft& draft() { return m_draft; }
     bool
     openLesson(const QString& path); ///< a file, or a shipped lesson as a new one; false if refused
-    [[nodiscard]] bool isWhole();    ///< without faults, which are shown
+    [[nodiscard]] bool isWhole();    ///< whether it has no faults; shows them
     [[nodiscard]] QMenu& papers() const { return *m_papers; } ///< papers made from the work
     /// Asks what to do with unsaved changes; false if the teacher cancels.
     [[nodiscard]] bool mayClose();
@@ -83,7 +83,7 @@ private:
     GuardQuestions m_questions;
     QTimer m_check; ///< the faults, after a pause
     QListWidget* m_pages;
-    QVBoxLayout* m_place; ///< of the current page
+    QVBoxLayout* m_place; ///< place of the current page
     LessonPage* m_page = nullptr;
     int m_shown = -1; ///< step of the page
     QListWidget* m_faults;

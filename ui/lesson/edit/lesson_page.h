@@ -23,7 +23,7 @@ public:
     void goTo(const std::string& path);
 
 signals:
-    void checkWanted(); ///< of the variants
+    void checkWanted(); ///< a check of the variants is requested
 
 private:
     void add(QWidget* page, const QString& title, std::vector<std::string> shows);

@@ -44,7 +44,7 @@ public:
     /// The value of an input in its own form: a number, a choice or a text.
     [[nodiscard]] QWidget* makeValue(const StructInfo& info, const std::string& path,
                                      const Reach& reach);
-    [[nodiscard]] QString labelOf(const Row& row) const; ///< with its unit
+    [[nodiscard]] QString labelOf(const Row& row) const; ///< label with the unit
 
     void refresh();                   ///< shows the current values
     void clear() { m_shows.clear(); } ///< the widgets go

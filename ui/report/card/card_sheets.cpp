@@ -19,7 +19,7 @@ constexpr double captioned =
     form::halfPitch + form::pitch; ///< height of a cell with its caption above
 constexpr double columnsFirst = operationTop + 2 * captioned;
 constexpr double columnsFollowing = signersTop + captioned;
-constexpr double widestNumber = 35; ///< of a cell whose value is centred
+constexpr double widestNumber = 35; ///< width of a cell whose value is centred
 constexpr double signersWidth = 80, changesFrom = form::left + 67, sheetsFrom = changesFrom + 136;
 
 void caption(FormSheet& sheet, const QRectF& cell, const char* text,

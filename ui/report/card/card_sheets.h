@@ -45,7 +45,7 @@ private:
     /// A line of the form, part of a wrapped row.
     struct Line {
         CardRow row;
-        bool keeps; ///< with the next line
+        bool keeps; ///< whether it stays on the page of the next line
     };
     [[nodiscard]] static std::vector<Line> wrapped(const std::vector<CardRow>& rows);
     /// The number of lines from one on that fit on a sheet without separating lines that belong

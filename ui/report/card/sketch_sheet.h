@@ -63,7 +63,7 @@ private:
     PartOutline m_outline;
     double m_scaleX = 1, m_scaleY = 1, m_left = 0, m_axis = 0;
     bool m_hasTable = false;
-    std::vector<SketchCallout> m_callouts; ///< of the ground steps, in their order
+    std::vector<SketchCallout> m_callouts; ///< callouts of the ground steps, in their order
 };
 
 } // namespace sparkout::report

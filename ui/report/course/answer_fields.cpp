@@ -16,7 +16,7 @@ namespace sparkout::report {
 namespace {
 
 constexpr int textLines = 6, notesLines = 3;
-constexpr std::size_t mostRows = 16; ///< of inputs whose values are to be written
+constexpr std::size_t mostRows = 16; ///< number of inputs whose values are to be written
 
 QString toWrite() {
     return QString(10, u'_');

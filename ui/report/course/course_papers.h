@@ -30,7 +30,7 @@ struct PaperRow {
 [[nodiscard]] std::vector<PaperRow> papersOfLessons();
 [[nodiscard]] const PaperRow& rowOf(Paper paper);
 [[nodiscard]] std::optional<Paper> paperOf(const QString& key);
-[[nodiscard]] QString menuText(Paper paper); ///< with its mnemonic
+[[nodiscard]] QString menuText(Paper paper); ///< text with its mnemonic
 
 /// Makes a paper from a work.
 [[nodiscard]] Report makePaper(Paper paper, const Work& work, const PaperWish& wish);

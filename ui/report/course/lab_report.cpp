@@ -23,7 +23,7 @@ namespace sparkout::report {
 
 namespace {
 
-constexpr int conclusionLines = 12; ///< to be written by hand
+constexpr int conclusionLines = 12; ///< number of lines to be written by hand
 
 class LabReportWriter {
     Q_DECLARE_TR_FUNCTIONS(LabReport)

@@ -35,8 +35,8 @@ using DressingSubjectPtr = std::shared_ptr<const DressingSubject>;
 
 /// The subject of a report.
 struct Subject {
-    OutcomePtr outcome;    ///< of a valid run
-    BatchOutcomePtr batch; ///< of the same inputs, completed, for a kind that uses one; may be null
+    OutcomePtr outcome;    ///< outcome of a valid run
+    BatchOutcomePtr batch; ///< completed, of the same inputs, if the kind uses one; may be null
     BatchOutcomePtr
         predicting;   ///< completed, for the measurements of the outcome's project; may be null
     OutcomePtr worst; ///< run of the batch's worst part, if there is a batch
@@ -47,9 +47,9 @@ struct Subject {
     QString surfaceOption;
     QDate date;
     std::shared_ptr<const SetupSubject> setup; ///< null: the outcome alone
-    DressingSubjectPtr dressing; ///< of the set-up, for a kind that uses a batch; may be null
-    Company company;             ///< for the heads
-    HandoutOptions handout;      ///< options of the course hand-out
+    DressingSubjectPtr dressing;           ///< of the set-up, if the kind uses a batch; may be null
+    Company company;                       ///< for the heads
+    HandoutOptions handout;                ///< options of the course hand-out
     std::function<void()> breathe = [] {}; ///< called between figures, to keep a window responsive
 };
 
@@ -66,7 +66,7 @@ struct KindRow {
 [[nodiscard]] std::span<const KindRow> kinds(); ///< in the order of the menus
 [[nodiscard]] const KindRow& rowOf(Kind kind);
 [[nodiscard]] std::optional<Kind> kindOf(const QString& key);
-[[nodiscard]] QString menuText(Kind kind); ///< with its mnemonic
+[[nodiscard]] QString menuText(Kind kind); ///< text with its mnemonic
 
 /// Names the reported surface of a set-up with several.
 void nameSurface(Subject& subject, const Setup& setup, std::size_t surface);

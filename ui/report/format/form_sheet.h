@@ -19,7 +19,7 @@ class QPainter;
 /// A sheet of a form as values: everything with its position on the paper, in millimetres.
 namespace sparkout::report {
 
-inline constexpr double unitsPerMm = 720 / 25.4; ///< of the page
+inline constexpr double unitsPerMm = 720 / 25.4; ///< units of the page
 
 /// The narrow font of a form with a size in points.
 [[nodiscard]] QFont sheetFont(double points);

@@ -24,7 +24,7 @@ namespace {
 constexpr double upright_mm = 180, landscape_mm = 272, standard_mm = 165;
 constexpr double mostFormFigure_mm = 118; ///< greatest height below the head of a form
 constexpr QColor paperColour(255, 255, 255);
-constexpr int pixelsPerUnit = 2;                        ///< of a figure
+constexpr int pixelsPerUnit = 2;                        ///< pixels per unit of a figure
 constexpr qsizetype leastLetters = 4, mostLetters = 40; ///< limits of the width of a column
 constexpr const char* mimeType = "application/vnd.oasis.opendocument.text";
 

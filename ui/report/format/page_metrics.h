@@ -10,10 +10,10 @@ namespace sparkout::report {
 /// The measures of a page, by its style: type in points, distances in tenths of a point.
 struct PageMetrics {
     double body, small, heading, title;
-    double cell, cellHead; ///< of tables
+    double cell, cellHead; ///< font sizes of tables
     double formula;
-    double lineSpacing;   ///< of texts, in line heights
-    double indent;        ///< of a text's first line, and of a heading
+    double lineSpacing;   ///< line spacing of texts, in line heights
+    double indent;        ///< indent of a text's first line, and of a heading
     double apart;         ///< distance of tables and figures from their neighbours
     double head, foot;    ///< space for the head and foot of every page
     QMarginsF margins_mm; ///< margins of the paper in addition to that space

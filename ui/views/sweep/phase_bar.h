@@ -28,11 +28,9 @@ public:
     /// The last result; null if there is none, or if the project cannot be checked.
     [[nodiscard]] const PhaseOutcomePtr& phases() const { return m_phases; }
     [[nodiscard]] bool busy() const { return m_job->running(); }
-    [[nodiscard]] bool stale() const {
-        return m_stale;
-    }                                     ///< whether the result is of another project or range
-    [[nodiscard]] QString remark() const; ///< the result, or why there is none
-    void showState(bool accepted);        ///< false: the newest inputs are refused
+    [[nodiscard]] bool stale() const { return m_stale; } ///< another project or range
+    [[nodiscard]] QString remark() const;                ///< the result, or why there is none
+    void showState(bool accepted);                       ///< false: the newest inputs are refused
     void retranslate();
 
 signals:
