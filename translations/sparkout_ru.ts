@@ -2168,7 +2168,7 @@
             <translation>Прервать расчёт; известное сохраняется</translation>
         </message>
         <message>
-            <source>What was filled</source>
+            <source>State of the filling</source>
             <translation>Что заполнено</translation>
         </message>
         <message>
@@ -5634,7 +5634,7 @@ With another name both versions stay as they are.</source>
             <translation>Станок и рабочий</translation>
         </message>
         <message>
-            <source>What an hour costs, in any currency.</source>
+            <source>Cost of an hour, in any currency.</source>
             <translation>Сколько стоит час, в любой валюте.</translation>
         </message>
         <message>
@@ -5786,7 +5786,7 @@ With another name both versions stay as they are.</source>
             <translation>сумма циклов</translation>
         </message>
         <message>
-            <source>The time that stock is removed in.</source>
+            <source>Time in which stock is removed.</source>
             <translation>Время, за которое снимается припуск.</translation>
         </message>
         <message>
@@ -5798,7 +5798,7 @@ With another name both versions stay as they are.</source>
             <translation>сумма времён выше</translation>
         </message>
         <message>
-            <source>What is done for every part beside the cycles.</source>
+            <source>Work done for every part besides the cycles.</source>
             <translation>Что делается для каждой детали помимо циклов.</translation>
         </message>
         <message>
@@ -6026,7 +6026,7 @@ With another name both versions stay as they are.</source>
             <translation>Показатель</translation>
         </message>
         <message>
-            <source>What was recorded over the time.</source>
+            <source>Quantity recorded over time.</source>
             <translation>Что записано во времени.</translation>
         </message>
         <message>
@@ -6198,7 +6198,7 @@ With another name both versions stay as they are.</source>
             <translation>Данные</translation>
         </message>
         <message>
-            <source>What it was calibrated on.</source>
+            <source>Data used for the calibration.</source>
             <translation>По каким данным калибровано.</translation>
         </message>
         <message>
@@ -6522,7 +6522,7 @@ With another name both versions stay as they are.</source>
             <translation>Цена</translation>
         </message>
         <message>
-            <source>What a student who takes it loses of the points of the step.</source>
+            <source>Points of the step that a student loses by using it.</source>
             <translation>Сколько баллов шага теряет студент, взявший подсказку.</translation>
         </message>
         <message>
@@ -6558,7 +6558,7 @@ With another name both versions stay as they are.</source>
             <translation>О какой поверхности шаг; счёт от 1.</translation>
         </message>
         <message>
-            <source>What is put into the project as the step begins.</source>
+            <source>Values put into the project when the step begins.</source>
             <translation>Что задаётся в проекте, когда шаг начинается.</translation>
         </message>
         <message>
@@ -6786,7 +6786,7 @@ With another name both versions stay as they are.</source>
             <translation>Прогноз числа</translation>
         </message>
         <message>
-            <source>A figure is said before the run.</source>
+            <source>A figure is predicted before the run.</source>
             <translation>Показатель предсказывают до расчёта.</translation>
         </message>
         <message>
@@ -7018,7 +7018,7 @@ With another name both versions stay as they are.</source>
         <translation>Значения каждой сочетаются со всеми значениями остальных.</translation>
     </message>
     <message>
-        <source>What the best answers may differ by.</source>
+        <source>Permitted difference between the best answers.</source>
         <translation>Насколько могут различаться лучшие ответы.</translation>
     </message>
     <message>
@@ -7030,7 +7030,7 @@ With another name both versions stay as they are.</source>
         <translation>Что у каждого варианта в исходном виде лежит в заданных границах, чтобы вопросы работы были для него верны.</translation>
     </message>
     <message>
-        <source>Whose inputs are varied, from 1.</source>
+        <source>Number of the surface whose inputs are varied, from 1.</source>
         <translation>Поверхность, данные которой изменяются; счёт от 1.</translation>
     </message>
         <message>
@@ -8790,7 +8790,7 @@ With another name both versions stay as they are.</source>
             <translation>Что рассчитано</translation>
         </message>
         <message>
-            <source>Command that computes it again</source>
+            <source>Command to recompute it</source>
             <translation>Команда, повторяющая расчёт</translation>
         </message>
         <message>
@@ -12231,7 +12231,7 @@ With another name both versions stay as they are.</source>
             <translation>Переименовать запись</translation>
         </message>
         <message>
-            <source>You have an entry of this name already.</source>
+            <source>You already have an entry with this name.</source>
             <translation>У вас уже есть запись с этим именем.</translation>
         </message>
         <message>
@@ -19805,7 +19805,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Заголовок</translation>
         </message>
         <message>
-            <source>What it holds</source>
+            <source>Contents</source>
             <translation>Что в столбце</translation>
         </message>
         <message>

@@ -177,8 +177,7 @@ const StructInfo& tableOf<Hint>() {
         SPARKOUT_FIELD(
             Hint, price, .label = SPARKOUT_NOOP("Input", "Price"),
             .unit = SPARKOUT_NOOP("Unit", "points"), .hard = {0, 1000},
-            .hint = SPARKOUT_NOOP("Input",
-                                  "What a student who takes it loses of the points of the step.")),
+            .hint = SPARKOUT_NOOP("Input", "Points of the step that a student loses by using it.")),
     };
     static const StructInfo info = makeTable<Hint>(SPARKOUT_NOOP("Struct", "Hint"), rows);
     return info;
@@ -217,7 +216,7 @@ const StructInfo& tableOf<LessonStep>() {
         SPARKOUT_FIELD(
             LessonStep, values, .label = SPARKOUT_NOOP("Input", "Values"), .hard = {0, 100},
             .sparse = true,
-            .hint = SPARKOUT_NOOP("Input", "What is put into the project as the step begins.")),
+            .hint = SPARKOUT_NOOP("Input", "Values put into the project when the step begins.")),
         SPARKOUT_FIELD(LessonStep, others, .label = SPARKOUT_NOOP("Input", "Other inputs"),
                        .hint = SPARKOUT_NOOP(
                            "Input", "What a student may do with inputs that are not named.")),

@@ -146,16 +146,18 @@ const StructInfo& tableOf<VariantRules>() {
                        .hard = {1, 20}, .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Every value of each goes with every value "
                                                       "of the others.")),
-        SPARKOUT_FIELD(VariantRules, difficulty, .label = SPARKOUT_NOOP("Input", "Difficulty"),
-                       .hint = SPARKOUT_NOOP("Input", "What the best answers may differ by.")),
+        SPARKOUT_FIELD(
+            VariantRules, difficulty, .label = SPARKOUT_NOOP("Input", "Difficulty"),
+            .hint = SPARKOUT_NOOP("Input", "Permitted difference between the best answers.")),
         SPARKOUT_FIELD(
             VariantRules, figures, .label = SPARKOUT_NOOP("Input", "Figures"), .hard = {0, 100},
             .sparse = true,
             .hint = SPARKOUT_NOOP("Input", "What every variant has within bounds as given, so that "
                                            "the questions are true of it.")),
-        SPARKOUT_FIELD(VariantRules, surface, .label = SPARKOUT_NOOP("Input", "Surface"),
-                       .hard = {1, 20},
-                       .hint = SPARKOUT_NOOP("Input", "Whose inputs are varied, from 1.")),
+        SPARKOUT_FIELD(
+            VariantRules, surface, .label = SPARKOUT_NOOP("Input", "Surface"), .hard = {1, 20},
+            .hint =
+                SPARKOUT_NOOP("Input", "Number of the surface whose inputs are varied, from 1.")),
     };
     static const StructInfo info =
         makeTable<VariantRules>(SPARKOUT_NOOP("Struct", "Variants"), rows);

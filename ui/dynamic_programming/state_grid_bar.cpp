@@ -315,7 +315,7 @@ void StateGridBar::retranslate() {
                            "an edit"));
     m_bar->stop()->setText(tr("Stop"));
     name(*m_bar->stop(), tr("End the run; what is known is kept"));
-    m_bar->state()->setAccessibleName(tr("What was filled"));
+    m_bar->state()->setAccessibleName(tr("State of the filling"));
     m_bar->progress()->setAccessibleName(tr("Progress of the grid and its proof"));
     name(*m_first, tr("To the blank"));
     name(*m_previous, tr("One state back"));

@@ -403,7 +403,7 @@ void CatalogueDialog::renameOwn() {
         tr("Rename the entry"), old,
         [this, &old](const QString& name) -> EntryNameDialog::Answer {
             const bool taken = name != old && m_store.hasOwn(name);
-            return {taken ? tr("You have an entry of this name already.") : QString(), !taken};
+            return {taken ? tr("You already have an entry with this name.") : QString(), !taken};
         },
         this);
     if (dialog.exec() == QDialog::Accepted && dialog.name() != old) {

@@ -231,7 +231,7 @@ std::vector<Block> PassportInputs::recomputing(const Subject& subject) {
     if (subject.batch) {
         facts.facts.emplace_back(tr("What was run"), BatchText::run(*subject.batch));
     }
-    facts.facts.emplace_back(tr("Command that computes it again"), command);
+    facts.facts.emplace_back(tr("Command to recompute it"), command);
     const QString how =
         project.batch
             ? tr("The same inputs and the same seed give the same numbers, with any number of "
