@@ -18,7 +18,7 @@ namespace sparkout {
 struct Percentile {
     double order = 0; ///< 0…1
     double value = 0;
-    /// 95 %, from order statistics, of binned values to the edges of their bins; not for corners.
+    /// 95 % interval by order statistics; for binned values, to the bins' edges; not for corners.
     std::optional<Interval> interval;
 };
 

@@ -188,8 +188,8 @@ ChebyshevFit::Entering ChebyshevFit::choose(const AxisView& view, const AxisFit&
 }
 
 // The weights along the entering column: the point with θ = min y_m/z_m over z_m > 0 leaves the
-// basis. Of equal ones that with the largest z, to keep the basis well-conditioned; by Bland the
-// first point.
+// basis. Ties are broken by the largest z, which keeps the basis well-conditioned, or by Bland's
+// rule, by the first point.
 bool ChebyshevFit::pivot(const AxisView& view, const Point& entering, bool bland) {
     const Vector z =
         Eigen::PartialPivLU<Matrix>(basisMatrix(view, m_basis)).solve(column(view, entering));

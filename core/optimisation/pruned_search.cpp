@@ -531,8 +531,8 @@ private:
     StageRuns m_runs;
     std::vector<TooWide> m_tooWide;     ///< for the settings, independent of the cycle
     std::vector<double> m_rangeMargins; ///< for the settings, independent of the cycle
-    double m_demanded = 0;              ///< margin
-    bool m_freeLast;                    ///< no bounds of the last stage's stock
+    double m_demanded = 0;              ///< margin to reach
+    bool m_freeLast;                    ///< the last stage's stock has no bounds
     bool m_mayMerge;                    ///< ends of stages before the one before the last
     int m_leastSteps;                   ///< for each stage; all before the last have stock and feed
     int m_mostSince; ///< number of steps that are repeated as quickly as more are kept

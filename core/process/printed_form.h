@@ -19,7 +19,7 @@ namespace sparkout {
 struct PrintedForm {
     double eccentricity_mm = 0; ///< A_1
     double lobe_mm = 0;         ///< A_j
-    int lobes = 0;              ///< j
+    int lobes = 0;              ///< j, number of lobes
     double at = 0;              ///< φ_1 [rad]
 
     [[nodiscard]] double at_mm(double angle) const;

@@ -16,7 +16,7 @@ struct ForceRecipe {
     double shear_angle_deg = 30;        ///< β_1 [°]
     std::optional<double> cut_width_mm; ///< b_j, width of a grain's cut; not given: the chips add
                                         ///< up to the metal removed
-    std::optional<double> wear_flat_mm; ///< l_g, of a grain; not given: by the dullness
+    std::optional<double> wear_flat_mm; ///< l_g of a grain; not given: from the dullness
 };
 
 /// Ra of a part ground by this wheel in its dressed state, and the conditions of the measured cut.

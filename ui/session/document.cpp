@@ -200,7 +200,7 @@ SetupState Document::with(Project changed, std::vector<std::string> open) const 
     return made;
 }
 
-/// Another operation adapts the numbers to itself, which does not count as entering them.
+/// A change of operation converts the numbers, which does not count as entering them.
 std::vector<std::string> Document::openIn(const Project& changed) const {
     std::vector<std::string> open = openInputs();
     if (changed.operation == m_project.operation) {

@@ -36,7 +36,7 @@ public:
     };
     WindowLayout(QMainWindow& window, const Panels& panels, ViewTabs& tabs, PlaybackBar& playback,
                  Settings& settings);
-    ~WindowLayout() override; ///< with the panels that use the document and the cycle
+    ~WindowLayout() override; ///< deletes the panels that use document and cycle
 
     [[nodiscard]] QList<QAction*> toggles() const; ///< for showing the panels
     void showInputs();
