@@ -20,7 +20,7 @@ std::string compiler() {
 #endif
 }
 
-/// That of this run, which need not be the one it was compiled with.
+/// The version at run time, which may differ from that at compile time.
 std::string libraryOfC() {
 #if defined(__GLIBC__)
     return std::string("glibc ") + gnu_get_libc_version();

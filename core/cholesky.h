@@ -6,8 +6,8 @@
 
 namespace sparkout {
 
-/// The lower triangle L of A = L·Lᵀ, row i of i + 1 values; nothing when A, square, symmetric and
-/// of ones on its diagonal, is not positive definite.
+/// The lower triangle L of A = L·Lᵀ, row i with i + 1 values; empty if A, square and symmetric with
+/// ones on its diagonal, is not positive definite.
 [[nodiscard]] std::optional<std::vector<std::vector<double>>>
 choleskyFactor(const std::vector<std::vector<double>>& matrix);
 

@@ -11,13 +11,12 @@
 
 namespace sparkout {
 
-/// A stop for work that may take so long and no longer: requested with another one, or once the
-/// time is up, whatever the work is at.
+/// A stop for work with a time limit: requested by another stop, or when the time is up.
 class DeadlineStop {
 public:
     using Duration = std::chrono::duration<double>;
 
-    /// Without a time, or with one of years, with the other stop alone.
+    /// Without a time, or with one of years, only the other stop applies.
     DeadlineStop(std::stop_token stop, std::optional<Duration> time)
         : m_asked(std::move(stop), Ask{this}), m_timer([this, time](const std::stop_token& done) {
             constexpr Duration longest(1e9);
@@ -52,7 +51,7 @@ private:
 
     std::stop_source m_over;
     std::stop_callback<Ask> m_asked;
-    std::jthread m_timer; ///< ended before what it uses
+    std::jthread m_timer; ///< last member: ends before what it uses
 };
 
 } // namespace sparkout

@@ -5,16 +5,16 @@
 
 namespace sparkout {
 
-/// 0…9, whatever the locale.
+/// 0…9 in any locale.
 [[nodiscard]] constexpr bool isDecimalDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// The decimals that give a finite value so many significant digits, at most 9; 0 has one digit
-/// before them.
+/// The number of decimals that gives a finite value these significant digits, at most 9; 0 has one
+/// digit before them.
 [[nodiscard]] int decimalsOf(double value, int significantDigits);
 
-/// So many decimals, with a point, whatever the locale; never "-0".
+/// Formats with this number of decimals and a point in any locale; never "-0".
 [[nodiscard]] std::string fixed(double value, int decimals);
 
 } // namespace sparkout

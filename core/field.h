@@ -42,34 +42,34 @@ struct Range {
     friend bool operator==(const Range&, const Range&) = default;
 };
 
-/// One value of an enumeration: its name in the file and its label (translated as "Choice").
+/// A value of an enumeration: its name in the file and its label (translated as "Choice").
 struct Choice {
     const char* key;
     const char* label;
 };
 
-/// A condition on a field: the whole project, and the struct that holds the field.
+/// A condition on a field: receives the whole project, and the struct with the field.
 using Condition = bool (*)(const Project& project, const void* owner);
 
-/// The page of the input form that shows a struct's field.
+/// The page of the input form with a struct's field.
 enum class Page { part, material, wheel, machine, gauge, cycle, batch, search, none };
 
 // --- value types a member may have beside double, int, bool, string, enum, lists and structs ----
 
 /// A whole number, one of a few words, or neither (null in the file): any type with these members.
-/// Readers, writers and the reference ask it for them and know nothing else of it.
+/// Readers, writers and the reference use only these members.
 template <class T>
 concept CountOrWord = requires(T value, std::size_t word, int number) {
     requires std::is_same_v<decltype(T::words()), std::span<const Choice>>;
-    requires std::is_same_v<decltype(T::expected()), Phrase>; // what is said to be expected there
+    requires std::is_same_v<decltype(T::expected()), Phrase>; // the expected value in messages
     requires std::is_same_v<decltype(T::ofNumber(number)), T>;
     requires std::is_same_v<decltype(T::ofWord(word)), T>;
-    requires std::is_same_v<decltype(value.number()), int*>; // null where it is none
+    requires std::is_same_v<decltype(value.number()), int*>; // null if it is not a number
     // Index into words().
     requires std::is_same_v<decltype(value.word()), std::optional<std::size_t>>;
 };
 
-/// Compliance as given: one value a zone (traverse) or one a section (plunge) [mm/N].
+/// Given compliance: one value for each zone (traverse) or section (plunge) [mm/N].
 struct ZoneCompliance {
     double rz1 = 0, nz = 0, rz2 = 0;
     friend bool operator==(const ZoneCompliance&, const ZoneCompliance&) = default;
@@ -86,7 +86,7 @@ using Levels = std::variant<std::monostate, std::vector<double>, SteppedLevels>;
 /// Rows of numbers: a matrix, or points of a curve.
 using NumberRows = std::optional<std::vector<std::vector<double>>>;
 
-/// A JSON value kept as it was read (compact text): what a kept run stores.
+/// A JSON value kept as read (compact text), used by kept runs.
 struct JsonText {
     std::string text = "{}";
     friend bool operator==(const JsonText&, const JsonText&) = default;
@@ -115,7 +115,7 @@ enum class Kind {
     jsonText,
 };
 
-/// What a row says of a member; all of it optional but the label.
+/// The description of a member; only the label is required.
 struct Row {
     const char* label = "";
     const char* symbol = "";
@@ -123,14 +123,14 @@ struct Row {
     Range hard = {};              ///< refused outside; of a text, how many letters it has
     Range soft = {};              ///< warned outside
     const char* nullMeaning = ""; ///< what null (not given) means, for members that may be null
-    Condition required = nullptr; ///< must stand in the file when it holds; null: never
-    Condition relevant = nullptr; ///< is read by the model when it holds; null: always
+    Condition required = nullptr; ///< required in the file if true; null: never
+    Condition relevant = nullptr; ///< used by the model if true; null: always
     std::size_t count = 0;        ///< lists: the exact number of values, 0 for any
-    bool whole = false;           ///< lists and levels: of whole numbers alone
-    bool slider = false;          ///< one of the numbers one plays with
-    Range read = {};              ///< narrower than hard: refused outside where it is relevant
-    Condition exempt = nullptr;   ///< only hard counts when it holds; null: never
-    bool sparse = false;          ///< left out of files where it has its default
+    bool whole = false;           ///< lists and levels: only whole numbers
+    bool slider = false;          ///< has a slider, for trying values
+    Range read = {};              ///< narrower than hard: refused outside it if relevant
+    Condition exempt = nullptr;   ///< only the hard range applies if true; null: never
+    bool sparse = false;          ///< omitted from files if it has its default
     Page page = Page::none;       ///< the form page that shows it
     bool usual = false;           ///< set for every cycle; the page shows the others on demand
     const char* hint = "";
@@ -139,7 +139,7 @@ struct Row {
     const char* column = "";
     const char* source = ""; ///< key of core/SOURCES.md
 
-    /// What hints and messages state as allowed.
+    /// The allowed range in hints and messages.
     [[nodiscard]] const Range& stated() const { return read.unbounded() ? hard : read; }
 };
 
@@ -148,16 +148,16 @@ struct Field : Row {
     const char* key = "";
     Kind kind = Kind::number;
     void* (*member)(void* owner) = nullptr;
-    bool (*same)(const void* a, const void* b) = nullptr; ///< of two owners; not of object kinds
+    bool (*same)(const void* a, const void* b) = nullptr; ///< compares two owners; not objects
     int (*getChoice)(const void* owner) = nullptr; ///< choice, or word of a countOrWord; −1: none
-    void (*setChoice)(void* owner, int value) = nullptr;  ///< −1 likewise
+    void (*setChoice)(void* owner, int value) = nullptr;  ///< −1: not given
     std::span<const Choice> choices;                      ///< or words
     void (*setNumber)(void* owner, int number) = nullptr; ///< countOrWord
-    int* (*number)(void* owner) = nullptr;                ///< countOrWord; null where it is none
-    Phrase (*expected)() = nullptr;                       ///< countOrWord: instead of another type
-    const StructInfo* nested = nullptr;                   ///< object kinds
-    void* (*object)(void* owner, bool create) = nullptr;  ///< object kinds; null if not given
-    const void* (*readObject)(const void* owner) = nullptr; ///< the same, to be read only
+    int* (*number)(void* owner) = nullptr; ///< countOrWord; null if it is not a number
+    Phrase (*expected)() = nullptr;        ///< countOrWord: instead of another type
+    const StructInfo* nested = nullptr;    ///< object kinds
+    void* (*object)(void* owner, bool create) = nullptr;    ///< object kinds; null if not given
+    const void* (*readObject)(const void* owner) = nullptr; ///< object kinds, read-only
     void (*reset)(void* owner) = nullptr;                   ///< optional object: not given
     std::size_t (*size)(const void* owner) = nullptr;       ///< objectList
     void* (*at)(void* owner, std::size_t index) = nullptr;  ///< objectList
@@ -173,13 +173,13 @@ struct Field : Row {
     [[nodiscard]] const T& as(const void* owner) const {
         return *static_cast<const T*>(member(const_cast<void*>(owner)));
     }
-    /// What is allowed in a project.
+    /// The allowed range in a project.
     [[nodiscard]] const Range& allowed(const Project& project, const void* owner) const {
         const bool only =
             (relevant && !relevant(project, owner)) || (exempt && exempt(project, owner));
         return only ? hard : stated();
     }
-    /// The whole number of the member; null where it is of another kind, or holds none.
+    /// The whole number of the member; null if it is of another kind or not given.
     [[nodiscard]] int* wholeNumber(void* owner) const;
     [[nodiscard]] const int* wholeNumber(const void* owner) const {
         return wholeNumber(const_cast<void*>(owner));
@@ -190,11 +190,10 @@ struct Field : Row {
     }
 };
 
-/// The table of one struct.
 struct StructInfo {
     const char* name; ///< translated in the context "Struct"
     std::span<const Field> fields;
-    const void* defaults; ///< a value of the struct as its initialisers make it
+    const void* defaults; ///< a value of the struct with its default initialisers
     [[nodiscard]] const Field* find(std::string_view key) const;
 };
 
@@ -214,7 +213,7 @@ template <class T>
 struct IsOptional : std::false_type {};
 template <class T>
 struct IsOptional<std::optional<T>> : std::true_type {};
-/// Of objects that the struct holds where their type is only declared.
+/// For objects of the struct whose type is only declared.
 template <class T>
 struct IsIndirect : std::false_type {};
 template <class T>
@@ -236,7 +235,7 @@ template <class T>
 concept Comparable = requires(const T& value) {
     value == value;
 };
-/// Not an object or a list of objects.
+/// Neither an object nor a list of objects.
 template <class T>
 inline constexpr bool
     isValue = Comparable<T> && (!IsVector<T>::value || std::is_same_v<T, std::vector<double>>);
@@ -249,8 +248,8 @@ struct MemberOf<Member> {
     using Type = T;
 };
 
-// Probes that count the members of an aggregate: Any stands for every type but an optional,
-// AnyOptional for an optional (for which Any would be ambiguous).
+// Probes that count the members of an aggregate: Any converts to every type but an optional,
+// AnyOptional to an optional (for which Any would be ambiguous).
 struct Any {
     template <class T>
     requires(!IsOptional<T>::value)

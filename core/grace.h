@@ -7,8 +7,8 @@
 
 namespace sparkout {
 
-/// What is worked out about an answer after its search: a stop ends it, too, but not before it had
-/// a moment, which is enough for most. Counted from its own begin.
+/// A stop for computations about an answer after its search: allows them a short time, enough for
+/// most. The time counts from its construction.
 class Grace {
 public:
     explicit Grace(std::stop_token stop) : m_stop(std::move(stop)) {}

@@ -11,8 +11,8 @@
 
 namespace sparkout {
 
-/// A Grace for work that takes a token: one that is requested with the stop, but not before the
-/// moment is over. It is for all that is worked out about one answer together.
+/// A Grace for work that takes a token, requested with the stop, but not before that time is over.
+/// Shared by all computations about one answer.
 class GraceStop {
 public:
     explicit GraceStop(std::stop_token stop)
@@ -49,9 +49,9 @@ private:
 
     std::stop_token m_stop;
     std::stop_source m_over;
-    std::mutex m_mutex; ///< of what follows
+    std::mutex m_mutex; ///< guards the following members
     bool m_momentIsOver = false;
-    std::jthread m_timer; ///< ended before what it uses
+    std::jthread m_timer; ///< last member: ends before what it uses
     std::stop_callback<Ask> m_asked;
 };
 

@@ -5,19 +5,19 @@
 
 namespace sparkout {
 
-/// A T kept apart from its owner, so that a struct can hold one where T is only declared. It is a
-/// value as the T itself would be: copied and const with its owner, made with it, and never empty
-/// but after it was moved from, when it may be destroyed, assigned and copied. In the manner of
-/// std::indirect of C++26.
+/// A T on the heap, for a member whose type is only declared. It is a value like T: copied and
+/// const with its owner, constructed with it, and empty only after a move, when it may be
+/// destroyed, assigned and copied. Modelled on std::indirect of C++26.
 ///
-/// What needs the complete T is neither defined in the class nor inline: a header that only
-/// declares T says `extern template class Indirect<T>;`, one source `template class Indirect<T>;`.
+/// Functions that need the complete T are neither defined in the class nor inline: a header that
+/// only declares T has `extern template class Indirect<T>;`, one source `template class
+/// Indirect<T>;`.
 template <class T>
 class Indirect {
 public:
     using value_type = T;
 
-    Indirect(); ///< of a value as T's initialisers make it
+    Indirect(); ///< with T's default initialisers
     Indirect(const Indirect& other);
     Indirect(Indirect&& other) noexcept;
     Indirect& operator=(const Indirect& other);
@@ -28,11 +28,11 @@ public:
     [[nodiscard]] const T& operator*() const& { return *m_value; }
     [[nodiscard]] T* operator->() & { return &**this; }
     [[nodiscard]] const T* operator->() const& { return &**this; }
-    const T& operator*() const&& = delete; // of an owner that is about to go: give it a name
+    const T& operator*() const&& = delete; // prevents references into a temporary
     const T* operator->() const&& = delete;
 
 private:
-    std::unique_ptr<T> m_value; // null after a move from it
+    std::unique_ptr<T> m_value; // null after a move
 };
 
 template <class T>
@@ -48,7 +48,7 @@ Indirect<T>::Indirect(Indirect&&) noexcept = default;
 template <class T>
 Indirect<T>& Indirect<T>::operator=(const Indirect& other) {
     if (m_value && other.m_value) {
-        *m_value = *other.m_value; // what it has allocated is used again
+        *m_value = *other.m_value; // reuses allocated memory
     } else {
         *this = Indirect(other);
     }

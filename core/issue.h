@@ -14,7 +14,7 @@ namespace sparkout {
 
 enum class Severity { error, warning };
 
-/// What is wrong with an input. Each code has one sentence, see words/issue_words.h.
+/// The kind of fault of an input. Each code has one sentence, see words/issue_words.h.
 enum class IssueCode {
     empty,
     notJson,
@@ -32,7 +32,7 @@ enum class IssueCode {
     outOfRange,
     notOneOf,
     unusual,
-    unusualTogether, ///< beside other inputs
+    unusualTogether, ///< combined with other inputs
     wrongCount,
     notEven,
     fewRadii,
@@ -48,13 +48,13 @@ enum class IssueCode {
     stocksDoNotSumUp,
     tooManyStages,
     notUsedHere,
-    notWithThreshold, ///< of the force
+    notWithThreshold, ///< the force has no threshold
     tooMuchGap,
     gapBetweenRadii,
     gaugeDropsIn,
     wallOverrun,
     stripAtWall,
-    shoulderInTheWay, ///< of the wheel as it overruns
+    shoulderInTheWay, ///< of the overrunning wheel
     shouldersTooNear, ///< for the wheel to plunge between them
     shaftTooShort,
     targetOutsideField,
@@ -69,14 +69,14 @@ enum class IssueCode {
     sourceMissing, ///< in catalogues
     noSuchInput,   ///< in lessons
     nameTwice,     ///< in packs
-    notAFileName,  ///< likewise
+    notAFileName,  ///< in packs
 };
 
 namespace limits {
-inline constexpr std::size_t issues = 200; ///< faults listed at most
+inline constexpr std::size_t issues = 200; ///< greatest number of listed faults
 } // namespace limits
 
-/// What an issue expects, or found, that is neither a number nor a key.
+/// An expected or found value of an issue that is neither a number nor a key.
 enum class Phrase {
     number,
     wholeNumber,
@@ -110,33 +110,33 @@ enum class Phrase {
 struct Amount {
     double number = 0;
     std::string_view unit = {};
-    std::string_view formula = {}; ///< what it is, in the letters of the model page
+    std::string_view formula = {}; ///< its meaning, in the symbols of the model page
     friend bool operator==(const Amount&, const Amount&) = default;
 };
 
 struct Count {
     std::int64_t number = 0;
     std::string_view unit = {};
-    std::string_view field = {}; ///< the input that asks for it, as a JSON pointer
+    std::string_view field = {}; ///< the input that requires it, as a JSON pointer
     friend bool operator==(const Count&, const Count&) = default;
 };
 
-/// Of what is counted by a size_t.
+/// For a number of type size_t.
 [[nodiscard]] constexpr Count countOf(std::size_t number, std::string_view unit = {}) {
     return {static_cast<std::int64_t>(number), unit, {}};
 }
 
-/// What a number may be.
+/// The allowed range of a number.
 struct Bounds {
     Range range;
     std::string_view unit = {};
-    std::string_view field = {};   ///< the input that an end follows from, as a JSON pointer
-    std::string_view formula = {}; ///< what an end follows from, in the letters of the model page
+    std::string_view field = {};   ///< the input that determines an end, as a JSON pointer
+    std::string_view formula = {}; ///< the formula of an end, in the symbols of the model page
     bool highOpen = false;
     friend bool operator==(const Bounds&, const Bounds&) = default;
 };
 
-/// Keys of the file, or the choices of one.
+/// Keys of the file, or its choices.
 struct Keys {
     enum class Kind { members, choices, alternatives };
     std::vector<std::string> keys;
@@ -144,13 +144,13 @@ struct Keys {
     friend bool operator==(const Keys&, const Keys&) = default;
 };
 
-/// Digits as the file has them: whole numbers of any size, and what no double can hold.
+/// Digits as in the file: whole numbers of any size, and numbers outside the range of a double.
 struct Numeral {
     std::string digits;
     friend bool operator==(const Numeral&, const Numeral&) = default;
 };
 
-/// A value as the file writes it: "text" with its quotes, true, null, […].
+/// A value as written in the file: "text" with its quotes, true, null, […].
 struct Quoted {
     std::string text;
     friend bool operator==(const Quoted&, const Quoted&) = default;
@@ -158,14 +158,14 @@ struct Quoted {
 
 using Detail = std::variant<std::monostate, Amount, Count, Bounds, Keys, Phrase, Numeral, Quoted>;
 
-/// One fault of an input: where, what stands there, what may stand there. The words are made by
-/// words/issue_words.h. Units, fields and formulas are texts of the program, which outlive it.
+/// A fault of an input: its path, its value and the allowed one. The text is made by
+/// words/issue_words.h. Units, fields and formulas are static texts of the program.
 struct Issue {
     IssueCode code;
     Severity severity = Severity::error;
     std::string path; ///< JSON pointer, e.g. "/wheel/width_mm"; empty for the whole file
-    Detail value;     ///< what was found
-    Detail limit;     ///< what is allowed, or what it was held against
+    Detail value;     ///< value found
+    Detail limit;     ///< allowed value, or the one compared with
 
     friend bool operator==(const Issue&, const Issue&) = default;
 };

@@ -8,9 +8,9 @@
 
 namespace sparkout {
 
-/// A std::optional<T> that a struct can hold where T is only declared: an Indirect that may be
-/// empty. It is a value: copied and const with its owner. What needs the complete T is Indirect's,
-/// so that an `extern template class Indirect<T>;` is enough for it.
+/// An optional T on the heap, for a member whose type is only declared: an Indirect that may be
+/// empty. It is a value: copied and const with its owner. `extern template class Indirect<T>;` also
+/// suffices for it.
 template <class T>
 class OptionalIndirect {
 public:
@@ -18,10 +18,10 @@ public:
 
     OptionalIndirect() = default; ///< empty
     OptionalIndirect(const OptionalIndirect& other) = default;
-    OptionalIndirect(OptionalIndirect&& other) noexcept ///< which is empty then
+    OptionalIndirect(OptionalIndirect&& other) noexcept ///< which is empty afterwards
         : m_value(std::exchange(other.m_value, std::nullopt)) {}
     OptionalIndirect& operator=(const OptionalIndirect& other) = default;
-    OptionalIndirect& operator=(OptionalIndirect&& other) noexcept { ///< which is empty then
+    OptionalIndirect& operator=(OptionalIndirect&& other) noexcept { ///< which is empty afterwards
         m_value = std::exchange(other.m_value, std::nullopt);
         return *this;
     }
@@ -35,7 +35,7 @@ public:
     }
     ~OptionalIndirect() = default;
 
-    /// Instead of what it held, a value as T's initialisers make it.
+    /// Replaces the contents by a value with T's default initialisers.
     T& emplace() { return *m_value.emplace(); }
     void reset() noexcept { m_value.reset(); }
 
@@ -45,7 +45,7 @@ public:
     [[nodiscard]] const T& operator*() const& { return **m_value; }
     [[nodiscard]] T* operator->() & { return &**this; }
     [[nodiscard]] const T* operator->() const& { return &**this; }
-    const T& operator*() const&& = delete; // of an owner that is about to go: give it a name
+    const T& operator*() const&& = delete; // prevents references into a temporary
     const T* operator->() const&& = delete;
     [[nodiscard]] T value_or(T other) const { return m_value ? **m_value : std::move(other); }
 

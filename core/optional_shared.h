@@ -5,13 +5,12 @@
 
 namespace sparkout {
 
-/// A std::optional<T> whose copies share one T until one of them is written to: for what is large
-/// and hardly ever changed. It is a value: const with its owner, and a change of one copy is not
-/// seen in another. What is reached through a non-const one counts as written to, so that reading
-/// goes by way of a const one; a pointer into it is good for writing until the next copy is made.
+/// An optional T whose copies share one T until one of them is modified: for large, rarely changed
+/// values. It is a value: const with its owner, and a change of one copy does not affect another.
+/// Non-const access counts as modification, so read through a const object; a pointer obtained for
+/// writing is valid until the next copy.
 ///
-/// As with Indirect, T may be only declared where `extern template class OptionalShared<T>;`
-/// stands.
+/// Like Indirect, T may be only declared, with `extern template class OptionalShared<T>;`.
 template <class T>
 class OptionalShared {
 public:
@@ -19,7 +18,7 @@ public:
 
     OptionalShared() = default; ///< empty
 
-    /// Instead of what it held, a value as T's initialisers make it.
+    /// Replaces the contents by a value with T's default initialisers.
     T& emplace();
     void reset() noexcept { m_value.reset(); }
 
@@ -29,7 +28,7 @@ public:
     [[nodiscard]] const T& operator*() const& { return *m_value; }
     [[nodiscard]] T* operator->() & { return &**this; }
     [[nodiscard]] const T* operator->() const& { return m_value.get(); }
-    const T& operator*() const&& = delete; // of an owner that is about to go: give it a name
+    const T& operator*() const&& = delete; // prevents references into a temporary
     const T* operator->() const&& = delete;
 
     /// Whether both are empty, or share one value.

@@ -7,19 +7,19 @@
 
 namespace sparkout {
 
-/// A text without what steers a terminal or reverses the reading direction: such characters are
-/// shown as \uXXXX, and bytes that are no UTF-8 as \xXX. Texts and file names go through it before
-/// they stand in a message of one line.
+/// A text without characters that control a terminal or reverse the reading direction: these become
+/// \uXXXX, and bytes that are not UTF-8 \xXX. Used for texts and file names in messages of one
+/// line.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The same of a text of several lines, whose ends stay. JSON keeps its meaning: \uXXXX is the
-/// character in it.
+/// Keeps the line ends of a text. JSON keeps its meaning, since \uXXXX denotes the character there.
 [[nodiscard]] std::string printableLines(std::string_view text);
 
-/// How many bytes the UTF-8 character at the beginning of a text has; 0: there is none. Not empty.
+/// The number of bytes of the UTF-8 character at the beginning of a non-empty text; 0 if it is
+/// invalid.
 [[nodiscard]] std::size_t characterBytes(std::string_view text);
 
-/// The code of a UTF-8 character of so many bytes.
+/// The code of a UTF-8 character of 1 to 4 bytes.
 [[nodiscard]] unsigned characterCode(std::string_view character);
 
 /// Control characters, marks of direction and line ends of Unicode.

@@ -9,9 +9,9 @@
 #include <utility>
 #include <variant>
 
-/// The description of one output, next to the type that holds it, read by everything that states
-/// results: JSON, CSV, workbooks, the command line's text, Python and the tables of the window. An
-/// input has its own row (core/field.h).
+/// The description of an output, next to its type, used wherever results are stated: JSON, CSV,
+/// workbooks, the command line's text, Python and the tables of the window. An input has its own
+/// row (core/field.h).
 namespace sparkout {
 
 /// Both ends of an interval.
@@ -29,17 +29,17 @@ struct Estimate {
 struct Share {
     std::int64_t count = 0;
     double value = 0;
-    std::optional<Interval> interval; ///< not for corners
+    std::optional<Interval> interval; ///< empty for corners
 };
 
-/// Where a number lies against its plausible band.
+/// The position of a number relative to its plausible band.
 enum class BandSide { none, inside, below, above }; ///< none: there is no number
 
-/// What an output is of one owner; monostate: there is none.
+/// The value of an output for an owner; monostate if there is none.
 using OutputValue = std::variant<std::monostate, double, std::int64_t, bool, std::string, Interval,
                                  Estimate, Share>;
 
-/// The kinds of outputs, whether there is one or not.
+/// The kinds of outputs, whether they may be missing or not.
 enum class OutputKind {
     number,
     optionalNumber,
@@ -54,20 +54,19 @@ enum class OutputKind {
     share
 };
 
-/// What an output says of itself, whoever it is of.
+/// The properties of an output, for any owner.
 struct OutputRow {
-    const char* key = ""; ///< in JSON and Python; empty: it is not stated there
-    const char* column =
-        nullptr;            ///< at the head of a CSV column; null: as the key; empty: no column
-    const char* label = ""; ///< standing alone, without its unit (translated as "Output")
-    const char* brief = ""; ///< the same in its place in a table; empty: the label
+    const char* key = "";           ///< in JSON and Python; empty: it is not stated there
+    const char* column = nullptr;   ///< heading of a CSV column; null: the key; empty: no column
+    const char* label = "";         ///< standing alone, without its unit (translated as "Output")
+    const char* brief = "";         ///< the same in its place in a table; empty: the label
     const char* ofRevolutions = ""; ///< the label where revolutions are counted, not double strokes
     const char* unit = "";          ///< of its values
     const char* shownUnit = "";     ///< that people read them in; empty: the same
     double shownFactor = 1;         ///< values in shownUnit over values in unit
     const char* hint = "";          ///< what it is, how it is made, what is usual
-    bool sparse = false;            ///< window and text leave it out where no owner has it
-    bool detail = false; ///< stands in files alone; tables of the window say it otherwise
+    bool sparse = false;            ///< omitted by window and text if no owner has it
+    bool detail = false;            ///< only in files; tables of the window show it differently
 
     [[nodiscard]] const char* columnName() const { return column ? column : key; }
     [[nodiscard]] const char* unitShown() const { return *shownUnit ? shownUnit : unit; }
@@ -76,12 +75,12 @@ struct OutputRow {
     }
 };
 
-/// A row with how the value is taken from its owner.
+/// A row with access to the value of its owner.
 template <class Owner>
 struct Output : OutputRow {
     template <class Value>
     using From = Value (*)(const Owner&);
-    /// In the order of OutputKind; what may be missing is optional.
+    /// In the order of OutputKind; a value that may be missing is optional.
     using Getter = std::variant<From<double>, From<std::optional<double>>, From<std::int64_t>,
                                 From<std::optional<std::int64_t>>, From<bool>,
                                 From<std::optional<bool>>, From<std::string>,
@@ -89,8 +88,8 @@ struct Output : OutputRow {
                                 From<std::optional<Estimate>>, From<std::optional<Share>>>;
 
     Getter get;
-    BandSide (*band)(const Owner&) = nullptr; ///< null: it has none
-    bool (*stated)(const Owner&) = nullptr;   ///< JSON leaves it out where not; null: it never does
+    BandSide (*band)(const Owner&) = nullptr; ///< null: no band
+    bool (*stated)(const Owner&) = nullptr;   ///< JSON omits it if false; null: never
 
     [[nodiscard]] OutputValue of(const Owner& owner) const {
         return std::visit(

@@ -8,8 +8,8 @@
 
 namespace sparkout {
 
-/// Many numbers that are never changed again: copies share them, so that a project with traces of
-/// thousands of samples copies in no time.
+/// Many numbers that never change: copies share them, so that copying a project with traces of
+/// thousands of samples is cheap.
 class Samples {
 public:
     Samples() = default; ///< none
@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    std::shared_ptr<const std::vector<double>> m_values; // null: none
+    std::shared_ptr<const std::vector<double>> m_values; // null: no values
 };
 
 } // namespace sparkout

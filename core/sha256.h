@@ -6,7 +6,7 @@
 
 namespace sparkout {
 
-/// SHA-256 of these bytes [FIPS180-4], 64 hexadecimal digits: by which a source is known again.
+/// SHA-256 of these bytes [FIPS180-4], 64 hexadecimal digits, by which a source is recognised.
 [[nodiscard]] std::string sha256(std::string_view bytes);
 
 } // namespace sparkout

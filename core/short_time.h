@@ -5,10 +5,10 @@
 
 namespace sparkout {
 
-/// Times of cycles below it are stated in seconds, as a grinder counts a plunge.
+/// Shorter cycle times are stated in seconds, as grinders count a plunge.
 inline constexpr double shortTime_s = 2 * units::secondsPerMinute;
 
-/// The one unit of times that stand side by side, in seconds: by the longest of them.
+/// The common unit of times shown together, in seconds, by the longest of them.
 [[nodiscard]] constexpr double timeUnit_s(double longest_s) {
     return longest_s < shortTime_s ? 1 : units::secondsPerMinute;
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The public face of the core: a project read and checked or made for a drawing, its cycle
-// simulated, held against the drawing, evaluated and judged, for which stocks it holds, what would
-// help, its batch, its sweep, its search; what was measured, read, judged and fitted, and the
-// trials to measure next; and the surfaces of a part that are ground in one set-up.
+// The public interface of the core: reading, checking and creating projects, simulating, evaluating
+// and judging cycles, stocks, remedies, batches, sweeps and searches; reading, judging and fitting
+// measurements, and designing trials; and set-ups with several ground surfaces.
 
 #include "core/adequacy/adequacy_outputs.h"
 #include "core/batch/batch_check.h"

@@ -6,7 +6,7 @@
 
 namespace sparkout {
 
-/// The text without what of `around` stands at its ends.
+/// The text without characters of `around` at its ends.
 [[nodiscard]] constexpr std::string_view trimmed(std::string_view text, std::string_view around) {
     const std::size_t first = text.find_first_not_of(around);
     return first == std::string_view::npos

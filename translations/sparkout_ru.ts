@@ -2113,7 +2113,7 @@
             <translation>Прервать расчёт; известное сохраняется</translation>
         </message>
         <message>
-            <source>What was filled</source>
+            <source>State of the filling</source>
             <translation>Что заполнено</translation>
         </message>
         <message>
@@ -2133,7 +2133,7 @@
             <translation>Следующее состояние</translation>
         </message>
         <message>
-            <source>To the end of the way back</source>
+            <source>To the end of the backtracking</source>
             <translation>К концу обратного хода</translation>
         </message>
         <message>
@@ -2420,7 +2420,7 @@ axial feed, mm/min</source>
             <translation>Состояние %1: осталось %2 мм, подача %3</translation>
         </message>
         <message>
-            <source>The way back. %1</source>
+            <source>Backtracking. %1</source>
             <translation>Обратный ход. %1</translation>
         </message>
     </context>
@@ -5563,7 +5563,7 @@ With another name both versions stay as they are.</source>
             <translation>Станок и рабочий</translation>
         </message>
         <message>
-            <source>What an hour costs, in any currency.</source>
+            <source>Cost of an hour, in any currency.</source>
             <translation>Сколько стоит час, в любой валюте.</translation>
         </message>
         <message>
@@ -5715,7 +5715,7 @@ With another name both versions stay as they are.</source>
             <translation>сумма циклов</translation>
         </message>
         <message>
-            <source>The time that stock is removed in.</source>
+            <source>Time in which stock is removed.</source>
             <translation>Время, за которое снимается припуск.</translation>
         </message>
         <message>
@@ -5727,7 +5727,7 @@ With another name both versions stay as they are.</source>
             <translation>сумма времён выше</translation>
         </message>
         <message>
-            <source>What is done for every part beside the cycles.</source>
+            <source>Work done for every part besides the cycles.</source>
             <translation>Что делается для каждой детали помимо циклов.</translation>
         </message>
         <message>
@@ -5951,7 +5951,7 @@ With another name both versions stay as they are.</source>
             <translation>Показатель</translation>
         </message>
         <message>
-            <source>What was recorded over the time.</source>
+            <source>Quantity recorded over time.</source>
             <translation>Что записано во времени.</translation>
         </message>
         <message>
@@ -6123,7 +6123,7 @@ With another name both versions stay as they are.</source>
             <translation>Данные</translation>
         </message>
         <message>
-            <source>What it was calibrated on.</source>
+            <source>Data used for the calibration.</source>
             <translation>По каким данным калибровано.</translation>
         </message>
         <message>
@@ -6447,7 +6447,7 @@ With another name both versions stay as they are.</source>
             <translation>Цена</translation>
         </message>
         <message>
-            <source>What a student who takes it loses of the points of the step.</source>
+            <source>Points of the step that a student loses by using it.</source>
             <translation>Сколько баллов шага теряет студент, взявший подсказку.</translation>
         </message>
         <message>
@@ -6483,7 +6483,7 @@ With another name both versions stay as they are.</source>
             <translation>О какой поверхности шаг; счёт от 1.</translation>
         </message>
         <message>
-            <source>What is put into the project as the step begins.</source>
+            <source>Values put into the project when the step begins.</source>
             <translation>Что задаётся в проекте, когда шаг начинается.</translation>
         </message>
         <message>
@@ -6711,7 +6711,7 @@ With another name both versions stay as they are.</source>
             <translation>Прогноз числа</translation>
         </message>
         <message>
-            <source>A figure is said before the run.</source>
+            <source>A figure is predicted before the run.</source>
             <translation>Показатель предсказывают до расчёта.</translation>
         </message>
         <message>
@@ -6943,7 +6943,7 @@ With another name both versions stay as they are.</source>
         <translation>Значения каждой сочетаются со всеми значениями остальных.</translation>
     </message>
     <message>
-        <source>What the best answers may differ by.</source>
+        <source>Permitted difference between the best answers.</source>
         <translation>Насколько могут различаться лучшие ответы.</translation>
     </message>
     <message>
@@ -6955,7 +6955,7 @@ With another name both versions stay as they are.</source>
         <translation>Что у каждого варианта в исходном виде лежит в заданных границах, чтобы вопросы работы были для него верны.</translation>
     </message>
     <message>
-        <source>Whose inputs are varied, from 1.</source>
+        <source>Number of the surface whose inputs are varied, from 1.</source>
         <translation>Поверхность, данные которой изменяются; счёт от 1.</translation>
     </message>
         <message>
@@ -8547,7 +8547,7 @@ With another name both versions stay as they are.</source>
             <translation>Цикл по результатам расчёта</translation>
         </message>
         <message>
-            <source>What decided</source>
+            <source>Deciding result</source>
             <translation>Чем определено</translation>
         </message>
         <message>
@@ -8834,7 +8834,7 @@ With another name both versions stay as they are.</source>
             <translation>Что рассчитано</translation>
         </message>
         <message>
-            <source>Command that computes it again</source>
+            <source>Command to recompute it</source>
             <translation>Команда, повторяющая расчёт</translation>
         </message>
         <message>
@@ -10379,7 +10379,7 @@ With another name both versions stay as they are.</source>
             <translation>Заключение: цикл</translation>
         </message>
         <message>
-            <source>What decided</source>
+            <source>Deciding result</source>
             <translation>Чем определено</translation>
         </message>
         <message>
@@ -11432,7 +11432,7 @@ With another name both versions stay as they are.</source>
             <translation>; биение станка добавляет %1 мкм</translation>
         </message>
         <message>
-            <source>, more than the limit: no cycle can hold it.</source>
+            <source>, more than the limit: no cycle can meet it.</source>
             <translation>, больше предела: никакой цикл его не выдержит.</translation>
         </message>
         <message>
@@ -12267,7 +12267,7 @@ With another name both versions stay as they are.</source>
             <translation>Податливость на этой странице задана, поэтому жёсткость не используется.</translation>
         </message>
         <message>
-            <source>With it the inputs would be refused: %1</source>
+            <source>This entry would make the inputs invalid: %1</source>
             <translation>С этой записью исходные данные не будут приняты: %1</translation>
         </message>
         <message>
@@ -12283,7 +12283,7 @@ With another name both versions stay as they are.</source>
             <translation>Переименовать запись</translation>
         </message>
         <message>
-            <source>You have an entry of this name already.</source>
+            <source>You already have an entry with this name.</source>
             <translation>У вас уже есть запись с этим именем.</translation>
         </message>
         <message>
@@ -12694,7 +12694,7 @@ With another name both versions stay as they are.</source>
             <translation>Цикл слишком длинный для записи, проходы не показаны. Помогает меньше радиусов или сечений; требования ниже — по всему циклу.</translation>
         </message>
         <message>
-            <source>No limit of the feed is on, so any feed is allowed: enter what burns the material, or the power of a drive. The links below lead to the fields.</source>
+            <source>No limit of the feed is on, so any feed is allowed: enter the burn limit of the material, or the power of a drive. The links below lead to the fields.</source>
             <translation>Подачу ничто не ограничивает: задайте температуру прижога материала или мощность привода. Ссылки внизу ведут к полям.</translation>
         </message>
         <message>
@@ -17449,7 +17449,7 @@ target, µm</source>
             <translation>Подходящих настроек: %1; показаны наименее затратные.</translation>
         </message>
         <message>
-            <source>What was tried</source>
+            <source>Settings tried</source>
             <translation>Что проверено</translation>
         </message>
         <message>
@@ -18447,7 +18447,7 @@ good</source>
             <translation>&amp;Вычислять податливость по её жёсткости</translation>
         </message>
         <message>
-            <source>Take its &amp;stiffness</source>
+            <source>Use its &amp;stiffness</source>
             <translation>Применить её &amp;жёсткость</translation>
         </message>
     </context>
@@ -18663,7 +18663,7 @@ good</source>
             <translation>Исходные данные изменены после расчёта партии и поиска.</translation>
         </message>
         <message>
-            <source>Stopped; what was done until then is shown.</source>
+            <source>Stopped; partial results are shown.</source>
             <translation>Остановлено; показано сделанное до остановки.</translation>
         </message>
         <message>
@@ -19348,7 +19348,7 @@ good</source>
             <translation>Применить &amp;поправку Ra</translation>
         </message>
         <message>
-            <source>No Ra is measured, or the cycle does not end at size. Measured Ra comes into the project with the parts: Import measurements…</source>
+            <source>No Ra is measured, or the cycle does not end at size. Measured Ra is imported with the parts: Import measurements…</source>
             <translation>Ra не измерено, или цикл не доходит до размера. Измеренное Ra попадает в проект вместе с деталями: «Импорт измерений…»</translation>
         </message>
         <message>
@@ -19455,7 +19455,7 @@ The size alone gives α and β, that is the compliance with the force together; 
 Один размер даёт α и β, то есть податливость вместе с силой; мощность добавляет две свои составляющие; вместе с нормальной силой различаются податливость, интенсивность напряжений и степень затупления.</translation>
         </message>
         <message>
-            <source>Calibrated: %1. Undo takes it back.</source>
+            <source>Calibrated: %1. Undo reverts it.</source>
             <translation>Откалибровано: %1. Отменить можно командой «Отменить».</translation>
         </message>
         <message>
@@ -19846,7 +19846,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Заголовок</translation>
         </message>
         <message>
-            <source>What it holds</source>
+            <source>Contents</source>
             <translation>Что в столбце</translation>
         </message>
         <message>
@@ -23142,7 +23142,7 @@ s</source>
             <translation>Показать про&amp;ект</translation>
         </message>
         <message>
-            <source>The project of the laboratory work comes into the window, to be changed</source>
+            <source>Opens the project of the laboratory work in the window for editing</source>
             <translation>Проект работы открывается в окне, чтобы его изменить</translation>
         </message>
         <message>
@@ -23390,7 +23390,7 @@ s</source>
         <translation>Запас, %</translation>
     </message>
     <message>
-        <source>Refused because</source>
+        <source>Reason for refusal</source>
         <translation>Причина отказа</translation>
     </message>
     <message>

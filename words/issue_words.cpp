@@ -18,8 +18,7 @@ std::string joined(const Keys& keys) {
     return text;
 }
 
-/// Puts both into their places. Both places are looked for before either is filled: a value may
-/// itself hold "{limit}".
+/// Inserts both values. Finds both places first, since a value may contain "{limit}" itself.
 std::string filled(const std::string& sentence, const std::string& value,
                    const std::string& limit) {
     std::string out;

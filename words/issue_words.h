@@ -6,19 +6,19 @@
 #include <string>
 #include <string_view>
 
-/// Issues in words. The English ones stand here alone, marked for translation: the command line and
-/// the Python module print them, the window looks up what they are in its language.
+/// Issues as texts. The English ones are defined here, marked for translation: the command line and
+/// the Python module print them, the window translates them.
 namespace sparkout {
 
 struct IssueWords {
-    const char* key;      ///< what the code is called by other programs
-    const char* sentence; ///< with the places {value} and {limit}; context "Issue"
+    const char* key;      ///< name of the code for other programs
+    const char* sentence; ///< with the placeholders {value} and {limit}; context "Issue"
 };
 
 [[nodiscard]] IssueWords wordsOf(IssueCode code);
 [[nodiscard]] const char* wordsOf(Phrase phrase); ///< context "Limit"
 
-/// Writes issues: by itself in English, with numbers and paths as the file has them.
+/// Formulates issues; this class in English, with numbers and paths as in the file.
 class Wording {
 public:
     Wording() = default;
@@ -28,7 +28,7 @@ public:
 
     /// The sentence of an issue with value and limit filled in.
     [[nodiscard]] std::string sentence(const Issue& issue) const;
-    /// A value or limit; empty when there is none.
+    /// A value or limit; empty if there is none.
     [[nodiscard]] std::string detail(const Detail& detail) const;
 
 protected:

@@ -10,7 +10,7 @@
 
 namespace sparkout {
 
-/// A decision on the stocks; nothing: there is none.
+/// A decision on the stocks; empty if there is none.
 using StocksDecision = std::optional<JudgedStocks>;
 
 [[nodiscard]] std::span<const Output<Judgement>> judgementOutputs();
@@ -18,13 +18,13 @@ using StocksDecision = std::optional<JudgedStocks>;
 [[nodiscard]] std::span<const Output<JudgedBatch>> judgedBatchOutputs();
 [[nodiscard]] std::span<const Output<Undecided>> undecidedOutputs();
 
-/// The object of `simulate --json`: that of resultJson() and, under "judged", how the cycle stands
-/// for every stock within one infeed and, where it was run, for the batch:
+/// The object of `simulate --json`: that of resultJson() and, under "judged", the judgement of the
+/// cycle for every stock within one infeed and, if it was run, for the batch:
 ///
-///     { "state", "headline", "nominal",
-///       "stocks": { "decided", "holds", "stock_mm", "failing_share", "worst" },
-///       "batch": null or { "parts", "seed", "bad", "interval_95" },
-///       "not_decided": [ { "name", "why", "input" }, … ] }
+/// { "state", "headline", "nominal",
+/// "stocks": { "decided", "holds", "stock_mm", "failing_share", "worst" },
+/// "batch": null or { "parts", "seed", "bad", "interval_95" },
+/// "not_decided": [ { "name", "why", "input" }, … ] }
 ///
 /// "worst" is an element of "constraints".
 [[nodiscard]] std::string judgedResultJson(const SimulationResult& result,

@@ -50,7 +50,7 @@ std::string JudgementWording::filled(const char* text, TextPlaces places) const 
     return placedText(translated(text), places);
 }
 
-/// Of a share in per cent: never nothing for a little, nor the whole for almost all.
+/// A share in per cent that never rounds to 0 or 100 %.
 std::string JudgementWording::percent(double share) const {
     constexpr double hundred = 100, few = 10, nothing = 1e-6;
     const double value = hundred * share;
@@ -62,7 +62,7 @@ std::string JudgementWording::percent(double share) const {
     return number(value, decimals);
 }
 
-/// "minimum diameter by 10.7 µm", of a setting its sentence.
+/// "minimum diameter by 10.7 µm", for a setting its sentence.
 std::string JudgementWording::failure(RunStatus status,
                                       const std::optional<ConstraintResult>& worst) const {
     if (status != RunStatus::completed || !worst) {

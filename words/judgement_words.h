@@ -6,12 +6,11 @@
 
 #include <string>
 
-/// How a cycle stands in words. The English ones stand here alone, marked for translation in the
-/// context "Judgement": the command line prints them, the window and its papers look up what they
-/// are in their language.
+/// Judgements as texts. The English ones are defined here, marked for translation in the context
+/// "Judgement": the command line prints them, the window and its documents translate them.
 namespace sparkout {
 
-/// Writes judgements: by itself in English.
+/// Formulates judgements; this class in English.
 class JudgementWording {
 public:
     JudgementWording() = default;
@@ -30,7 +29,7 @@ public:
 
 protected:
     [[nodiscard]] virtual std::string translated(const char* text) const { return text; }
-    /// So many decimals.
+    /// With this number of decimals.
     [[nodiscard]] virtual std::string number(double value, int decimals) const;
     [[nodiscard]] virtual std::string stock(double value_mm) const;
     /// The name of a requirement within a sentence.

@@ -21,7 +21,7 @@ std::string withUnit(double value, const char* unit, int digits) {
     return fixed(value, digits) + (*unit ? ' ' + std::string(unit) : std::string());
 }
 
-/// "zone rz1, stage 2, double stroke 10, E1": where a figure is asked for.
+/// The place of a figure: "zone rz1, stage 2, double stroke 10, E1".
 std::string placeOf(const Figure& figure) {
     std::string text;
     const auto add = [&text](const std::string& part) {

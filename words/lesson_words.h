@@ -9,8 +9,8 @@
 
 #include <string>
 
-/// Lessons, variants and marks in words, in English: for the command line, and, looked up in its
-/// language, the window.
+/// Texts about lessons, variants and marks, in English: for the command line, and translated in the
+/// window.
 namespace sparkout {
 
 /// A finding by its name in JSON.
@@ -19,22 +19,22 @@ namespace sparkout {
 /// "passed", "cycle does not end by itself"; context "Finding".
 [[nodiscard]] const char* findingText(Finding finding);
 
-/// What is to be looked at in a work; context "Grading".
+/// The text of a work's flag; context "Grading".
 [[nodiscard]] const char* flagText(WorkFlag flag);
 
-/// Why levels make no variant; context "Variants".
+/// The reason for rejecting levels; context "Variants".
 [[nodiscard]] const char* variantFaultText(VariantFault fault);
 
-/// Why a lesson has no variants at all; context "Variants".
+/// Why a lesson has no variants; context "Variants".
 [[nodiscard]] const char* lessonFaultText(LessonFault fault);
 
-/// What is wrong with a line of a list of students; context "Grading".
+/// The fault of a line in a list of students; context "Grading".
 [[nodiscard]] const char* groupFaultText(GroupFault::Kind kind);
 
-/// A goal as it was found, in English: "passed: cycle time 2.310 min; asked: at most 2.500 min".
+/// The result of a goal, in English: "passed: cycle time 2.310 min; required: at most 2.500 min".
 [[nodiscard]] std::string goalSentence(const Goal& goal, const GoalResult& result);
 
-/// A kept run whose numbers are not the engine's, in English.
+/// A kept run whose numbers differ from the engine's, in English.
 [[nodiscard]] std::string keptRunSentence(const KeptRunCheck& check);
 
 } // namespace sparkout

@@ -170,7 +170,7 @@ ordered_json fitJson(const Identification& found, const std::vector<FittedParame
 
 namespace {
 
-/// The number at the beginning of a text, which it is taken from; nothing where there is none.
+/// Removes the number at the beginning of a text; empty if there is none.
 template <class Number>
 std::optional<Number> takeNumber(std::string_view& text) {
     Number number{};

@@ -13,24 +13,24 @@
 
 namespace sparkout {
 
-/// "compliance:2,alpha,beta=1.2~0.1" as parameters, the last one with what is known before: its
-/// mean and the standard deviation of that. Nothing where one of them is none.
+/// Reads "compliance:2,alpha,beta=1.2~0.1" as parameters, the last one with a prior: its mean and
+/// standard deviation. Empty if one of them is invalid.
 [[nodiscard]] std::optional<std::vector<FittedParameter>>
 fittedParametersOf(const std::string& text);
 [[nodiscard]] std::string parameterName(const FittedParameter& parameter); ///< "compliance:2"
 [[nodiscard]] std::string knownParameters();                               ///< "compliance, alpha"
-[[nodiscard]] std::string parameterHint(); ///< how a place and what is known before are written
+[[nodiscard]] std::string parameterHint(); ///< the notation of places and priors
 [[nodiscard]] std::optional<RobustLoss> robustLossOf(const std::string& text); ///< "huber"
 
-/// What was measured held against the prediction and, where asked for, fitted to.
+/// The comparison of measurements with the prediction, and an optional fit.
 struct MeasuredAnswer {
     std::vector<AdequacyRow> rows;
     std::vector<HoldOutRow> holdOut;
     std::optional<Identification> fit;
-    std::vector<FittedParameter> parameters; ///< of the fit
+    std::vector<FittedParameter> parameters; ///< parameters of the fit
 };
 
-/// A time left out of a fit of these parameters.
+/// A time omitted from a fit of these parameters.
 struct OutOfStepOf {
     const std::vector<FittedParameter>& parameters;
     const OutOfStep& time;

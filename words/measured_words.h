@@ -7,25 +7,25 @@
 
 namespace sparkout {
 
-/// A value of the core in words: its key in JSON, and the text, in English; the window translates
-/// it in the context "Measured".
+/// A value of the core as text: its key in JSON, and the English text, which the window translates
+/// in the context "Measured".
 struct MeasuredWords {
     const char* key;
     const char* text;
 };
 
 [[nodiscard]] MeasuredWords wordsOf(IdentificationStatus status);
-/// What to measure.
+/// The recommended measurement.
 [[nodiscard]] MeasuredWords wordsOf(Advice advice);
 [[nodiscard]] MeasuredWords wordsOf(SupportedLaw law);
 [[nodiscard]] MeasuredWords wordsOf(HoldOutQuantity quantity);
-/// Of a project whose force has a threshold or of another.
+/// For a project with or without a threshold of the force.
 [[nodiscard]] MeasuredWords wordsOf(FittedKind kind, bool hasThreshold = false);
 [[nodiscard]] MeasuredWords wordsOf(FitSource source);
-/// What a trace has that the cycle that was run has not.
+/// The cause of a lack of fit.
 [[nodiscard]] MeasuredWords wordsOf(Unlike unlike);
 
-/// In English, as the others.
+/// In English, like the others.
 [[nodiscard]] const char* textOf(AdequacyVerdict verdict);
 
 /// The unit of a parameter's value; empty for a factor.

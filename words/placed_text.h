@@ -7,10 +7,10 @@
 
 namespace sparkout {
 
-/// Names of places in a sentence, and what stands there.
+/// Placeholder names of a sentence, and their values.
 using TextPlaces = std::initializer_list<std::pair<const char*, std::string>>;
 
-/// A sentence with what stands in its places, "{change}: {cost}"; a place may come twice.
+/// A sentence with its placeholders filled, "{change}: {cost}"; a placeholder may occur twice.
 [[nodiscard]] std::string placedText(const std::string& sentence, TextPlaces places);
 
 } // namespace sparkout

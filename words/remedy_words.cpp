@@ -46,8 +46,8 @@ const char* notOffered(bool room, RemedyConflict::Kind kind) {
                               "requirements are met, but one more stage ends without a step.");
 }
 
-/// How the next value towards the present one came out; nothing where that is not known, or a stage
-/// more helps with the feed there is.
+/// The result of the next value towards the current one; null if it is not known, or if an
+/// additional stage helps with the current feed.
 const char* nearerValue(bool room, const Remedy& remedy) {
     const RemedySetting& setting = remedy.setting;
     if (!remedy.failing) {
@@ -68,7 +68,7 @@ const char* nearerValue(bool room, const Remedy& remedy) {
                 : SPARKOUT_NOOP("Remedy", "The current value is not enough.");
 }
 
-/// Where a value is good, but too few next to it are.
+/// The text for a good value with too few good neighbours.
 const char* tooFewValues(bool room) {
     return room ? SPARKOUT_NOOP("Remedy",
                                 "Among the values tried, no single setting gives room: with "
@@ -78,7 +78,7 @@ const char* tooFewValues(bool room) {
                                           "values next to it.");
 }
 
-/// Where a setting helps for every stock, but not for the batch.
+/// The text for a setting that helps for every stock, but not for the batch.
 const char* wherePartsAreBad(const RemedyConflict& conflict) {
     return conflict.second
                ? SPARKOUT_NOOP("Remedy",
@@ -91,7 +91,7 @@ const char* wherePartsAreBad(const RemedyConflict& conflict) {
                                          "the batch.");
 }
 
-/// Which way two requirements pull a setting.
+/// The directions in which two requirements would change a setting.
 const char* asksFor(const RemedyConflict& conflict) {
     const RemedySetting& setting = *conflict.setting;
     if (setting.addsStage()) {
@@ -105,7 +105,7 @@ const char* asksFor(const RemedyConflict& conflict) {
                                          "({change}), “{second}” for less.");
 }
 
-/// Where a setting helps for the stated stock alone.
+/// The text for a setting that helps for the stated stock alone.
 const char* whereAnotherStockFails(bool room, const RemedyConflict& conflict) {
     if (!conflict.second) {
         return room ? SPARKOUT_NOOP("Remedy",
@@ -127,7 +127,7 @@ const char* whereAnotherStockFails(bool room, const RemedyConflict& conflict) {
                                           "with a stock of {stock} mm “{second}” is not met.");
 }
 
-/// Where nothing mends the first.
+/// The text if nothing helps the first requirement.
 const char* whereNothingMends(bool room, const RemedyConflict& conflict) {
     if (!conflict.first) {
         return SPARKOUT_NOOP(
@@ -154,7 +154,7 @@ const char* whereNothingMends(bool room, const RemedyConflict& conflict) {
                               "closest to its limit with {change}, where “{second}” is not met.");
 }
 
-/// Where something mends the first.
+/// The text if something helps the first requirement.
 const char* whereTheFirstIsMended(bool room, const RemedyConflict& conflict) {
     return !conflict.first ? SPARKOUT_NOOP(
                "Remedy", "Among the values tried, no single setting helps: with {change}, the "
@@ -183,7 +183,7 @@ std::string RemedyWording::requirement(ConstraintKind kind) const {
     return requirementOf(kind).label;
 }
 
-/// What stands in the places of a text, which is translated first.
+/// The values for the placeholders of a text, which is translated first.
 std::string RemedyWording::filled(const char* text, TextPlaces places) const {
     return placedText(translated(text), places);
 }

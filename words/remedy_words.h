@@ -6,11 +6,11 @@
 
 #include <string>
 
-/// Remedies in words. The English ones stand here alone, marked for translation in the context
-/// "Remedy": the command line prints them, the window looks up what they are in its language.
+/// Remedies as texts. The English ones are defined here, marked for translation in the context
+/// "Remedy": the command line prints them, the window translates them.
 namespace sparkout {
 
-/// Writes remedies of a project: by itself in English.
+/// Formulates the remedies of a project; this class in English.
 class RemedyWording {
 public:
     RemedyWording() = default;
@@ -18,25 +18,26 @@ public:
     RemedyWording(const RemedyWording&) = delete;
     RemedyWording& operator=(const RemedyWording&) = delete;
 
-    /// "S_t of stage 2 = 0.003 mm (0.0026…0.0034 mm)": the value to apply, and the interval of
+    /// "S_t of stage 2 = 0.003 mm (0.0026…0.0034 mm)": the value to apply, and the interval in
     /// which every value helps; "Starting cycle".
     [[nodiscard]] std::string change(const Project& project, const Remedy& remedy) const;
-    /// "+24 s"; "the cycle takes 33 s" where the cycle as it is does not end by itself; of a
+    /// "+24 s"; "the cycle takes 33 s" if the unchanged cycle does not end by itself; for a
     /// starting cycle its time, "33 s".
     [[nodiscard]] std::string cost(const Remedy& remedy) const;
     /// "for every stock, 0 of 500 bad".
     [[nodiscard]] std::string goodFor(const Remedy& remedy) const;
-    /// All: "S_t of stage 2 = 0.003 mm (0.0026…0.0034 mm): +24 s; for every stock, 0 of 500 bad".
+    /// The complete line: "S_t of stage 2 = 0.003 mm (0.0026…0.0034 mm): +24 s; for every stock, 0
+    /// of 500 bad".
     [[nodiscard]] std::string line(const Project& project, const Remedy& remedy) const;
-    /// What was run for it, and how it came out.
+    /// The runs for the remedy, and their results.
     [[nodiscard]] std::string proof(const Project& project, RemedyGoal goal,
                                     const Remedy& remedy) const;
-    /// Why none of the values tried helps, with the requirements that fail.
+    /// Why none of the tried values helps, with the violated requirements.
     [[nodiscard]] std::string conflict(const Project& project, RemedyGoal goal,
                                        const RemedyConflict& conflict) const;
-    /// For which stocks the remedies hold, and how sure that is; empty without any.
+    /// The stocks for which the remedies are good, and the confidence; empty without any.
     [[nodiscard]] std::string scope(const RemedyResult& result) const;
-    /// What was tried, where not all was: "Stopped after 5 of 14 settings." Else empty.
+    /// The extent of an incomplete search: "Stopped after 5 of 14 settings." Otherwise empty.
     [[nodiscard]] std::string extent(const RemedyResult& result) const;
 
 protected:

@@ -101,8 +101,7 @@ ordered_json tableSchemas() {
         {"judged_stocks", tableSchema("simulate: stocks of judged", judgedStocksOutputs())},
         {"judged_batch", tableSchema("simulate: batch of judged", judgedBatchOutputs())},
         {"undecided", tableSchema("simulate: one of not_decided of judged", undecidedOutputs())},
-        {"zone_form", tableSchema("simulate: a zone of several sections, beside the worst of them",
-                                  zoneFormOutputs())},
+        {"zone_form", tableSchema("simulate: a zone with several sections", zoneFormOutputs())},
         {"characteristic", tableSchema("batch: one of characteristics", characteristicOutputs())},
         {"search", tableSchema("optimize", searchOutputs())},
         {"remedies", tableSchema("remedies", remedyResultOutputs())},
@@ -138,7 +137,7 @@ ordered_json tableSchemas() {
     };
 }
 
-/// Of the schema of an output: "Optional[float]".
+/// The stub type for an output's schema: "Optional[float]".
 std::string stubType(const ordered_json& schema, bool isRequired) {
     static const std::map<std::string, std::string> types{{"number", "float"},
                                                           {"integer", "int"},

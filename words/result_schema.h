@@ -7,15 +7,15 @@
 
 namespace sparkout {
 
-/// The JSON Schema of what `--json` states of results: a definition for each table of outputs, with
-/// every key, its type, unit and meaning. Objects may have more keys, which no table describes.
+/// The JSON Schema of the results of `--json`: a definition for each table of outputs, with every
+/// key, its type, unit and meaning. Objects may have additional keys that no table describes.
 [[nodiscard]] std::string resultSchema();
 
-/// The stubs of the Python module: what is written by hand, where a line "# outputs: remedy" stands
-/// for the attributes that this table of the schema has.
+/// The stubs of the Python module: the manual part, in which a line "# outputs: remedy" is replaced
+/// by the attributes of that table of the schema.
 [[nodiscard]] std::string resultStubs(const std::string& byHand);
 
-/// "Stepless limit [min]. What it is."
+/// "Stepless limit [min]. Its meaning."
 [[nodiscard]] std::string descriptionOf(const OutputRow& row);
 
 } // namespace sparkout

@@ -167,7 +167,7 @@ std::string SearchWording::state(const SearchState& state) const {
 
 namespace {
 
-/// Of the input that fault() is about.
+/// The path of the input of fault().
 std::string faultPath(const SearchOutcome& outcome) {
     if (outcome.isOtherOperation) {
         return "/operation";
@@ -459,7 +459,7 @@ void SearchWording::addRefinement(const SearchOutcome& outcome,
     }
 }
 
-/// The stepless limit, and of which cycles it is.
+/// Adds the stepless limit, and the cycles to which it applies.
 void SearchWording::addLimit(const SearchOutcome& outcome, std::vector<std::string>& lines) const {
     const auto gap = gapToLimit(outcome.answer()->time_s, outcome.limit.time_s);
     if (!gap) {

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-/// What a search says of its grid, its progress and its answer. The English sentences stand here
-/// alone. The command line and Python print them; those that the window shows as well are marked
-/// for translation in the context "Search", and the window looks up what they are in its language.
+/// Texts about a search: its grid, its progress and its answer. The English ones are defined here.
+/// The command line and Python print them; those that the window also shows are marked for
+/// translation in the context "Search".
 namespace sparkout {
 
-/// Writes about searches: by itself in English, with the names that a file has.
+/// Formulates texts about searches; this class in English, with the names used in files.
 class SearchWording {
 public:
     SearchWording() = default;
@@ -30,23 +30,23 @@ public:
     /// "636", "at least 10000", "any number".
     [[nodiscard]] std::string parts(const PartsHeld& held) const;
 
-    /// How far it is: "stages: 3, best 114.1 s, none below 102.6 s, 2103 judged".
+    /// The progress: "stages: 3, best 114.1 s, none below 102.6 s, 2103 judged".
     [[nodiscard]] std::string state(const SearchState& state) const;
     /// Why the grid cannot be searched in this way; empty for an outcome that ran, and for one
     /// whose project or batch has faults of its own.
     [[nodiscard]] std::string fault(const SearchOutcome& outcome) const;
-    /// What came out, a sentence each, against the time of the cycle before if that ends by itself:
-    /// in English alone, for the window shows it as a table with the notes below.
+    /// The result in sentences, compared with the time of the earlier cycle if that ends by itself:
+    /// in English alone, since the window shows it as a table with the notes below.
     [[nodiscard]] std::vector<std::string> answer(const SearchOutcome& outcome,
                                                   std::optional<double> before_s) const;
-    /// What of the answer no table says: what binds it, edges of levels and remarks. Where there is
-    /// no answer, why.
+    /// The facts about the answer that no table shows: its binding requirements, edges of levels
+    /// and remarks. Without an answer, the reason.
     [[nodiscard]] std::vector<std::string> notes(const SearchOutcome& outcome) const;
-    /// Why no cycle is given, with what cut most.
+    /// Why there is no cycle, with the most frequent cuts.
     [[nodiscard]] std::string noAnswer(const SearchOutcome& outcome) const;
-    /// What the margins by time are of, or why there are none.
+    /// The scope of the margins by time, or why there are none.
     [[nodiscard]] std::string front(const SearchOutcome& outcome) const;
-    /// By which a reader asks for a method: "--method search".
+    /// The option that selects a method: "--method search".
     [[nodiscard]] virtual std::string method(SearchMethod method) const;
 
 protected:
@@ -63,7 +63,7 @@ protected:
     [[nodiscard]] virtual std::string remark(const Issue& issue) const;
 
 private:
-    /// The sentence with what stands in the places %1, %2…
+    /// The sentence with its placeholders %1, %2… filled.
     [[nodiscard]] std::string filled(const char* text,
                                      std::initializer_list<std::string> values) const;
     [[nodiscard]] std::string names(const std::vector<ConstraintKind>& kinds) const;
@@ -80,12 +80,12 @@ private:
     void addRobustness(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
 };
 
-/// fault() behind the path of its input: "/optimisation: What is to be searched is not given.";
-/// empty likewise.
+/// The text of fault() after the path of its input: "/optimisation: What is to be searched is not
+/// given."; may be empty.
 [[nodiscard]] std::string searchRefusal(const SearchOutcome& outcome);
 
-/// Why what was read goes on with no search of that question, behind the name of the file: "is the
-/// progress of a search of another project"; empty where it does.
+/// Why a record does not continue this search, to follow the name of the file: "is the progress of
+/// a search of another project"; empty if it does.
 [[nodiscard]] std::string searchStateRefusal(const ReadSearchState& read,
                                              const SearchQuestion& asked);
 

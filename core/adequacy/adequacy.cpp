@@ -15,7 +15,7 @@ namespace sparkout {
 namespace {
 
 MeanPlace placeOfMean(const Interval& mean, const PredictedRange& range) {
-    // A prediction that does not scatter is one value: inside when the interval holds it.
+    // A prediction without scatter is one value: it is inside if the interval contains it.
     const bool isOne = range.low == range.high && mean.low <= range.low && mean.high >= range.high;
     if (isOne || (mean.low >= range.low && mean.high <= range.high)) {
         return MeanPlace::inside;
@@ -25,7 +25,7 @@ MeanPlace placeOfMean(const Interval& mean, const PredictedRange& range) {
                                    : MeanPlace::undecided;
 }
 
-/// A summary tells it only if its extremes do.
+/// A summary determines it only if its extremes do.
 std::optional<InsideShare> shareInside(const MeasuredStatistics& measured,
                                        const PredictedRange& range) {
     InsideShare share;
@@ -57,8 +57,8 @@ AdequacyVerdict verdictOf(const AdequacyRow& row) {
                     : AdequacyVerdict::tooFewParts;
 }
 
-/// The interval of the measured mean less the predicted one. An error of measuring may be the same
-/// for all parts, so that their number does not lessen it.
+/// The interval of the measured mean less the predicted one. An error of measuring may be common to
+/// all parts, so it is not reduced by their number.
 Interval biasOf(const MeasuredStatistics& parts, const PredictedRange& predicted,
                 const Interval& mean95, double uncertainty) {
     const bool scatters = predicted.deviation && predicted.count >= 2;
@@ -73,7 +73,7 @@ Interval biasOf(const MeasuredStatistics& parts, const PredictedRange& predicted
     return {middle - half, middle + half};
 }
 
-/// Of the drawing; nothing where it has none.
+/// The tolerance of the drawing; empty if it has none.
 std::optional<double> toleranceOf(const Part& part, MeasuredQuantity quantity) {
     switch (quantity) {
     case MeasuredQuantity::diameter_deviation:

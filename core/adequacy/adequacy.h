@@ -9,22 +9,22 @@
 #include <optional>
 #include <vector>
 
-/// Whether a model's prediction and measured parts agree [MODEL-13]: the interval of the difference
-/// of their means against a limit up to which they count as the same, and their variances. The
-/// sources' own criterion stands beside it [ALSIGAR2021, table 2]: the interval of the mean of the
-/// parts against the predicted range.
+/// Whether a model's prediction agrees with measured parts [MODEL-13]: compares the interval of the
+/// difference of the means with a limit of equivalence, and the variances. The sources' own
+/// criterion is given, too [ALSIGAR2021, table 2]: the interval of the mean of the parts relative
+/// to the predicted range.
 namespace sparkout {
 
 enum class AdequacyVerdict {
     adequate,
-    biased,            ///< the means differ by more than the limit, or otherwise than by chance
+    biased,            ///< the means differ by more than the limit, or by more than chance
     scatterDiffers,    ///< the parts scatter more or less than predicted
     biasedAndScatters, ///< both
-    tooFewParts,       ///< the interval of the bias holds 0 and is wider than the limit
+    tooFewParts,       ///< the interval of the bias contains 0 and is wider than the limit
     notPredicted       ///< the cycle does not give this quantity
 };
 
-/// Where the interval of the mean stands to the predicted range.
+/// The position of the mean's interval relative to the predicted range.
 enum class MeanPlace { inside, below, above, undecided };
 
 /// Measured parts within the predicted 95 % range.
@@ -39,36 +39,34 @@ struct AdequacyRow {
     std::optional<PredictedRange> predicted;
     std::optional<Interval> mean95; ///< Student's, of two parts or more
     MeanPlace meanPlace = MeanPlace::undecided;
-    /// Of measured mean − predicted mean: Welch's, widened by the uncertainty of measuring.
+    /// Welch's interval of measured mean − predicted mean, widened by the uncertainty of measuring.
     std::optional<Interval> bias95;
     double biasLimit = 0;
     std::optional<VarianceRatio> scatter; ///< measured to predicted and measuring, 95 %
-    std::optional<InsideShare> share;     ///< where it is known of every part
+    std::optional<InsideShare> share;     ///< given if it is known for every part
     AdequacyVerdict verdict = AdequacyVerdict::notPredicted;
 };
 
-/// What a quantity is judged by [µm].
+/// The limits for judging a quantity [µm].
 struct AdequacyLimits {
-    double bias = 0;        ///< up to which the means count as the same
+    double bias = 0;        ///< difference of the means that counts as none
     double uncertainty = 0; ///< standard uncertainty of one measured value
 };
-/// Of the project's batch, which does not speak of Ra, else of its drawing: a tenth of the
-/// tolerance, or where that is not given half the standard deviation of the parts, predicted or
-/// measured.
+/// Of the project's batch, which has none for Ra, otherwise of its drawing: a tenth of the
+/// tolerance, or without one half the standard deviation of the parts, predicted or measured.
 [[nodiscard]] AdequacyLimits adequacyLimits(const Project& project,
                                             const MeasuredStatistics& measured,
                                             const std::optional<PredictedRange>& predicted);
 
-/// Judges one quantity.
 [[nodiscard]] AdequacyRow judgeAdequacy(MeasuredStatistics measured,
                                         std::optional<PredictedRange> predicted,
                                         const AdequacyLimits& limits);
 
-/// Judges all that the project's section `measured` holds against a batch of predictingProject().
+/// Compares all data in the project's section `measured` with a batch of predictingProject().
 [[nodiscard]] std::vector<AdequacyRow> judgeAdequacy(const Project& project,
                                                      const BatchResult& batch);
 
-/// Whether nothing speaks against the model: no row is biased or scatters otherwise.
+/// Whether there is no contradiction with the model: no row with a bias or a different scatter.
 [[nodiscard]] bool speaksForModel(const std::vector<AdequacyRow>& rows);
 
 } // namespace sparkout

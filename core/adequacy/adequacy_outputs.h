@@ -9,7 +9,7 @@
 
 namespace sparkout {
 
-/// A quantity that was judged, and the project it was measured of.
+/// A judged quantity, and its project.
 struct AdequacyOf {
     const Project& project;
     const AdequacyRow& row;

@@ -46,7 +46,7 @@ MeasuredStatistics ofValues(const Key& key, std::vector<double> values) {
     return found;
 }
 
-// The interval of a mean is t·s/√n on either side: what is stated of it gives s.
+// The interval of a mean is t·s/√n on either side, from which s follows.
 MeasuredStatistics ofSummary(const MeasuredSummary& summary) {
     MeasuredStatistics found;
     found.quantity = summary.quantity;

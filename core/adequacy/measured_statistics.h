@@ -9,20 +9,20 @@
 
 namespace sparkout {
 
-/// What was measured of one quantity in one zone or section [µm].
+/// The measurements of one quantity in one zone or section [µm].
 struct MeasuredStatistics {
     MeasuredQuantity quantity = MeasuredQuantity::diameter_deviation;
-    int place = 0; ///< −1: of the whole part
+    int place = 0; ///< −1: the whole part
     std::int64_t count = 0;
     double mean = 0;
-    std::optional<double> deviation; ///< of two values or more, or as stated
+    std::optional<double> deviation; ///< standard deviation of two or more values, or as given
     std::optional<double> least, greatest;
-    std::vector<double> values; ///< in rising order; of a summary none
+    std::vector<double> values; ///< in rising order; empty for a summary
     bool isSummary = false;
 };
 
-/// Of all that was measured in the zones or sections the project has, by quantity and place; what
-/// is summed up stands behind what is listed. Several diameters of a part count as their mean.
+/// For all measurements in existing zones or sections, by quantity and place; summaries follow
+/// single parts. Several diameters of a part count as their mean.
 [[nodiscard]] std::vector<MeasuredStatistics> statisticsOfMeasured(const Project& project);
 
 } // namespace sparkout

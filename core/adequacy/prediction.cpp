@@ -30,7 +30,7 @@ bool isOf(const Characteristic& characteristic, MeasuredQuantity quantity, int p
     return false;
 }
 
-/// Least rank whose share of the values is at least `order`.
+/// The least value of a rank whose share is at least `order`.
 double quantileOf(const std::vector<double>& sorted, double order) {
     const auto rank =
         static_cast<std::size_t>(std::ceil(order * static_cast<double>(sorted.size()) - 1e-9));
@@ -47,7 +47,7 @@ Project predictingProject(Project project) {
     if (!project.batch) {
         project.batch.emplace();
     }
-    constexpr double anyForm_um = 1000, anyRoughness_um = 100; // the most a drawing may state
+    constexpr double anyForm_um = 1000, anyRoughness_um = 100; // greatest values of a drawing
     Tolerance& tolerance = project.part->tolerance;
     tolerance.roundness_um = tolerance.roundness_um.value_or(anyForm_um);
     tolerance.cylindricity_um = tolerance.cylindricity_um.value_or(anyForm_um);
@@ -71,7 +71,7 @@ std::optional<PredictedRange> predicted(const BatchResult& batch, MeasuredQuanti
     PredictedRange range{values.least.value, values.most.value,  moments.mean,      {},
                          values.count,       values.least.value, values.most.value, {}};
     const bool isSample = batch.project.batch->scenarios != Scenarios::corners;
-    // A scatter that is rounding alone is none.
+    // A scatter by rounding alone counts as none.
     if (!isSample || values.count < 2 || !(moments.deviation > found->resolution * 1e-6)) {
         return range;
     }

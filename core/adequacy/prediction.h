@@ -15,24 +15,24 @@ struct Quartiles {
     double low = 0, median = 0, high = 0;
 };
 
-/// Of values in rising order, at least one.
+/// Requires at least one value, in rising order.
 [[nodiscard]] Quartiles quartilesOf(const std::vector<double>& sorted);
 
-/// What is predicted of one quantity in one zone or section [µm].
+/// The prediction for one quantity in one zone or section [µm].
 struct PredictedRange {
-    double low = 0, high = 0; ///< that 95 % of the parts lie in; of corners, or as stated: all
+    double low = 0, high = 0; ///< contains 95 % of the parts; for corners, or as given: all
     double mean = 0;
-    std::optional<double> deviation{};    ///< not of corners, nor where nothing scatters
-    std::int64_t count = 0;               ///< parts of the batch; 0: as stated
-    double least = 0, most = 0;           ///< of all parts
-    std::optional<Quartiles> quartiles{}; ///< where there is a deviation
+    std::optional<double> deviation{};    ///< empty for corners, and without scatter
+    std::int64_t count = 0;               ///< parts of the batch; 0: as given
+    double least = 0, most = 0;           ///< extremes of all parts
+    std::optional<Quartiles> quartiles{}; ///< given with a deviation
 };
 
-/// The project whose batch predicts all that was measured: with a batch, and with limits where the
-/// drawing has none, so that every part is measured for them.
+/// The project whose batch predicts all measured quantities: it has a batch, and limits for
+/// quantities that the drawing does not limit, so that they are evaluated for every part.
 [[nodiscard]] Project predictingProject(Project project);
 
-/// Of a batch of that project; nothing where it has no such value.
+/// For a batch of that project; empty if it has no such value.
 [[nodiscard]] std::optional<PredictedRange> predicted(const BatchResult& batch,
                                                       MeasuredQuantity quantity, int place);
 

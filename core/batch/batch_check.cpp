@@ -19,9 +19,10 @@ Issues errorsOf(Issues issues) {
     return issues;
 }
 
-/// Every corner must be a project that can be run; the faults of the first that is not are given.
-/// Of the zones' own values both ends of all together are enough: each makes its zone's stock,
-/// runout or compliance larger, and what is too small or too large is so at one of these ends.
+/// Every corner must be a project that can be run; returns the faults of the first that is not. For
+/// the zones' own values the two ends of all together suffice: each value increases its zone's
+/// stock, runout or compliance, so any value that is too small or too large is so at one of these
+/// ends.
 Issues faultsOfExtremes(Project project) {
     project.batch->scenarios = Scenarios::corners;
     const ScenarioSource corners(std::move(project));

@@ -43,7 +43,7 @@ ordered_json notCountedJson(const Project& project) {
     return json;
 }
 
-/// Parts by what makes them bad, the most frequent first.
+/// Parts by cause of rejection, the most frequent first.
 ordered_json rejectsJson(const BatchSummary& summary) {
     ordered_json json = ordered_json::object();
     for (const RejectCause& cause : summary.causes) {

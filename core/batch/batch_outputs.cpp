@@ -21,13 +21,13 @@ bool sampled(const Figures& f) {
     return counted(f) && f.isSample;
 }
 
-/// Moments need at least two parts. NaN marks a moment that rounding hides.
+/// Moments need at least two parts. NaN marks a moment lost to rounding.
 std::optional<double> ifSampled(const Figures& f, double value) {
     return sampled(f) && f.of->count > 1 && !std::isnan(value) ? std::optional(value)
                                                                : std::nullopt;
 }
 
-/// Of a process at rest: of a batch without a drift.
+/// An estimate for a batch without drift.
 std::optional<Estimate> atRest(const Figures& f, const std::optional<Estimate>& index) {
     return f.drifts ? std::nullopt : index;
 }

@@ -9,14 +9,14 @@
 
 namespace sparkout {
 
-/// The figures of a characteristic, and what kind of batch they are of.
+/// The figures of a characteristic and the kind of their batch.
 struct CharacteristicFigures {
     const CharacteristicSummary* of = nullptr;
-    bool isSample = true; ///< not of corners, of which only extremes and counts are stated
+    bool isSample = true; ///< false: corners, for which only extremes and counts are reported
     bool drifts = false;
 };
 
-/// Those of a summary, which must outlive them.
+/// The figures of a summary, which must outlive them.
 [[nodiscard]] std::vector<CharacteristicFigures> figuresOf(const BatchSummary& summary);
 
 [[nodiscard]] std::span<const Output<CharacteristicFigures>> characteristicOutputs();

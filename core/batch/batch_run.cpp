@@ -42,11 +42,11 @@ public:
     [[nodiscard]] const std::vector<Characteristic>& characteristics() const {
         return m_characteristics;
     }
-    [[nodiscard]] bool over() const { return m_over; } ///< the sink wanted no more
+    [[nodiscard]] bool over() const { return m_over; } ///< whether the sink wants no more parts
 
 private:
     [[nodiscard]] std::int64_t partAt(std::int64_t place) const {
-        constexpr std::uint32_t orderOfParts = 1001; // a permutation no factor has
+        constexpr std::uint32_t orderOfParts = 1001; // a permutation that no factor uses
         return m_options.meanWidth_um ? static_cast<std::int64_t>(permuted(
                    static_cast<std::uint64_t>(place), static_cast<std::uint64_t>(m_source.parts()),
                    m_source.seed(), orderOfParts))

@@ -22,7 +22,7 @@ Json partValueJson(const PartValue& value) {
     return Json::array({value.value, value.part});
 }
 
-/// Of the bins and products what the given factors fill, which stand first.
+/// Writes the bins and products of the given factors, which come first.
 Json valuesJson(const ValueStatistics& values, std::size_t factors) {
     Json sums = Json::array(), bins = Json::array();
     for (const ExactSum& sum : values.powers) {
@@ -73,7 +73,7 @@ Json statisticsJson(const BatchStatistics& statistics, std::size_t factors) {
             {"rows", std::move(rows)}};
 }
 
-/// What shards of one batch have in common.
+/// The common properties of shards of one batch.
 auto identityOf(const BatchResult& shard) {
     return std::pair(projectDigest(shard.project), shard.batchParts);
 }
@@ -82,7 +82,7 @@ auto engineOf(const BatchResult& shard) {
     return std::pair(shard.engineVersion, shard.build);
 }
 
-/// Finds what keeps shards from being joined, and names all there is of the gravest fault.
+/// Finds what prevents joining shards, and lists all cases of the gravest fault.
 class JoinCheck {
 public:
     explicit JoinCheck(const std::vector<BatchResult>& shards) : m_shards(shards) {}
@@ -101,7 +101,7 @@ public:
     }
 
 private:
-    /// Those that differ from what most have; of equal numbers from the first.
+    /// The shards that differ from the majority; in a tie from the first.
     template <class Trait>
     void findForeign(JoinFault fault, Trait trait) {
         if (m_joined.fault != JoinFault::none) {
@@ -134,7 +134,7 @@ private:
             return m_shards[a].range.first < m_shards[b].range.first;
         });
         std::int64_t next = 0;
-        std::size_t farthest = order.front(); // of those so far
+        std::size_t farthest = order.front(); // farthest shard so far
         for (const std::size_t i : order) {
             const PartRange& range = m_shards[i].range;
             const PartRange shared{range.first, std::min(next, range.end)};
@@ -193,7 +193,7 @@ std::string projectDigest(const Project& project) {
 
 void BatchJoiner::add(BatchResult shard) {
     const std::int64_t parts = shard.statistics.parts;
-    if (m_total.parts + parts <= shard.batchParts) { // else some are doubled, which join() refuses
+    if (m_total.parts + parts <= shard.batchParts) { // otherwise some overlap, which join() refuses
         m_total.add(shard.statistics);
     }
     shard.statistics = {};

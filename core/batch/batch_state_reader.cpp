@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A state that no batch writes.
+/// Thrown for a state that no batch writes.
 struct NoState {
     Issue issue;
 };
@@ -30,12 +30,12 @@ Detail shown(const Json& value) {
     return quoted(nlohmann::json(value));
 }
 
-/// A value of a state and where it stands, for messages.
+/// A value of a state and its path, for messages.
 class Node {
 public:
     explicit Node(const Json& value) : m_value(value) {}
 
-    // What it is part of is looked at when a message needs its path: it must be there as long.
+    // The parent must outlive the node, since a message follows it to build the path.
     [[nodiscard]] Node at(const char* key) const& {
         const auto found = m_value.is_object() ? m_value.find(key) : m_value.end();
         if (found == m_value.end()) {
@@ -86,7 +86,7 @@ public:
         expectIn(number, range);
         return number;
     }
-    /// Of what the value stands for.
+    /// Checks a number against the range of its quantity.
     void expectIn(double number, const Range& range) const {
         if (!std::isfinite(number) || !range.contains(number)) {
             refuse(IssueCode::outOfRange, Amount{number}, Bounds{range});
@@ -123,11 +123,11 @@ private:
     std::size_t m_index = 0;
 };
 
-/// Of what a batch measures, in µm, kW, s, % or MPa: beyond it fourth powers could not be summed
-/// up.
+/// Range of the values of a batch, in µm, kW, s, % or MPa: outside it fourth powers could not be
+/// summed.
 constexpr Range possible{-1e9, 1e9};
 
-/// Reads a state and refuses whatever could lead the joining or the figures astray.
+/// Reads a state and refuses values that would corrupt the joining or the figures.
 class StateReader {
 public:
     explicit StateReader(const Json& state) : m_state(state) {}
@@ -171,7 +171,7 @@ private:
             statistics.rejects[i] = rejects.item(i).whole(0, statistics.bad - statistics.failed);
             causes += statistics.rejects[i];
         }
-        // Each bad part that did not fail has one cause at least.
+        // Each bad part that did not fail has at least one cause.
         rejects.expectIn(static_cast<double>(causes),
                          {.low = static_cast<double>(statistics.bad - statistics.failed)});
         constexpr double ofFailed = std::numeric_limits<double>::lowest();
@@ -223,15 +223,15 @@ private:
         return values;
     }
 
-    /// Sums of powers of values between the least and the most: each within its ends, and Σx²·n at
-    /// least (Σx)², Σx⁴·n at least (Σx²)² [Cauchy and Schwarz], but for rounding.
+    /// Checks sums of powers of values between the least and the greatest: each within its ends,
+    /// and Σx²·n at least (Σx)², Σx⁴·n at least (Σx²)² [Cauchy and Schwarz], up to rounding.
     static void checkPowers(const Node& powers, const ValueStatistics& values) {
         constexpr double rounding = 1e-9;
         const double n = static_cast<double>(values.count);
         const double low = values.least.value, high = values.most.value;
         const double farthest = std::max(std::abs(low), std::abs(high));
         const bool crosses = low < 0 && high > 0;
-        double size = 1; // of the greatest power
+        double size = 1; // magnitude of the greatest power
         double ends[2] = {1, 1};
         for (std::size_t i = 0; i < values.powers.size(); ++i) {
             size *= farthest;
@@ -287,7 +287,8 @@ private:
         }
     }
 
-    /// The outermost bins hold the least and the most value; the last ones of all what is beyond.
+    /// The outermost bins contain the least and the greatest value; the last ones of all contain
+    /// everything beyond.
     static void checkBins(const Node& list, const ValueStatistics& values, double resolution) {
         if (values.count == 0) {
             return;

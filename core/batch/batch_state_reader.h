@@ -9,21 +9,21 @@
 
 namespace sparkout {
 
-/// Why a text is no state of a batch.
+/// Why a text is not a state of a batch.
 enum class StateFault {
     none,
-    otherFormat,  ///< not of this kind at all
-    tooDeep,      ///< nested deeper than limits::depth, as no state is
-    otherVersion, ///< of a version that this one does not read
-    changed,      ///< its checksum is not that of its contents
+    otherFormat,  ///< not a batch state
+    tooDeep,      ///< nested deeper than limits::depth
+    otherVersion, ///< a version that this program does not read
+    changed,      ///< the checksum does not match the contents
     impossible    ///< contents no batch writes
 };
 
-/// Reads it back; without a result when no batch writes such a text.
+/// Reads a state; without a result if no batch writes such a text.
 struct ReadBatchState {
     StateFault fault = StateFault::none;
     std::optional<BatchResult> result;
-    std::optional<Issue> issue; ///< of an impossible one: what no batch writes, at its JSON pointer
+    std::optional<Issue> issue; ///< the impossible value, at its JSON pointer
 
     explicit operator bool() const { return result.has_value(); }
 };

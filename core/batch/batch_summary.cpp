@@ -11,9 +11,9 @@ namespace sparkout {
 namespace {
 
 constexpr std::array percentileOrders{0.00135, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 0.99865};
-/// Scatter below this share of the resolution is rounding: no capability is made of it.
+/// Scatter below this share of the resolution is rounding and gives no capability.
 constexpr double negligible = 1e-6;
-constexpr double mostIndex = 99; ///< beyond it the scatter is nothing beside the field
+constexpr double mostIndex = 99; ///< above it the scatter is negligible
 constexpr std::int64_t leastForShape = 20;
 constexpr std::int64_t mostBars = 40;
 
@@ -28,7 +28,7 @@ Share shareOf(std::int64_t count, std::int64_t parts, bool isSample) {
     return share;
 }
 
-/// How many parts have strips uncut.
+/// The number of parts with strips uncut.
 std::int64_t strippedOf(const BatchStatistics& statistics) {
     return statistics.rejects[static_cast<std::size_t>(ConstraintKind::overlap)];
 }
@@ -78,7 +78,7 @@ private:
         std::sort(m_sorted.begin(), m_sorted.end());
     }
 
-    /// Where the value of a rank, from 1, lies: at itself, or within its bin.
+    /// The value of a rank, counted from 1, or the bin that contains it.
     [[nodiscard]] Interval ranked(const ValueStatistics& values, double resolution,
                                   std::int64_t rank) const {
         if (static_cast<std::int64_t>(m_sorted.size()) == values.count) {
@@ -116,7 +116,7 @@ private:
         return found;
     }
 
-    /// At most √n bars, no more than 40, each of equally many bins.
+    /// At most √n bars and no more than 40, each with the same number of bins.
     static std::vector<HistogramBar> histogram(const ValueBins& bins, double resolution,
                                                std::int64_t count) {
         const std::int64_t first = bins.bins().begin()->first, last = bins.bins().rbegin()->first;
@@ -137,7 +137,7 @@ private:
         return found;
     }
 
-    // P_p = (U − L)/(6s), P_pk = min(U − mean, mean − L)/(3s); of one limit only P_pk.
+    // P_p = (U − L)/(6s), P_pk = min(U − mean, mean − L)/(3s); with one limit only P_pk.
     void addEstimates(CharacteristicSummary& summary, const ValueStatistics& values) const {
         const Characteristic& of = summary.characteristic;
         const double s = summary.moments.deviation, mean = summary.moments.mean;
@@ -178,7 +178,7 @@ private:
 
 namespace {
 
-/// Ppk, where it was made; else the greatest number.
+/// Ppk, or the greatest number if it was not computed.
 double leastPpk(const CharacteristicSummary& summary) {
     return summary.ppk ? summary.ppk->value : std::numeric_limits<double>::max();
 }

@@ -18,7 +18,7 @@ namespace sparkout {
 struct Percentile {
     double order = 0; ///< 0…1
     double value = 0;
-    /// 95 %, from order statistics, of binned values to the edges of their bins; not for corners.
+    /// 95 % interval by order statistics; for binned values, to the bins' edges; not for corners.
     std::optional<Interval> interval;
 };
 
@@ -27,7 +27,7 @@ struct HistogramBar {
     std::int64_t count = 0;
 };
 
-/// Parts that one cause makes bad; a part of several causes counts at each of them.
+/// Parts rejected by one cause; a part with several causes counts for each.
 struct RejectCause {
     std::optional<ConstraintKind> kind; ///< none: the cycle did not reach size
     std::int64_t count = 0;
@@ -36,42 +36,42 @@ struct RejectCause {
 struct CharacteristicSummary {
     Characteristic characteristic;
     std::int64_t count = 0;
-    std::int64_t unstated = 0; ///< parts that have no value for strips stay uncut
+    std::int64_t unstated = 0; ///< parts without a value since strips stay uncut
     PartValue least, most;
     Moments moments;
     std::optional<Interval> mean95; ///< Student's
     std::vector<Percentile> percentiles;
     std::vector<HistogramBar> histogram;
-    std::optional<Normality> normality; ///< of 20 values or more
-    /// Performance indices [ISO22514]: s is that of all parts, drift and all. Of what
-    /// hasCapability() names; not where the scatter is nothing beside the field, which would be an
-    /// index above 99, nor where parts have no value for strips stay uncut.
+    std::optional<Normality> normality; ///< for at least 20 values
+    /// Performance indices [ISO22514]: s is that of all parts, including drift. Only for
+    /// characteristics with hasCapability(); empty where the scatter is negligible (an index above
+    /// 99), or where strips stay uncut and parts have no value.
     std::optional<Estimate> pp, ppk;
-    std::optional<double> expectedOutside; ///< share of a normal law of this mean and s; as ppk
-    Share outside;                         ///< its limits
+    std::optional<double> expectedOutside; ///< share of the normal law of this mean and s; like ppk
+    Share outside;                         ///< share outside the limits
 };
 
-/// The figures of a batch. Corners are no sample: only extremes and counts of them are reported.
+/// The figures of a batch. Corners are not a sample: only their extremes and counts are reported.
 struct BatchSummary {
     bool isSample = true;
     std::int64_t parts = 0, failed = 0;
-    std::int64_t stripped = 0; ///< parts with strips uncut: of no size, form or roughness
+    std::int64_t stripped = 0; ///< parts with strips uncut, without size, form and roughness
     Share bad;
-    std::vector<RejectCause> causes; ///< that any part failed, the most frequent first
+    std::vector<RejectCause> causes; ///< causes of rejected parts, the most frequent first
     std::int64_t worstPart = -1;
-    bool exactPercentiles = false; ///< else to within a bin
-    bool drifts = false; ///< a factor grows over the batch: C_p, of a process at rest, has no s
+    bool exactPercentiles = false; ///< false: to within a bin
+    bool drifts = false; ///< a factor grows over the batch, so C_p of a stable process is unknown
     std::vector<CharacteristicSummary> characteristics;
 };
 
 [[nodiscard]] BatchSummary summarise(const BatchResult& result);
 
-/// Indices of the characteristics of one name in a summary, place by place: all, or of too many
-/// those of the least Ppk, still in the order of the places.
+/// Indices of the characteristics of one name in a summary, in the order of the places: all, or if
+/// they are too many those of the least Ppk.
 [[nodiscard]] std::vector<std::size_t>
 placesOf(const BatchSummary& summary, const std::string& name,
          std::size_t most = std::numeric_limits<std::size_t>::max());
 
-inline constexpr std::size_t mostPlaces = 6; ///< of a characteristic, drawn side by side
+inline constexpr std::size_t mostPlaces = 6; ///< places of a characteristic drawn side by side
 
 } // namespace sparkout

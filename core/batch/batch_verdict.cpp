@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int64_t leastForCapability = 2;
 
-/// Index of the characteristic of the greatest of a figure; nothing where none has it.
+/// Index of the characteristic with the greatest value of a figure; empty where none has it.
 template <class Figure>
 std::optional<std::size_t> greatest(const BatchSummary& summary, Figure figure) {
     std::optional<std::size_t> found;
@@ -22,7 +22,7 @@ std::optional<std::size_t> greatest(const BatchSummary& summary, Figure figure) 
     return found;
 }
 
-/// What is to be expected of more parts.
+/// Judges the forecast for further parts.
 BatchVerdict weighExpected(const BatchSummary& summary, const Batch& limits) {
     const auto outside =
         greatest(summary, [](const CharacteristicSummary& of) { return of.expectedOutside; });

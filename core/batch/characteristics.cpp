@@ -61,7 +61,7 @@ private:
         }
     }
 
-    /// What is required, and the radial runout, which is there without any effort.
+    /// Adds what is required, and the radial runout, which costs no computation.
     void add(const Requirement& row) {
         const bool isOn = missingInput(row, m_project).empty();
         if (!isOn && row.kind != ConstraintKind::radialRunout) {
@@ -101,7 +101,7 @@ double valueOf(const Characteristic& characteristic, const SimulationResult& res
     if (row->kind == ConstraintKind::radialRunout) {
         return result.sections[section].radialRunout_mm * units::umPerMm;
     }
-    double worst = std::numeric_limits<double>::quiet_NaN(); // of a drive's stages the greatest
+    double worst = std::numeric_limits<double>::quiet_NaN(); // the greatest of a drive's stages
     for (const ConstraintResult& constraint : constraints) {
         if (constraint.kind == row->kind
             && (characteristic.section < 0 || constraint.section == characteristic.section)) {
@@ -154,7 +154,7 @@ void measure(const SimulationResult& result, const std::vector<Characteristic>& 
         outcome.good = outcome.good && constraint.holds;
         outcome.asked[static_cast<std::size_t>(constraint.kind)] = true;
         if (!constraint.isWhole) {
-            continue; // not known: the overlap fails instead
+            continue; // not known: the overlap requirement fails
         }
         if (!constraint.holds) {
             outcome.fails[static_cast<std::size_t>(constraint.kind)] = true;

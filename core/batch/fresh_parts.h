@@ -5,12 +5,12 @@
 
 namespace sparkout {
 
-/// Parts drawn for the last test of a cycle: none bad among them means, with 95 % confidence, that
-/// no more than mostFailing() of all are.
+/// Parts drawn for the last test of a cycle: if none of them is bad, at most mostFailing() of all
+/// are, with 95 % confidence.
 inline constexpr int freshPartCount = 500;
 
-/// The project with so many parts in its batch, drawn at random and independently of each other:
-/// other ones for every `draw` from 1 on, and than those of the batch itself.
+/// The project with a batch of so many parts, drawn at random and independently; each `draw` from 1
+/// on gives different parts, and none gives those of the batch itself.
 [[nodiscard]] Project withFreshParts(Project project, int draw, int count = freshPartCount);
 
 } // namespace sparkout

@@ -7,10 +7,10 @@
 
 namespace sparkout {
 
-// Central moments from the raw ones, m₂ = M₂ − M², m₃ = M₃ − 3·M·M₂ + 2·M³,
-// m₄ = M₄ − 4·M·M₃ + 6·M²·M₂ − 3·M⁴. The raw ones are rounded to doubles, each power and each sum:
-// terms as large as 6·M³ and 14·M⁴ in all have an error of three units in their last place, which
-// counts where the values scatter little beside their size.
+// Central moments from the raw ones, m₂ = M₂ − M², m₃ = M₃ − 3·M·M₂ + 2·M³, m₄ = M₄ − 4·M·M₃ +
+// 6·M²·M₂ − 3·M⁴. The raw ones are rounded to doubles, each power and each sum: the total error of
+// the terms, up to 6·M³ and 14·M⁴, is three units in the last place, which matters where the
+// scatter is small relative to the mean.
 Moments momentsOf(const ValueStatistics& values) {
     Moments found;
     if (values.count == 0) {

@@ -6,7 +6,7 @@
 namespace sparkout {
 
 bool PartQueue::put(std::int64_t place, PartRecord record) {
-    constexpr std::int64_t most = 1024; // ahead of the slowest
+    constexpr std::int64_t most = 1024; // parts ahead of the slowest
     std::unique_lock lock(m_mutex);
     m_moved.wait(lock, m_stop, [&] { return m_over || place - m_next < most; });
     if (m_over || m_stop.stop_requested()) {

@@ -9,14 +9,14 @@
 
 namespace sparkout {
 
-/// One part of a batch, as it was run.
+/// One part of a batch that was run.
 struct PartRecord {
     std::int64_t part = 0;
     std::vector<double> factors; ///< values, in the order of givenFactors()
     PartOutcome outcome;
 };
 
-/// Takes a part; false: no more of them are wanted, the batch is to end.
+/// Receives a part; returns false to end the batch.
 using PartSink = std::function<bool(const PartRecord&)>;
 
 } // namespace sparkout

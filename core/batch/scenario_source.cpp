@@ -44,7 +44,7 @@ double ScenarioSource::share(std::int64_t part, std::size_t factor) const {
     const auto f = static_cast<std::uint32_t>(factor);
     const auto i = static_cast<std::uint64_t>(part), N = static_cast<std::uint64_t>(m_parts);
     if (m_batch.scenarios == Scenarios::sobol) {
-        constexpr std::uint32_t orderOfPoints = 1000; // a permutation no factor has
+        constexpr std::uint32_t orderOfPoints = 1000; // a permutation that no factor uses
         const auto point =
             static_cast<std::uint32_t>(m_hasLaw ? permuted(i, N, seed, orderOfPoints) : i);
         const auto shift =

@@ -11,14 +11,14 @@
 
 namespace sparkout {
 
-/// The parts of a batch [MODEL-8], each made from its number alone: in any order, by any number of
-/// threads or machines, part 17 is the same part. Of a project whose batch checkBatch() passes.
+/// The parts of a batch [MODEL-8], each made from its number alone: part 17 is the same in any
+/// order and on any thread or machine. The batch must pass checkBatch().
 ///
 /// Latin hypercube: part i of N draws factor f from stratum π_f(i) of N, π_f a random permutation
 /// [MCKAY1979]. Sobol: point i, shifted by a random digital shift; with a law over the batch the
-/// points are taken in random order, or their bits would go in step with it. Corners: bit f of i
-/// says which end; without factors there is one part, the nominal one. Factors of the part stand
-/// before those of its zones, which are drawn independently of all others.
+/// points are taken in random order, to decorrelate their bits from it. Corners: bit f of i selects
+/// the end; without factors there is one part, the nominal one. Factors of the part come before
+/// those of its zones, which are drawn independently of all others.
 class ScenarioSource {
 public:
     explicit ScenarioSource(Project project);
@@ -29,15 +29,14 @@ public:
     /// Whether the parts are a sample of a distribution, and not its extremes.
     [[nodiscard]] bool isSample() const { return m_isSample; }
 
-    /// Values of the factors for a part.
+    /// The values of the factors for a part.
     [[nodiscard]] std::vector<double> values(std::int64_t part) const;
-    /// The part as a project of its own, without a batch: what the batch ran, to be run again.
+    /// The part as a project without a batch, to be run again.
     [[nodiscard]] Project project(std::int64_t part) const;
-    /// The project with these values of the factors.
     [[nodiscard]] Project projectWith(const std::vector<double>& values) const;
     /// The ranks of these values within the laws of their factors.
     [[nodiscard]] RankScores scores(const std::vector<double>& values) const;
-    /// The project as it stands: every factor at its input.
+    /// The project itself, with every factor at its input.
     [[nodiscard]] const Project& nominal() const { return m_nominal; }
 
 private:
@@ -46,8 +45,8 @@ private:
     Project m_nominal;
     Batch m_batch;
     std::vector<GivenFactor> m_factors;
-    std::vector<GivenFactor> m_constants; ///< of zones that do not scatter
-    std::size_t m_ofPart = 0;             ///< factors of the whole part, which stand first
+    std::vector<GivenFactor> m_constants; ///< factors of zones that do not scatter
+    std::size_t m_ofPart = 0;             ///< number of factors of the whole part, which come first
     std::optional<Correlation> m_correlation;
     std::int64_t m_parts = 1;
     bool m_isSample = true;

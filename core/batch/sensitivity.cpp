@@ -40,7 +40,7 @@ Eigen::VectorXd centredRanks(const std::vector<double>& values) {
     return ranks;
 }
 
-/// Fewer parts do not carry a plane over so many factors.
+/// The least number of parts for a regression on so many factors.
 std::size_t leastParts(std::size_t factors) {
     return 2 * factors + 2;
 }
@@ -71,7 +71,7 @@ std::optional<RankRegression> regression(const std::vector<std::vector<double>>&
     return RankRegression{{b.data(), b.data() + k}, b.dot(r)};
 }
 
-/// The middle rank of each bin's values less the mean rank, all of them together a list.
+/// The mean rank of each bin's values, relative to the overall mean rank.
 std::vector<double> centredRanksOf(const ValueBins& bins, std::int64_t count) {
     std::vector<double> ranks;
     std::int64_t before = 0;
@@ -82,9 +82,9 @@ std::vector<double> centredRanksOf(const ValueBins& bins, std::int64_t count) {
     return ranks;
 }
 
-// The same of the whole batch: of the characteristic its bins' ranks y_b, of the factors their
-// scores s. Σy·s_j = Σ_b y_b·S_j(b), S_j(b) the sum of the scores of a bin's parts; Σs_i·s_j less
-// the means' part is kept.
+// The regression over the whole batch, by the ranks y_b of the characteristic's bins and the scores
+// s of the factors. Σy·s_j = Σ_b y_b·S_j(b), S_j(b) the sum of the scores of a bin's parts;
+// Σs_i·s_j less the means' part is stored.
 std::optional<RankRegression> binnedRegression(const ValueStatistics& values, std::size_t factors) {
     const auto k = static_cast<Eigen::Index>(factors);
     const auto n = static_cast<double>(values.count);
@@ -125,7 +125,7 @@ std::optional<RankRegression> binnedRegression(const ValueStatistics& values, st
     return RankRegression{{b.data(), b.data() + k}, b.dot(r)};
 }
 
-/// The points of the two independent samples A and B and of those mixed of them.
+/// The points of the two independent samples A and B and of their mixtures.
 class SobolDesign {
 public:
     SobolDesign(const ScenarioSource& source, int points, std::uint32_t seed)
@@ -154,7 +154,7 @@ private:
         const auto shift = static_cast<std::uint32_t>(
             randomBits(m_seed, RandomStream::shift, 1, static_cast<std::uint32_t>(dimension))
             >> 32);
-        static_assert(2 * limits::factors <= sobolDimensions); // of A and of B
+        static_assert(2 * limits::factors <= sobolDimensions); // dimensions of A and of B
         const std::uint32_t x = sobolCoordinate(point, static_cast<int>(dimension)) ^ shift;
         const double share = (x + 0.5) * 0x1p-32;
         const GivenFactor& given = m_source.factors()[factor];
@@ -171,8 +171,8 @@ private:
     std::size_t m_factors;
 };
 
-// S_i = ⟨f_B·(f_ABi − f_A)⟩/V, T_i = ⟨(f_A − f_ABi)²⟩/(2V); f less the mean of A and B, which
-// changes nothing but the rounding.
+// S_i = ⟨f_B·(f_ABi − f_A)⟩/V, T_i = ⟨(f_A − f_ABi)²⟩/(2V), with the mean of A and B subtracted
+// from f to reduce rounding.
 std::vector<SobolIndex> indicesOf(const std::vector<double>& f, std::size_t factors) {
     const std::size_t runs = factors + 2, points = f.size() / runs;
     double mean = 0, variance = 0;
@@ -183,7 +183,7 @@ std::vector<SobolIndex> indicesOf(const std::vector<double>& f, std::size_t fact
         const double a = f[p * runs] - mean, b = f[p * runs + 1] - mean;
         variance += (a * a + b * b) / static_cast<double>(2 * points);
     }
-    if (!(variance > 0)) { // also when a part has no value
+    if (!(variance > 0)) { // false also for NaN, when a part has no value
         return {};
     }
     std::vector<SobolIndex> found(factors);

@@ -21,8 +21,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* checksumKey = "checksum";
 
-/// What is written to it counts towards a checksum and is not kept: the text of a large state need
-/// not be held for it.
+/// Computes the checksum of the text written to it without keeping the text, since a state may be
+/// large.
 class Checksum : public std::streambuf {
 public:
     [[nodiscard]] std::string text() const;
@@ -55,7 +55,7 @@ std::string Checksum::text() const {
     return hexOf(m_crc.checksum());
 }
 
-/// That of the state's text, dump().
+/// The checksum of the state's text, dump().
 std::string checksumOf(const Json& state) {
     Checksum checksum;
     std::ostream(&checksum) << state;

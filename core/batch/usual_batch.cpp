@@ -23,8 +23,8 @@ namespace sparkout {
 
 namespace {
 
-constexpr double gaugeSetEach_h = 1;   ///< time from one setting of the gauge to the next
-constexpr double usualHandling_s = 30; ///< of a piece beside its cycle
+constexpr double gaugeSetEach_h = 1;   ///< time between two settings of the gauge
+constexpr double usualHandling_s = 30; ///< handling time of a piece
 constexpr double secondsPerHour = 3600;
 constexpr double gaugeReach = 3; ///< standard deviations to which an error is truncated
 constexpr double warmth_k = 2;   ///< standard deviation of a part's temperature at the gauge
@@ -58,21 +58,21 @@ Factor normally(std::vector<double> normal, std::vector<double> within) {
     return factor;
 }
 
-/// Of a deviation about 0.
+/// A normal factor with mean 0.
 Factor aboutNothing(double deviation) {
     return normally({0, deviation}, {-gaugeReach * deviation, gaugeReach * deviation});
 }
 
-/// Parts that are ground from one setting of the gauge to the next.
+/// The number of parts ground between two settings of the gauge.
 int partsOfGauge(const Project& project) {
     Project alone = project;
     alone.batch.reset();
     const double piece_s = usualHandling_s + simulate(alone).time_s;
     const auto parts = static_cast<int>(std::lround(gaugeSetEach_h * secondsPerHour / piece_s));
-    return std::max(2, parts); // the drift has two ends
+    return std::max(2, parts); // for the two ends of the drift
 }
 
-/// Causes that are usual and that the project has.
+/// Usual causes that apply to the project.
 std::vector<FactorKind> usualKinds(const Project& project) {
     const Machine& machine = *project.machine;
     const Tolerance& asked = project.part->tolerance;
@@ -110,7 +110,7 @@ double toTwoDigits(double value) {
         return 0;
     }
     const double step = std::pow(10, std::floor(std::log10(std::abs(value))) - 1);
-    // Divided where the step is below 1, so that 0.14 comes out as it is written.
+    // Divides for steps below 1, so that 0.14 stays exact.
     return step < 1 ? std::round(value / step) / std::round(1 / step)
                     : std::round(value / step) * step;
 }
@@ -158,7 +158,7 @@ Project withUsualBatch(Project project) {
     if (checkBatch(project).empty()) {
         return project;
     }
-    project.batch = std::move(usual); // and those alone with which every part is valid
+    project.batch = std::move(usual); // keep only the factors with which every part is valid
     for (const FactorKind kind : kinds) {
         lawIn(project, kind) = usualFactor(kind, project);
         if (!checkBatch(project).empty()) {

@@ -32,7 +32,7 @@ void forEachIndex(std::size_t workers, std::int64_t first, std::int64_t end,
             }
         }
     };
-    std::vector<std::jthread> threads; // joined when it goes
+    std::vector<std::jthread> threads; // joined by the destructor
     for (std::size_t worker = 1; worker < workers; ++worker) {
         threads.emplace_back([&run, worker] { run(worker); });
     }

@@ -23,7 +23,7 @@ using namespace catalogue;
 
 constexpr const char* catalogueFormat = "sparkout-catalogue";
 
-/// What makes a kind of catalogue: its name in the file, and where its value stands in a project.
+/// Properties of a kind of catalogue: its name in the file, and its value in a project.
 template <class Entry>
 struct Kindred;
 template <>
@@ -50,7 +50,7 @@ const StructInfo& valueTable() {
     return tableOf<decltype(Entry::value)>();
 }
 
-/// The header, and the list of entries when there is one.
+/// Checks the header; returns the list of entries, if there is one.
 const json* checkHeader(const json& root, const char* kind, Issues& issues) {
     const auto refuse = [&](IssueCode code, const char* path, Detail value, Detail limit) {
         issues.push_back({code, Severity::error, path, std::move(value), std::move(limit)});
@@ -110,7 +110,7 @@ void readEntry(const json& text, const std::string& path, Entry& entry, Issues& 
     }
 }
 
-/// Between the rows [x, y], whose x rise; nothing outside.
+/// Interpolates between the rows [x, y], whose x rise; empty outside.
 std::optional<double> between(const NumberRows& rows, double x) {
     for (std::size_t i = 0; rows && i + 1 < rows->size(); ++i) {
         const auto& a = (*rows)[i];
@@ -193,7 +193,7 @@ std::vector<Entry> mergedEntries(const std::vector<Entry>& shipped, const std::v
     return all;
 }
 
-/// A wheel of a catalogue is a new one: its radius is worn by nothing.
+/// A wheel in a catalogue is new: its radius is not worn.
 template <class Value>
 void compensate(Value& value) {
     if constexpr (std::is_same_v<Value, Wheel>) {

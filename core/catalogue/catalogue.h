@@ -12,17 +12,17 @@
 #include <string_view>
 #include <vector>
 
-/// Catalogues of materials, wheels and machines: one UTF-8 JSON file a kind, read and written by
-/// the tables of the project. An entry gives some values of a Material, Wheel or Machine, never
-/// all, and for every number says where it comes from. The shipped catalogues stand in
-/// resources/catalogue, the user's own in files of the same form beside them.
+/// Catalogues of materials, wheels and machines: one UTF-8 JSON file for each kind, read and
+/// written by the tables of the project. An entry gives some values of a Material, Wheel or
+/// Machine, with a source for every number. The shipped catalogues are in resources/catalogue, the
+/// user's own in files of the same form.
 namespace sparkout {
 
 inline constexpr int catalogueVersion = 1;
 
 template <class Entry>
 struct CatalogueRead {
-    std::optional<std::vector<Entry>> entries; ///< given when there is no error
+    std::optional<std::vector<Entry>> entries; ///< given without errors
     Issues issues;
 };
 
@@ -32,42 +32,42 @@ struct CatalogueRead {
 template <class Entry>
 [[nodiscard]] CatalogueRead<Entry> readCatalogue(std::string_view text);
 
-/// The text of a catalogue: of each value what has a source, and its texts. Same entries, same
-/// bytes.
+/// The text of a catalogue: of each value the numbers with a source, and its texts. Equal entries
+/// give equal bytes.
 template <class Entry>
 [[nodiscard]] std::string writeCatalogue(const std::vector<Entry>& entries);
 
-/// Why a catalogue was not saved: faults that would keep it from being read again, or the disk.
+/// Why a catalogue was not saved: faults with which it could not be read again, or the disk.
 struct CatalogueFault {
     Issues issues;
     std::optional<FileError> file;
 };
 
-/// Saves a catalogue with the one safe writer, the last version beside it; nothing when it went
-/// well. What could not be read again is not written at all, and nothing but the expected version
-/// is replaced (WriteOptions::expected).
+/// Saves a catalogue safely, with the last version beside it; empty on success. Data that could not
+/// be read again are not written, and only the expected version is replaced
+/// (WriteOptions::expected).
 template <class Entry>
 [[nodiscard]] std::optional<CatalogueFault>
 saveCatalogue(const std::filesystem::path& path, const std::vector<Entry>& entries,
               const std::optional<std::string>& expected = std::nullopt);
 
-/// The shipped entries and the user's: one of his takes the place of the shipped one of that name.
-/// By name, numbers in it by their value.
+/// The shipped entries and the user's own, of which each replaces a shipped one with its name.
+/// Ordered by name, with numbers by value.
 template <class Entry>
 [[nodiscard]] std::vector<Entry> mergedEntries(const std::vector<Entry>& shipped,
                                                const std::vector<Entry>& own);
 
-/// Puts what an entry gives into the project, and takes out of it what the entry says is not known;
-/// everything else stays.
+/// Copies the values of an entry into the project, and removes values that the entry marks as
+/// unknown; all others are unchanged.
 template <class Entry>
 void applyEntry(const Entry& entry, Project& project);
 
-/// An entry that gives what the project has: "save as mine". Its numbers are estimates until their
-/// sources are filled in.
+/// An entry with the project's values: "save as mine". Its numbers are estimates until sources are
+/// given.
 template <class Entry>
 [[nodiscard]] Entry entryOf(const Project& project, const std::string& name);
 
-/// The source of a value by its key, null when the entry does not give it.
+/// The source of a value by its key; null if the entry does not give it.
 [[nodiscard]] const ValueSource* sourceOf(const std::vector<ValueSource>& sources,
                                           std::string_view key);
 
@@ -76,8 +76,8 @@ template <class Entry>
     return source.source.empty();
 }
 
-/// λ [W/(m·K)] and Ω = λ/(ρ·c) [mm²/s] at a temperature, linear between the rows; nothing outside
-/// them or without the data.
+/// λ [W/(m·K)] and Ω = λ/(ρ·c) [mm²/s] at a temperature, linear between the rows; empty outside
+/// them or without data.
 struct ThermalPoint {
     double conductivity_w_mk = 0, diffusivity_mm2_s = 0;
 };

@@ -26,7 +26,7 @@ void refuse(Issues& issues, IssueCode code, std::string path, Detail value, Deta
     issues.push_back({code, Severity::error, std::move(path), std::move(value), std::move(limit)});
 }
 
-/// A path inside a value without the indices of lists: what its source is called by.
+/// A path inside a value without list indices: the key of its source.
 std::string keyOf(const std::string& path) {
     std::string key = path;
     for (std::size_t slash = key.rfind('/'); slash != std::string::npos; slash = key.rfind('/')) {
@@ -139,7 +139,7 @@ void checkSources(const json& value, const StructInfo& table,
         } else if (sourceOf(sources, source.key) != &source) {
             refuse(issues, IssueCode::duplicateKey, at + "/key", quoted(json(source.key)), {});
         }
-        if (!given && source.range) { // of what is not known there is none
+        if (!given && source.range) { // an unknown value has none
             refuse(issues, IssueCode::missingKey, path + "/value/" + source.key, {},
                    Phrase::number);
         }

@@ -9,31 +9,32 @@
 #include <string>
 #include <vector>
 
-/// What a catalogue's reader and writer know of an entry's value: which numbers and choices it
-/// gives, and whether each stands with its source.
+/// Checks shared by the reader and the writer of a catalogue: the given numbers and choices of an
+/// entry's value, and their sources.
 namespace sparkout::catalogue {
 
-/// Calls visit(key, value) for each number or choice of a value's JSON, a list or table as one.
+/// Calls visit(key, value) for each number or choice of a value's JSON; a list or table counts as
+/// one.
 void eachValue(const nlohmann::ordered_json& value, const StructInfo& table,
                const std::string& prefix,
                const std::function<void(const std::string&, const nlohmann::ordered_json&)>& visit);
 
-/// Of a value's JSON what has a source, and the texts that are not empty.
+/// The parts of a value's JSON with a source, and the texts that are not empty.
 [[nodiscard]] nlohmann::ordered_json givenPart(const nlohmann::ordered_json& value,
                                                const StructInfo& table,
                                                const std::vector<ValueSource>& sources,
                                                const std::string& prefix = {});
 
-/// Whether a value that is not given may stand with this source, to say that it is not known: it is
-/// one that a project need not have, and claims no reference.
+/// Whether a missing value may have this source, which marks it as unknown: the value is optional,
+/// and the source claims no reference.
 [[nodiscard]] bool mayBeUnknown(const StructInfo& table, const ValueSource& source);
 
-/// Every number and choice its source, every source its value or one that is not known, and the
-/// number in the range stated for it.
+/// Checks that every number and choice has a source, every source a value or the mark of an unknown
+/// one, and that each number is in its stated range.
 void checkSources(const nlohmann::json& value, const StructInfo& table,
                   const std::vector<ValueSource>& sources, const std::string& path, Issues& issues);
 
-/// The hard limits of the project's tables, through a project that holds the value under `key`.
+/// Checks the hard limits of the project's tables, through a project with the value under `key`.
 void checkLimits(const Project& project, const std::string& key,
                  const std::vector<ValueSource>& sources, const std::string& path, Issues& issues);
 

@@ -13,19 +13,19 @@
 /// An entry of a catalogue: a material, wheel or machine with a source for each of its numbers.
 namespace sparkout {
 
-/// Where one number of an entry comes from. Of a number that the entry does not give it says that
-/// it is not known: it has been sought, and a project that takes the entry has none.
+/// The source of a number in an entry. For a number that the entry does not give, it marks the
+/// number as unknown: a project that takes the entry has none.
 struct ValueSource {
-    std::string key;    ///< of the value, "stiffness_n_um/headstock" for one inside another
+    std::string key;    ///< key of the value, "stiffness_n_um/headstock" for a nested one
     std::string source; ///< key of core/SOURCES.md; empty: an estimate, to be calibrated
-    std::optional<std::vector<double>> range; ///< [lowest, highest] it plausibly has, in its unit
-    std::string note;                         ///< under which conditions it holds
-    std::string note_ru; ///< the same for the Russian window; empty: `note` serves both
+    std::optional<std::vector<double>> range; ///< plausible range [lowest, highest], in its unit
+    std::string note;                         ///< conditions of validity
+    std::string note_ru;                      ///< for the Russian window; empty: `note` serves both
 };
 
-/// A material's heat data over temperature, for whoever wants another temperature than at_c.
+/// A material's thermal data over temperature, for temperatures other than at_c.
 struct ThermalData {
-    double at_c = 400;                   ///< at which the entry's λ and Ω are taken [°C]
+    double at_c = 400;                   ///< temperature of the entry's λ and Ω [°C]
     std::optional<double> density_kg_m3; ///< ρ [kg/m³]
     NumberRows conductivity_w_mk_at_c;   ///< rows of [°C, W/(m·K)]
     NumberRows heat_capacity_j_kgk_at_c; ///< rows of [°C, J/(kg·K)]
@@ -34,22 +34,22 @@ struct ThermalData {
 
 struct MaterialEntry {
     std::string name;
-    std::string note, note_ru; ///< what it is used for
+    std::string note, note_ru; ///< its use
     Material value;
-    std::vector<ValueSource> sources; ///< one for each number of `value` that is given
+    std::vector<ValueSource> sources; ///< one for each given number of `value`
     std::optional<ThermalData> thermal;
 };
 
 struct WheelEntry {
     std::string name;
-    std::string note, note_ru; ///< what it is used for
+    std::string note, note_ru; ///< its use
     Wheel value;
     std::vector<ValueSource> sources;
 };
 
 struct MachineEntry {
     std::string name;
-    std::string note, note_ru; ///< what it is used for
+    std::string note, note_ru; ///< its use
     Machine value;
     std::vector<ValueSource> sources;
 };

@@ -19,14 +19,14 @@ constexpr const char* catalogueKind() {
                                                 : "machines";
 }
 
-/// Letters that look alike, and what both are taken for.
+/// Letters that look alike, and their common form.
 constexpr std::array<std::pair<std::string_view, char>, 24> alikeLetters{
     {{"А", 'a'}, {"В", 'b'}, {"Е", 'e'}, {"К", 'k'}, {"М", 'm'}, {"Н", 'h'},
      {"О", 'o'}, {"Р", 'p'}, {"С", 'c'}, {"Т", 't'}, {"Х", 'x'}, {"У", 'y'},
      {"а", 'a'}, {"в", 'b'}, {"е", 'e'}, {"к", 'k'}, {"м", 'm'}, {"н", 'h'},
      {"о", 'o'}, {"р", 'p'}, {"с", 'c'}, {"т", 't'}, {"х", 'x'}, {"×", 'x'}}};
 
-/// A name as it is compared.
+/// The form of a name for comparison.
 std::string comparable(std::string_view text) {
     std::string letters;
     while (!text.empty()) {
@@ -52,7 +52,7 @@ template <class Entry>
 const std::vector<Entry>& shippedEntries() {
     static const std::vector<Entry> entries = [] {
         auto read = readCatalogue<Entry>(shippedCatalogueText(catalogueKind<Entry>()));
-        assert(read.entries); // a test reads them
+        assert(read.entries); // checked by a test
         return std::move(read.entries).value_or(std::vector<Entry>());
     }();
     return entries;

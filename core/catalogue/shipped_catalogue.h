@@ -8,18 +8,17 @@
 
 namespace sparkout {
 
-/// The text of a catalogue that comes with the program, compiled in from resources/catalogue:
-/// "machines", "wheels" or "materials"; empty for others.
+/// The text of a shipped catalogue, compiled in from resources/catalogue: "machines", "wheels" or
+/// "materials"; empty for others.
 [[nodiscard]] std::string_view shippedCatalogueText(std::string_view kind);
 
-/// The entries that come with the program, in the order of their file. For MaterialEntry,
-/// WheelEntry and MachineEntry.
+/// The shipped entries, in the order of their file. For MaterialEntry, WheelEntry and MachineEntry.
 template <class Entry>
 [[nodiscard]] const std::vector<Entry>& shippedEntries();
 
-/// The entry that is meant by a text: the one of that name, or the only one whose name has it as a
-/// part. Cyrillic letters that look like Latin ones, × and x, small and capital letters, and blanks
-/// are not told apart. Null: none, or several.
+/// Finds the entry with this name, or the only one whose name contains the text. Cyrillic letters
+/// that look like Latin ones, × and x, case and spaces make no difference. Null if there is none,
+/// or several.
 template <class Entry>
 [[nodiscard]] const Entry* entryMeant(const std::vector<Entry>& entries, std::string_view text);
 

@@ -25,7 +25,7 @@ constexpr std::array keyColumns{"variant",    "name",          "group",
                                 "best_cycle", "digest"};
 constexpr std::size_t readColumns = 8;
 
-/// What a column of a varied input is called.
+/// The heading of a varied input's column.
 std::string headingOf(const VariedInput& input) {
     return !input.path.empty()  ? input.path
            : input.sets.empty() ? std::string("set")
@@ -61,7 +61,7 @@ std::string cycleText(const Project& project) {
     return text;
 }
 
-/// What the engine answers to a step of a variant as it is given.
+/// The engine's answer to a step of a variant as given.
 std::string engineAnswer(const Lesson& lesson, std::size_t step) {
     const Goal& goal = lesson.steps[step].goal;
     std::string text;
@@ -113,7 +113,8 @@ bool isHeadings(const std::vector<std::string_view>& cells) {
            && std::equal(keyColumns.begin(), keyColumns.end(), cells.begin());
 }
 
-/// By which the headings are known in one of the first rows; the first one says whose table it is.
+/// The delimiter with which the headings appear in one of the first rows; the first row names the
+/// lesson.
 std::optional<char> delimiterOf(std::string_view text) {
     constexpr int firstRows = 3;
     for (const char delimiter : {',', ';', '\t'}) {
@@ -230,7 +231,7 @@ ReadBestTable readBestTable(const TableText& table) {
 }
 
 std::string workFileName(const Work& work, std::size_t number) {
-    constexpr std::size_t most = 100; // bytes of the name
+    constexpr std::size_t most = 100; // bytes of a name
     std::string name;
     for (const char c : work.name) {
         const auto byte = static_cast<unsigned char>(c);
@@ -241,7 +242,7 @@ std::string workFileName(const Work& work, std::size_t number) {
     if (name.size() > most) {
         std::size_t end = most;
         while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) {
-            --end; // not inside a character
+            --end; // inside a character
         }
         name.resize(end);
     }

@@ -10,17 +10,17 @@
 
 namespace sparkout {
 
-/// What each step of a lesson finds in an answer of it.
+/// The results of checking an answer to each step of a lesson.
 struct CheckedSteps {
     Lesson lesson;
     std::vector<GoalResult> steps;
 };
 
-/// Each step as it is given: what a student finds before he does anything. Where the lesson asks
-/// for the best cycle, its time is searched first.
+/// Checks each step as given, before the student changes anything. If the lesson asks for the best
+/// cycle, its time is searched first.
 [[nodiscard]] CheckedSteps checkedAsGiven(Lesson lesson, const std::stop_token& stop = {});
 
-/// The last answers of a work, by the engine.
+/// The last answers of a work, checked by the engine.
 [[nodiscard]] CheckedSteps checkedAnswers(const Work& work);
 
 } // namespace sparkout

@@ -7,18 +7,18 @@
 #include <variant>
 #include <vector>
 
-/// The marks of a class as a table: described once, for every file that they are written into.
+/// The marks of a class as a table: one description for all file formats.
 namespace sparkout {
 
 /// Empty, a count, a number, or a text.
 using GradeCell = std::variant<std::monostate, int, double, std::string>;
 
 struct GradeColumn {
-    static constexpr int asGiven = -1; ///< as many decimals as its numbers have
+    static constexpr int asGiven = -1; ///< keep the decimals of the numbers
 
     std::string key;   ///< "step_1_points": in a file for programs
     std::string title; ///< "step 1": in a file for people
-    int decimals = 0;  ///< of its numbers, where they are shown to people
+    int decimals = 0;  ///< decimals of its numbers in display
 };
 
 struct GradeTable {
@@ -26,7 +26,7 @@ struct GradeTable {
     std::vector<std::vector<GradeCell>> rows;
 };
 
-/// How the flags of a work are written: each by a function such as flagKey().
+/// The notation of a work's flags: a function such as flagKey().
 struct FlagStyle {
     const char* (*word)(WorkFlag) = flagKey;
     const char* separator = " ";
@@ -36,7 +36,7 @@ struct FlagStyle {
 [[nodiscard]] GradeTable gradeTable(const Lesson& lesson, const std::vector<GradedWork>& works,
                                     FlagStyle flags = {});
 
-/// The table with its keys over it, as CSV in UTF-8.
+/// The table with a row of keys as CSV in UTF-8.
 [[nodiscard]] std::string gradesCsv(const Lesson& lesson, const std::vector<GradedWork>& works);
 
 } // namespace sparkout

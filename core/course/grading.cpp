@@ -20,7 +20,7 @@ constexpr std::array<const char*, workFlags> flagKeys{
     "unreadable",  "foreign", "edited",    "copied",  "handed_in_twice", "not_in_group",
     "untrue_runs", "late",    "forbidden", "missing", "over_budget"};
 
-/// Best answers of variants, each searched for once.
+/// The best answers of variants; each is searched once.
 class BestAnswers {
 public:
     std::optional<double> of(const Lesson& lesson, const VariantLevels& levels,
@@ -42,7 +42,7 @@ private:
     std::map<VariantLevels, std::optional<double>> m_known;
 };
 
-/// A work that could be read, with what comparing it with others takes.
+/// A work that was read, with the data for comparing it with others.
 struct ReadForClass {
     GradedWork graded;
     std::string content; ///< contentDigest()
@@ -57,7 +57,6 @@ const BestRow* rowOfVariant(const GradeWish& wish, int variant) {
     return found == wish.best.end() ? nullptr : &*found;
 }
 
-/// Marks one work.
 class WorkMarker {
 public:
     WorkMarker(const Lesson& lesson, const GradeWish& wish, BestAnswers& best,
@@ -68,7 +67,7 @@ public:
         , m_best(best)
         , m_stop(stop) {}
 
-    /// Worth nothing where a stop was requested meanwhile.
+    /// The result must be discarded if a stop was requested meanwhile.
     ReadForClass mark(HandedIn handedIn) {
         ReadForClass read;
         GradedWork& graded = read.graded;
@@ -114,7 +113,7 @@ public:
     }
 
 private:
-    /// The text is gone when the work is marked.
+    /// The text is freed when the work is marked.
     ReadWork readInTime(const std::string& text, GradedWork& graded) {
         const DeadlineStop within(m_stop, m_wish.budget);
         ReadWork file = readWork(text, within.token());
@@ -125,7 +124,7 @@ private:
         return file;
     }
 
-    /// The lesson that the student was given, with what marks it.
+    /// The student's lesson, with the data for marking it.
     Lesson givenTo(const Work& work, const VariantLevels& levels, GradedWork& graded) {
         const BestRow* const row = rowOfVariant(m_wish, work.variant);
         const bool isKnown = row && row->levels == levels;
@@ -187,7 +186,7 @@ private:
         }
     }
 
-    /// One that was not marked in time is the teacher's to mark.
+    /// A step that was not marked in time is left to the teacher.
     static GradedStep markStep(const Lesson& given, std::size_t index, const StepRecord& record,
                                const std::stop_token& over) {
         const LessonStep& step = given.steps[index];
@@ -215,7 +214,7 @@ private:
     }
 
     const Lesson& m_lesson;
-    std::string m_digest; ///< of the lesson
+    std::string m_digest; ///< digest of the lesson
     const GradeWish& m_wish;
     BestAnswers& m_best;
     const std::stop_token& m_stop;
@@ -229,8 +228,8 @@ void addCopy(GradedWork& work, const GradedWork& other) {
     }
 }
 
-/// What two works tell of each other. Whom a variant was given to is known by the teacher's table;
-/// then he has copied nothing by having it.
+/// Compares two works. The teacher's table assigns variants to students; with it, having the same
+/// variant is no sign of copying.
 void compareWorks(ReadForClass& a, ReadForClass& b, bool hasTable) {
     if (!a.isRead || !b.isRead) {
         return;
@@ -290,7 +289,7 @@ std::vector<GradedWork> gradeClass(const Lesson& lesson, const ClassWorks& hande
     while (read.size() < handedIn.count && !stop.stop_requested()) {
         ReadForClass one = marker.mark(handedIn.read(read.size()));
         if (stop.stop_requested()) {
-            break; // half of it is not marked
+            break; // it would be incomplete
         }
         read.push_back(std::move(one));
         if (note) {

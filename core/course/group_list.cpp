@@ -17,7 +17,7 @@ namespace {
 using Cells = std::vector<std::string_view>;
 using Names = std::initializer_list<const char*>;
 
-/// A heading without what lists write differently: "Ф.И.О." is "фио".
+/// A heading without variations of spelling: "Ф.И.О." becomes "фио".
 std::string comparedHeading(std::string_view heading) {
     std::string name = lowerCase(withSingleSpaces(heading));
     std::erase(name, '.');
@@ -38,10 +38,9 @@ std::string cellAt(const Cells& cells, std::size_t column) {
     return column < cells.size() ? withSingleSpaces(cells[column]) : std::string();
 }
 
-/// Where a list has what.
 class Columns {
 public:
-    /// False: these are no headings.
+    /// False if these are not headings.
     bool takeHeadings(const Cells& cells) {
         const auto whole = columnOf(cells, {"фио", "фамилия имя отчество", "фамилия, имя, отчество",
                                             "фамилия и имя", "студент", "обучающийся", "full name",
@@ -77,7 +76,7 @@ public:
         return {withSingleSpaces(name), cellAt(cells, m_group)};
     }
 
-    /// Cells with something behind the last heading.
+    /// The row has cells behind the last heading.
     [[nodiscard]] bool hasMoreCells(const Cells& cells) const {
         return m_headings > 0 && cells.size() > m_headings
                && std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(m_headings), cells.end(),
@@ -87,7 +86,7 @@ public:
 private:
     std::vector<std::size_t> m_names{0};
     std::size_t m_group = 1;
-    std::size_t m_headings = 0; ///< 0: there are none
+    std::size_t m_headings = 0; ///< number of the row of headings; 0: none
 };
 
 } // namespace

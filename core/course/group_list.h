@@ -15,12 +15,12 @@ inline constexpr std::size_t students = 1000;
 inline constexpr std::size_t groupBytes = 1u << 20;
 } // namespace limits
 
-/// What is wrong with a line of a list.
+/// A fault in a line of a list.
 struct GroupFault {
     enum class Kind { noName, twice, tooMany, empty, moreCells };
     Kind kind = Kind::empty;
-    std::size_t line = 0; ///< from 1; 0: the whole list
-    std::string name;     ///< that stands there twice
+    std::size_t line = 0; ///< counted from 1; 0: the whole list
+    std::string name;     ///< name that occurs twice
 };
 
 struct GroupList {
@@ -28,10 +28,10 @@ struct GroupList {
     std::vector<GroupFault> faults;
 };
 
-/// A list of students: a table of names and, if there are several, groups, in either dialect.
-/// Where its first row names columns ("name", "student", «ФИО», «студент»; "surname" and "first
-/// name", «фамилия» and «имя», which are joined; "group", «группа»), these are taken; else the
-/// first and second. Names are taken with one space between their words.
+/// A list of students: a table of names and, if there are several, groups, in either dialect. Where
+/// its first row names columns ("name", "student", «ФИО», «студент»; "surname" and "first name",
+/// «фамилия» and «имя», which are joined; "group", «группа»), these are used; otherwise the first
+/// and second. Multiple spaces in names become one.
 [[nodiscard]] GroupList readGroup(const TableText& text);
 
 } // namespace sparkout

@@ -11,7 +11,7 @@ namespace sparkout {
 
 namespace {
 
-/// The levels of a try, each as likely as the others.
+/// The levels of a try, drawn uniformly.
 VariantLevels drawn(const VariantLevels& counts, std::uint32_t seed, long long tried) {
     VariantLevels levels;
     for (std::size_t i = 0; i < counts.size(); ++i) {

@@ -11,7 +11,8 @@ namespace sparkout {
 
 namespace {
 
-/// A combining mark, letters that take it, and what they are with it [UNICODE-15, lower case].
+/// A combining mark, the letters that it follows, and the composed letters [UNICODE-15, lower
+/// case].
 struct CombiningMark {
     char32_t mark;
     std::u32string_view bases, composed;
@@ -40,7 +41,7 @@ bool isSpace(char32_t c) {
            || c == 0x205F || c == 0x3000;
 }
 
-/// What is not seen: soft hyphens, joiners, marks of direction.
+/// Invisible characters: soft hyphens, joiners, marks of direction.
 bool isInvisible(char32_t c) {
     return c == 0xAD || (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E)
            || (c >= 0x2060 && c <= 0x2069) || c == 0xFEFF;
@@ -57,7 +58,7 @@ char32_t lower(char32_t c) {
     if (c == 0x178) {
         return 0xFF;
     }
-    // Pairs of a capital and its small letter; these stretches begin with an odd one.
+    // Pairs of a capital and its small letter; these ranges begin with an odd code.
     const bool isOddFirst = (c >= 0x139 && c <= 0x148) || (c >= 0x179 && c <= 0x17E);
     const bool isPair = isOddFirst || (c >= 0x100 && c <= 0x177 && c != 0x130 && c != 0x131)
                         || (c >= 0x460 && c <= 0x481) || (c >= 0x48A && c <= 0x4BF)
@@ -66,7 +67,7 @@ char32_t lower(char32_t c) {
     return isPair && isCapital ? c + 1 : c;
 }
 
-/// Takes a letter that is composed apart.
+/// Adds a character, composing it with a preceding letter.
 void addLetter(std::u32string& text, char32_t c) {
     for (const CombiningMark& mark : combiningMarks) {
         if (const std::size_t at = mark.composed.find(c); at != mark.composed.npos) {

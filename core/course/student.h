@@ -6,20 +6,20 @@
 
 namespace sparkout {
 
-/// A student as a list names him.
+/// A student as named in a list.
 struct Student {
     std::string name, group;
     friend bool operator==(const Student&, const Student&) = default;
 };
 
-/// A name as it is compared, whatever way it was typed: each letter that is composed apart from its
-/// mark, one space between words, lower case, nothing invisible. Федоров and Фёдоров are two names.
+/// A name in the form used for comparison: composed letters, one space between words, lower case,
+/// nothing invisible. Федоров and Фёдоров are different names.
 [[nodiscard]] std::u32string comparedName(std::string_view name);
 
 /// Whether both are the same student of the same group.
 [[nodiscard]] bool isSameStudent(const Student& a, const Student& b);
 
-/// The text with one space between its words and none around them.
+/// The text with single spaces between its words and none around it.
 [[nodiscard]] std::string withSingleSpaces(std::string_view text);
 
 } // namespace sparkout

@@ -32,14 +32,14 @@ Setup withProject(Setup setup, std::size_t surface, Project project) {
     return setup;
 }
 
-/// A margin or a time to six decimals: last bits of cos and exp differ between processors and shall
-/// decide nothing.
+/// A margin or a time rounded to six decimals: cos and exp differ between processors in the last
+/// bits, which must not matter.
 double inMillionths(double value) {
     constexpr double perUnit = 1e6;
     return std::round(value * perUnit) / perUnit;
 }
 
-/// Looks for a value of one free input at which a figure is as a step asks.
+/// Searches a value of one free input that gives the required figure of a step.
 class FigureSearch {
 public:
     FigureSearch(const Lesson& timed, std::size_t step, std::stop_token stop)
@@ -68,7 +68,7 @@ private:
                            });
     }
 
-    /// The figure less its value asked for, at a value of an input; nothing where there is none.
+    /// The figure less its required value, at a value of an input; empty if there is none.
     std::optional<double> offset(const NumberInput& input, double value) {
         Setup changed = m_given;
         if (!input.allowed.contains(value)
@@ -105,7 +105,7 @@ private:
         return false;
     }
 
-    /// Between two values with the figure on either side.
+    /// Bisects between two values with the figure above and below the required one.
     void halve(const NumberInput& input, double low, double high, bool isLowAbove) {
         constexpr int halvings = 24;
         for (int i = 0; i < halvings && !m_found && !m_stop.stop_requested(); ++i) {
@@ -149,7 +149,7 @@ public:
     }
 
 private:
-    /// What the projects of the steps say as they are given.
+    /// Checks the projects of the steps as given.
     std::optional<VariantFault> faultAsGiven() {
         for (std::size_t i = 0; i < m_lesson.steps.size(); ++i) {
             const Goal& goal = m_lesson.steps[i].goal;
@@ -160,7 +160,7 @@ private:
                 }
             }
             if (!needsRun(goal) || (goal.time && !goal.time->below_min)) {
-                continue; // a time that follows from the best is not known yet
+                continue; // a time that depends on the best is not known yet
             }
             const GoalResult result = checkStep(m_lesson, i, answerOf(setup), m_stop);
             if (result.finding == Finding::noSuchFigure) {
@@ -179,7 +179,7 @@ private:
         return faultOfBounds();
     }
 
-    /// Figures that the rules set bounds to, as the steps begin.
+    /// Checks the figures that the rules bound, as the steps begin.
     [[nodiscard]] std::optional<VariantFault> faultOfBounds() const {
         const auto bounds =
             m_lesson.variants ? m_lesson.variants->figures : std::vector<FigureBound>();
@@ -245,7 +245,8 @@ private:
         return std::nullopt;
     }
 
-    /// The best answer, or where a margin is asked for the quickest that has it, meets the step.
+    /// Checks that the best answer, or if a margin is required the quickest that has it, meets the
+    /// step.
     std::optional<VariantFault> faultOfSearch(const Lesson& timed, std::size_t step,
                                               const BestAnswer& best) const {
         const Goal& goal = timed.steps[step].goal;
@@ -271,7 +272,7 @@ private:
             }
             project = withBest(given, summary);
         }
-        // On what the step puts into the project, beside the cycle that was found.
+        // Applied to the step's own project values, besides the cycle that was found.
         Setup setup = withProject(setupOf(timed, step), m_surface, std::move(project));
         for (const InputValue& value : timed.steps[step].values) {
             (void)putInput(setup, m_surface, value);
@@ -282,7 +283,7 @@ private:
                                                       : std::optional(VariantFault::noAnswer);
     }
 
-    /// A value of one free input at which the figure is as asked: a proof by example.
+    /// Looks for a value of one free input that gives the required figure: a proof by example.
     std::optional<VariantFault> faultOfFigure(const Lesson& timed, std::size_t step) const {
         return attainingSetup(timed, step, m_stop) ? std::nullopt
                                                    : std::optional(VariantFault::unattained);

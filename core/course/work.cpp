@@ -36,7 +36,7 @@ StepRecord recordOf(const Work& work, std::size_t step) {
     StepRecord record;
     const bool predicts = isPrediction(work.lesson.steps[step].goal);
     bool isSeen = false;
-    const WorkEntry* counts = nullptr; // copied once: a work may hold thousands of answers
+    const WorkEntry* counts = nullptr; // copied once: a work may have thousands
     for (const WorkEntry& entry : work.entries) {
         if (static_cast<std::size_t>(entry.step) != step + 1) {
             continue;

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* lessonKey = "lesson";
 
-/// Faults of a work beside its keys and ranges: entries of steps and hints that there are not.
+/// Faults of a work besides its keys and ranges: entries with missing steps and hints.
 void checkEntries(const Work& work, Issues& issues) {
     const auto steps = static_cast<double>(work.lesson.steps.size());
     for (std::size_t i = 0; i < work.levels.size(); ++i) {
@@ -80,7 +80,7 @@ ReadWork readWorkJson(const json& root, Issues found, const std::stop_token& sto
     checkEntries(work, faults);
     if (faults.empty()) {
         read.work = std::move(work);
-    } else { // before warnings, of which the list may be full
+    } else { // placed before warnings, since the list may be full
         issues.insert(issues.begin(), faults.begin(), faults.end());
         issues.resize(std::min(issues.size(), limits::issues));
     }

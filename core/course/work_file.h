@@ -17,11 +17,11 @@ inline constexpr const char* workFormat = "sparkout-work";
 inline constexpr int workVersion = 1;
 
 struct ReadWork {
-    std::optional<Work> work; ///< given when there is no error; its seals may be broken
+    std::optional<Work> work; ///< given without errors; its seals may be broken
     Issues issues;            ///< those of its lesson below "/lesson"
 };
 
-/// Reads and checks a work within the limits of a project file. All faults at once.
+/// Reads and checks a work within the limits of a project file. Returns all faults at once.
 [[nodiscard]] ReadWork readWork(std::string_view text, const std::stop_token& stop = {});
 
 /// The text of a work: the same work, the same bytes.

@@ -12,7 +12,7 @@ namespace sparkout {
 
 namespace {
 
-/// An entry as it is sealed.
+/// The text of an entry that its seal covers.
 std::string sealedText(const WorkEntry& entry) {
     return printJson(writeByTable(tableOf<WorkEntry>(), &entry, {"sha256"}));
 }

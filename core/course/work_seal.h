@@ -7,26 +7,26 @@
 #include <optional>
 #include <string>
 
-/// The seals of a work: a chain of SHA-256 digests. The first covers the lesson it was made from,
-/// the lesson with the variant, name, group and number; each further one an entry and the seal
-/// before it.
+/// The seals of a work: a chain of SHA-256 digests. The first covers the original lesson, the
+/// lesson with the variant, name, group and number; each further one an entry and the seal before
+/// it.
 ///
-/// What they can prove: that a work whose chain does not hold was changed by other means than the
-/// program, were it one digit of an old entry; that two works with the same entries are copies;
-/// that a work belongs to this lesson and this variant.
+/// They prove: that a work with a broken chain was changed outside the program, even in one digit
+/// of an old entry; that two works with the same entries are copies; that a work belongs to this
+/// lesson and this variant.
 ///
-/// What they cannot: there is no secret in them. Whoever reads this page can change a work and seal
-/// it anew; the last entries can be cut off; the times are those of the student's clock; and a
-/// colleague may have set what the student handed in. So marking takes no number from a work: the
-/// answers are computed again from the teacher's lesson, and variants are held against the
-/// teacher's table, which the student does not have.
+/// They contain no secret. Any reader of this page can change a work and seal it again; the last
+/// entries can be cut off; the times are those of the student's clock; and another person may have
+/// done the work. So marking takes no number from a work: the answers are computed again from the
+/// teacher's lesson, and variants are checked against the teacher's table, which the student does
+/// not have.
 namespace sparkout {
 
-/// By which a lesson is known again: of its text as students may have it, without a variant. Which
-/// options are right and how variants are drawn may be changed after works were given out.
+/// Identifies a lesson by its text as given to students, without a variant. The right options and
+/// the rules for variants may be changed after works were given out.
 [[nodiscard]] std::string lessonDigest(const Lesson& lesson);
 
-/// Of a lesson with a variant in place, as it was given out.
+/// Digest of a lesson with a variant, as given out.
 [[nodiscard]] std::string variantDigest(const Lesson& issued);
 
 /// The seal of a work without entries.
@@ -35,15 +35,14 @@ namespace sparkout {
 /// The seal of an entry that follows another.
 [[nodiscard]] std::string nextSeal(const std::string& before, const WorkEntry& entry);
 
-/// Adds an entry with its seal.
 void addEntry(Work& work, WorkEntry entry);
 
-/// What the first seal that does not hold belongs to: 0 the work itself, else the number of an
-/// entry from 1. Nothing: the chain holds.
+/// The first broken seal: 0 that of the work itself, otherwise the number of an entry from 1. Empty
+/// if the chain is intact.
 [[nodiscard]] std::optional<std::size_t> brokenSeal(const Work& work);
 
-/// Of all entries, without seals, names and variant: alike where one work was copied from another.
-/// Empty without entries.
+/// Digest of all entries, without seals, names and variant: equal if one work was copied from
+/// another. Empty without entries.
 [[nodiscard]] std::string contentDigest(const Work& work);
 
 } // namespace sparkout

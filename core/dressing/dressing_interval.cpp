@@ -18,14 +18,14 @@ namespace sparkout {
 
 namespace {
 
-/// A surface as it stands, or a part of its batch.
+/// A surface, nominal or with a part of its batch.
 struct Case {
     std::size_t surface;
     std::optional<std::int64_t> scenario;
     Project project;
 };
 
-/// Its batch, without the dullness, which the wear says.
+/// Its batch, without the dullness, which follows from the wear.
 Project batchOf(const Project& project, Scenarios scenarios) {
     Project sampled = project;
     sampled.batch->scenarios = scenarios;
@@ -33,7 +33,7 @@ Project batchOf(const Project& project, Scenarios scenarios) {
     return sampled;
 }
 
-/// Goes through the parts of one case after the other.
+/// Runs the parts of one case after the other.
 class Walk {
 public:
     Walk(const WornParts& worn, const DressingOptions& options, DressingInterval& found)
@@ -41,7 +41,7 @@ public:
         m_found.parts = options.most;
     }
 
-    /// Every part that still counts, in one case; whether it was not stopped.
+    /// Runs the remaining parts in one case; false after a stop.
     bool walk(const Case& dressed, bool isTimed) {
         for (std::int64_t part = 1; part <= m_found.parts; ++part) {
             Case tried = dressed;
@@ -72,11 +72,11 @@ public:
         }
         return true;
     }
-    /// The part from which on all find the same wheel; nothing: none was come to.
+    /// The first part from which the wheel no longer changes; empty if none was reached.
     [[nodiscard]] std::optional<std::int64_t> wornOut() const { return m_wornOut; }
 
-    /// The times of all parts that hold: also of those of a surface that were not run, as its wheel
-    /// comes to them as to the part before.
+    /// Completes the times of all good parts: parts that were not run since the wheel is unchanged
+    /// have the time of the previous part.
     void completeTimes() {
         m_found.time_s.resize(static_cast<std::size_t>(m_found.parts));
         for (const auto& [part, time_s] : m_alike) {
@@ -118,11 +118,11 @@ private:
     const DressingOptions& m_options;
     DressingInterval& m_found;
     std::optional<std::int64_t> m_wornOut;
-    std::vector<std::pair<std::int64_t, double>> m_alike; ///< from which part on, of that time
+    std::vector<std::pair<std::int64_t, double>> m_alike; ///< first part of a time, and the time
     double m_last_s = 0;
 };
 
-/// Why the batches that the surfaces must hold for cannot be run.
+/// Why the batches for which the surfaces must be fit cannot be run.
 Issues batchFaults(const Setup& setup, const DressingOptions& options) {
     Issues issues;
     for (std::size_t i = 0; i < setup.surfaces.size() && options.scenarios; ++i) {
@@ -134,7 +134,7 @@ Issues batchFaults(const Setup& setup, const DressingOptions& options) {
     return issues;
 }
 
-/// In every scenario of every surface; whether it was not stopped.
+/// Runs every scenario of every surface; false after a stop.
 bool walkScenarios(const Setup& setup, const DressingOptions& options, Walk& walk) {
     for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
         const Project& project = setup.surfaces[i].project;

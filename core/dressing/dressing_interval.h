@@ -14,75 +14,72 @@
 #include <stop_token>
 #include <vector>
 
-/// How many parts a wheel grinds from one dressing to the next, and after how many it is best
-/// dressed.
+/// The number of parts that a wheel grinds between two dressings, and the best number.
 namespace sparkout {
 
 struct Cost;
 
-/// Why nothing is known of the parts between dressings.
+/// Why the parts between dressings are not known.
 enum class DressingFault {
     none,
-    noWear,    ///< the set-up says nothing of how the wheel wears
+    noWear,    ///< the set-up does not give the wear of the wheel
     firstFails ///< the first part after dressing does not reach size
 };
 
-/// The first part for which the worn wheel no longer does.
+/// The first part for which the worn wheel fails.
 struct WornFailure {
-    std::int64_t part = 0; ///< from 1
+    std::int64_t part = 0; ///< counted from 1
     std::size_t surface = 0;
-    /// The part of the surface's batch, from 0; nothing: the part as it stands.
+    /// The part of the surface's batch, from 0; empty: the nominal part.
     std::optional<std::int64_t> scenario;
-    Issues issues; ///< of the inputs with this wheel; empty: it was run
+    Issues issues; ///< faults of the inputs with this wheel; empty: it was run
     RunStatus status = RunStatus::completed;
-    std::optional<ConstraintResult> worst; ///< the requirement that fails by most, once completed
+    std::optional<ConstraintResult> worst; ///< the worst violation, once completed
 };
 
 struct DressingOptions {
-    /// Every surface must hold for the parts of its batch too, in this way of choosing them; their
-    /// dullness is the wear's. A surface without a batch is tried as it stands.
+    /// Scenarios: every surface must also be fit for the parts of its batch, chosen in this way;
+    /// their dullness follows from the wear. A surface without a batch has only its nominal part.
     std::optional<Scenarios> scenarios;
     std::int64_t most = 10000;                     ///< parts that are tried
-    std::function<void(std::int64_t part)> onPart; ///< after each that was tried
+    std::function<void(std::int64_t part)> onPart; ///< called after each tried part
     std::stop_token stop;
 };
 
-/// The parts between dressings of a set-up as it stands.
 struct DressingInterval {
     DressingFault fault = DressingFault::none;
-    Issues issues; ///< why a surface cannot be run, or its batch
-    /// Each of the parts 1 to N meets every requirement; the next one does not, as `end` says.
+    Issues issues; ///< why a surface or its batch cannot be run
+    /// Each of the parts 1 to N meets every requirement; the next one does not, see `end`.
     std::int64_t parts = 0;
     std::optional<WornFailure> end;
-    /// No part fails however many there are, for from one on all find the same wheel.
+    /// No part ever fails, since the wheel no longer changes.
     bool isEndless = false;
-    bool isStopped = false;     ///< nothing is known
-    double partVolume_mm3 = 0;  ///< that the cycles of the first part remove
+    bool isStopped = false;     ///< stopped without a result
+    double partVolume_mm3 = 0;  ///< removed by the cycles of the first part
     std::int64_t tried = 0;     ///< runs
-    std::vector<double> time_s; ///< of the cycles of the parts 1…N together, as they stand
+    std::vector<double> time_s; ///< times of all cycles of each part 1…N, nominal
 
     [[nodiscard]] bool ran() const { return fault == DressingFault::none && issues.empty(); }
 };
 
-/// Runs part after part with the wheel as the metal that those before have lost has left it, each
-/// as much as the first [MODEL-12], each surface by itself and in each of its scenarios, until the
-/// first that does not hold. No part is left out: a requirement may fail for one part and hold for
-/// a duller wheel again, as the moments at which stages end go from step to step. Of a set-up
-/// without faults.
+/// Runs part after part with the wheel worn by the removal of the earlier ones, each as much as the
+/// first [MODEL-12], each surface by itself and in each of its scenarios, until the first failure.
+/// No part is skipped: a requirement may fail for one part and be met with a duller wheel, as the
+/// ends of stages jump from step to step. The set-up must have no faults.
 [[nodiscard]] DressingInterval dressingInterval(const Setup& given,
                                                 const DressingOptions& options = {});
 
-/// The rates of the first surface that gives some; null: none does.
+/// The rates of the first surface with rates; null if there are none.
 [[nodiscard]] const Cost* ratesOf(const Setup& setup);
 
-/// Parts between dressings, and what they come to for each part.
+/// A number of parts between dressings, and its value for each part.
 struct BestInterval {
     std::int64_t parts = 0;
     double value = 0; ///< s, or in the currency of the rates
 };
 
 /// The quickest interval, of N parts: least (T_1 + … + T_N + t_d)/N [s], t_d the time of a
-/// dressing. The first of several; nothing without parts.
+/// dressing. The first of equal ones; empty without parts.
 [[nodiscard]] std::optional<BestInterval> quickestInterval(const DressingInterval& interval,
                                                            double dressing_s);
 /// The cheapest interval by partCost() of the mean time.

@@ -24,7 +24,7 @@ constexpr Output<DressingInterval> intervalRows[] = {
      [](const DressingInterval& d) { return d.tried; }},
 };
 
-/// Nothing where the part was not judged.
+/// Null if the part was not judged.
 template <class Value>
 std::optional<Value> ofWorst(const WornFailureOf& f, Value (*value)(const ConstraintResult&)) {
     return f.failure.worst ? std::optional(value(*f.failure.worst)) : std::nullopt;

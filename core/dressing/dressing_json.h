@@ -10,7 +10,7 @@
 
 namespace sparkout {
 
-/// After how many parts dressing is quickest and cheapest; neither without rates of cost.
+/// The quickest and the cheapest interval between dressings; neither without rates of cost.
 struct BestIntervals {
     std::optional<BestInterval> quickest, cheapest;
 };

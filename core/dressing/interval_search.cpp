@@ -21,7 +21,7 @@ namespace sparkout {
 
 namespace {
 
-/// Between dressings, as the project's rates have it.
+/// The parts between dressings given by the project's rates.
 std::optional<std::int64_t> allowedParts(const Project& project) {
     const bool isGiven = project.optimisation && project.optimisation->cost;
     return isGiven
@@ -34,10 +34,10 @@ bool isRunnable(const Project& project) {
     return !hasErrors(validate(project));
 }
 
-/// What a number of parts is compared by: its value, the time and the number; less is better.
+/// The key for comparing numbers of parts: its value, the time and the number; less is better.
 using Worth = std::tuple<double, std::int64_t, std::int64_t>;
 
-/// Numbers of parts, of none of which the quickest cycle is quicker.
+/// Numbers of parts with a common lower bound of the quickest cycle's time.
 struct Numbers {
     std::int64_t first = 0, last = 0;
     std::int64_t least_us = 0;
@@ -78,8 +78,8 @@ public:
 private:
     [[nodiscard]] bool stopped() const { return m_options.stop.stop_requested(); }
 
-    /// The last of the numbers of parts; where a wheel may come to all parts alike, one more than
-    /// are tried stands for any number.
+    /// The greatest number of parts; if the wheel may stop changing, one more than are tried
+    /// represents any number.
     [[nodiscard]] std::int64_t last() const { return m_mayBeEndless ? m_most + 1 : m_most; }
     [[nodiscard]] bool isAny(std::int64_t parts) const { return parts > m_most; }
 
@@ -95,8 +95,8 @@ private:
         return worthOf(numbers.least_us, numbers.last);
     }
 
-    /// From the first upwards at first, as wheels that are far too dull shut all cycles out only
-    /// after all were tried.
+    /// At first from the lowest upwards, since with far too dull wheels all cycles are tried before
+    /// they are excluded.
     static std::int64_t middleOf(const Numbers& numbers) {
         return std::min(numbers.first + (numbers.last - numbers.first) / 2,
                         std::max(2 * numbers.first - 1, numbers.first));
@@ -107,7 +107,7 @@ private:
         const SearchSummary found = quickestFor(parts, numbers.least_us);
         if (!found.best) {
             if (stopped()) {
-                return; // they stay open
+                return; // they remain open
             }
             m_summary.search.status = SearchStatus::infeasible;
             const auto isBeyond = [parts](const Numbers& each) { return each.first >= parts; };
@@ -142,8 +142,8 @@ private:
         m_searchedFor = searchedFor;
     }
 
-    /// Of the cycles of the least time the one with the greatest margin over all parts of the
-    /// answer, not over those alone that it was searched for.
+    /// Chooses among the cycles of the least time the one with the greatest margin over all parts
+    /// of the answer, not only those of its search.
     void settleTies() {
         const SearchSummary found = quickestFor(m_parts, m_best->time_us);
         if (found.best && !stopped()) {
@@ -151,7 +151,7 @@ private:
         }
     }
 
-    /// The quickest cycle that holds for so many parts, where none is quicker than that.
+    /// The quickest cycle that is fit for so many parts, given a lower bound of its time.
     SearchSummary quickestFor(std::int64_t parts, std::int64_t least_us) {
         ++m_summary.searches;
         SearchOptions options = m_options;
@@ -178,7 +178,7 @@ private:
         return found;
     }
 
-    /// The best of all searches so far, and that none is quicker for the first part alone.
+    /// Reports the best of all searches, and the bound for the first part alone.
     void note(const SearchProgress& progress) const {
         SearchProgress all = progress;
         all.evaluations += m_summary.search.evaluations;
@@ -196,16 +196,16 @@ private:
         return project;
     }
 
-    /// A cycle that holds for the first part, and the wheel with it.
+    /// A cycle that is fit for the first part, and the wheel with it.
     struct Tried {
         Project project;
         WheelCourse course;
-        double margin = 0; ///< relative, of the first part
+        double margin = 0; ///< relative, for the first part
         std::int64_t
-            wornOut{}; ///< from this part on all find the same wheel; m_most + 1: none does
+            wornOut{}; ///< first part from which the wheel no longer changes; m_most + 1: none
     };
 
-    /// Nothing: it was stopped.
+    /// Empty after a stop.
     [[nodiscard]] std::optional<Tried> begin(const FeasibleCycle& found) const {
         Tried begun{projectOf(found), m_course, 0};
         begun.course.putWheel(begun.project, 1);
@@ -224,12 +224,12 @@ private:
         return stopped() ? std::nullopt : std::optional(std::move(begun));
     }
 
-    /// The last part that need be told apart of so many.
+    /// The last of so many parts that differs from the previous.
     [[nodiscard]] std::int64_t lastOf(const Tried& begun, std::int64_t parts) const {
         return std::min({parts, begun.wornOut, m_most});
     }
 
-    /// The margin on a part; nothing: it fails there, its wheel is refused, or it was stopped.
+    /// The margin on a part; empty if it fails there, if its wheel is refused, or after a stop.
     [[nodiscard]] std::optional<double> marginAt(Tried& begun, std::int64_t part) const {
         begun.course.putWheel(begun.project, part);
         if (!isRunnable(begun.project)) {
@@ -239,8 +239,8 @@ private:
         return trial && trial->holds ? std::optional(trial->leastMargin) : std::nullopt;
     }
 
-    /// Over all these parts, the last and those first that shut out cycles before. In the threads
-    /// of a full search.
+    /// The least margin over all these parts, beginning with the last and those that excluded
+    /// cycles before. Called on the threads of a full search.
     WholeMargin marginOver(const FeasibleCycle& found, std::int64_t parts, double least) {
         std::optional<Tried> begun = begin(found);
         if (!begun || (isAny(parts) && begun->wornOut > m_most)) {
@@ -277,7 +277,7 @@ private:
         return telling;
     }
 
-    /// A part for which a cycle does not hold.
+    /// Records a part for which a cycle fails.
     void note(std::int64_t telling) {
         constexpr std::size_t most = 8;
         const std::scoped_lock lock(m_mutex);
@@ -289,7 +289,7 @@ private:
         m_telling.resize(std::min(m_telling.size(), most));
     }
 
-    /// Of a cycle that holds for so many parts.
+    /// The life of a cycle that is fit for so many parts.
     [[nodiscard]] std::int64_t lifeOf(const FeasibleCycle& found, std::int64_t parts) const {
         std::optional<Tried> begun = begin(found);
         if (!begun || isAny(parts)) {
@@ -319,7 +319,7 @@ private:
         }
     }
 
-    /// Of all that is still open, and of the best.
+    /// The bound of all open numbers, and of the best.
     [[nodiscard]] std::optional<double> openBound() const {
         std::optional<double> bound;
         for (const Numbers& each : m_open) {
@@ -333,7 +333,7 @@ private:
         return bound && m_isLife ? std::optional(-*bound) : bound;
     }
 
-    /// With the wheel as the answer leaves it.
+    /// With the wheel as worn by the answer.
     [[nodiscard]] std::vector<Project> tellingParts() {
         std::vector<Project> parts;
         std::optional<Tried> begun = begin(*m_best);
@@ -358,19 +358,19 @@ private:
     const SearchOptions& m_options;
     Variants m_variants;
     std::int64_t m_most = 0;     ///< parts that are tried
-    bool m_mayBeEndless = false; ///< where no number of parts is stated
+    bool m_mayBeEndless = false; ///< no number of parts is given
     std::vector<Numbers> m_open; ///< apart from each other
     std::optional<FeasibleCycle> m_best;
     SearchSummary m_answer;
-    std::int64_t m_parts = 0;       ///< that the best holds for
-    std::int64_t m_searchedFor = 0; ///< where its margin is taken over
+    std::int64_t m_parts = 0;       ///< parts for which the best is fit
+    std::int64_t m_searchedFor = 0; ///< parts over which its margin is taken
     double m_leastTime_s = 0;
     std::vector<std::int64_t> m_telling; ///< parts that shut out cycles, the last one first
-    std::mutex m_mutex;                  ///< of these
+    std::mutex m_mutex;                  ///< guards these
     IntervalSummary m_summary;
 };
 
-/// The quickest cycle, dressed after as many parts as the project states.
+/// The quickest cycle, with the project's number of parts between dressings.
 IntervalSummary withoutWear(const Project& project, const SearchOptions& options) {
     IntervalSummary summary;
     summary.searches = 1;

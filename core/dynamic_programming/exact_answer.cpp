@@ -21,7 +21,7 @@ std::vector<std::size_t> pathOf(const GridCycle& cycle, int levels) {
     return path;
 }
 
-/// When a path reaches its levels.
+/// The times at which a path reaches its levels.
 std::vector<double> timesOf(const LevelMoves& moves, const std::vector<std::size_t>& path) {
     std::vector<double> reached_s;
     CyclePrefix way = moves.blank();
@@ -36,7 +36,7 @@ std::vector<double> timesOf(const LevelMoves& moves, const std::vector<std::size
     return reached_s;
 }
 
-/// The fault of one state on the path, if it has one.
+/// The fault of a state on the path, if it has one.
 std::optional<StateFault> faultAt(const StateGrid& grid, const LevelMoves& moves,
                                   const ExactAnswer& exact, int level) {
     const auto at = static_cast<std::size_t>(level - 1);

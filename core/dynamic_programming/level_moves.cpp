@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-/// A stage for each level: how stages follow each other is up to the grid of states.
+/// A stage for each level: the grid of states decides how stages follow each other.
 Project byLevels(Project searched, int levels) {
     searched.optimisation->stages = {static_cast<double>(levels)};
     return searched;

@@ -11,23 +11,23 @@
 
 namespace sparkout {
 
-/// Moves from level to level of stock, each simulated from the state before it.
+/// Moves between levels of stock, each simulated from the previous state.
 class LevelMoves {
 public:
-    /// Takes a project with the search of a grid.
+    /// Requires a project with the search of a grid.
     LevelMoves(const Project& searched, StateGridSize size, const std::stop_token& stop);
 
     /// Returns the prefix of the blank, with no level reached.
     [[nodiscard]] CyclePrefix blank() const;
     struct Reached {
         StateMove move;                   ///< end `slower`: admissible by the limits of its passes
-        std::optional<CyclePrefix> there; ///< prefix at its level, if it was reached
+        std::optional<CyclePrefix> there; ///< prefix at its level, if reached
         std::optional<ConstraintKind>
-            beyondSize; ///< move into the last level: requirement broken by a diameter
+            beyondSize; ///< move into the last level: requirement violated by a diameter
     };
     [[nodiscard]] Reached move(const CyclePrefix& from, std::size_t feed) const;
 
-    /// Result of the whole cycle of a path, run as the project states it.
+    /// Result of the whole cycle of a path, run with the project's stocks.
     struct Judged {
         bool completed = false;
         std::int64_t time_us = 0;
@@ -44,7 +44,7 @@ public:
 
 private:
     std::stop_token m_stop;
-    Project m_project; ///< with one stage a level
+    Project m_project; ///< with one stage per level
     Grid m_grid;
     CycleRunner m_runner;
     StageRuns m_runs;

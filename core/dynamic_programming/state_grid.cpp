@@ -17,7 +17,7 @@ namespace sparkout {
 
 namespace {
 
-/// So many of the values, the first and the last among them, as evenly as there are.
+/// This number of the values, including the first and the last, as evenly spaced as possible.
 std::vector<double> thinned(const std::vector<double>& values, std::size_t count) {
     if (count >= values.size()) {
         return values;
@@ -39,7 +39,6 @@ std::vector<double> risingLevels(const Levels& levels) {
     return values;
 }
 
-/// Fills the grid level by level.
 class GridFiller {
 public:
     GridFiller(const Project& project, StateGridSize size, const std::stop_token& stop)
@@ -69,7 +68,7 @@ public:
     }
 
 private:
-    using Ways = std::vector<std::optional<CyclePrefix>>; ///< what was kept, by feed
+    using Ways = std::vector<std::optional<CyclePrefix>>; ///< kept ways, by feed
 
     void fillLevel(int level) {
         const std::size_t feeds = m_filled.feeds.size();
@@ -85,7 +84,7 @@ private:
         m_ways = std::move(next);
     }
 
-    /// The feeds before this level, the quickest kept first: of equal times that one is kept.
+    /// The feeds before this level, the quickest first, which is kept among equal times.
     [[nodiscard]] std::vector<std::size_t> byTime(int level) const {
         std::vector<std::size_t> order(m_filled.feeds.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
@@ -100,11 +99,11 @@ private:
 
     struct From {
         std::size_t move; ///< index of the move in its state
-        std::size_t feed; ///< m'; of the first level the feed of the move
+        std::size_t feed; ///< m'; for the first level the feed of the move
         const CyclePrefix* way;
-        int stages; ///< with the move
+        int stages; ///< including the move
     };
-    /// Where moves into a state may begin; the others are struck out.
+    /// The possible beginnings of moves into a state; the others are struck out.
     std::vector<From> beginnings(GridState& state, int level, std::size_t m) {
         if (level == 1) {
             state.moves.resize(1);
@@ -155,7 +154,7 @@ private:
         }
     }
 
-    /// The quickest are judged first: once one holds the slower ones need not be.
+    /// The quickest are judged first: once one is feasible the slower ones need not be.
     void fillLast(GridState& state, int level, std::size_t m) {
         std::vector<From> ended;
         for (const From& from : beginnings(state, level, m)) {
@@ -199,7 +198,7 @@ private:
         }
     }
 
-    /// Of equal times the largest margin, as every search here has it.
+    /// Of equal times the largest margin wins, as in every search.
     void readBack() {
         const std::vector<GridState>& last = m_filled.states.back();
         std::optional<std::size_t> best;
@@ -225,9 +224,9 @@ private:
     Project m_searched;
     LevelMoves m_moves;
     StateGrid m_filled;
-    Ways m_ways; ///< to the level before
+    Ways m_ways; ///< to the previous level
     std::optional<CyclePrefix> m_blank;
-    std::vector<double> m_margins; ///< of the cycles that end in the states of the last level
+    std::vector<double> m_margins; ///< margins of the cycles into the last level's states
 };
 
 } // namespace

@@ -17,17 +17,17 @@
 /// feed of the search. A cell [n, m] is the state in which level n was reached with feed m. The
 /// quickest of all admissible moves into it from the states [n − 1, m'] is kept (eq. 27),
 ///
-///     T[n,m] = min over m' of ( T[n−1,m'] + τ ),   T[0,0] = 0,   m* = the m' of the least,
+/// T[n,m] = min over m' of ( T[n−1,m'] + τ ),   T[0,0] = 0,   m* = the m' of the least,
 ///
 /// the least T[N,m] is the time of the cycle, and its feeds are read back along m*.
 ///
 /// τ is simulated from the state that was kept in [n − 1, m'], with every radius as its cycle left
-/// it: this is the printed rule applied to the exact process. A move is admissible when its passes
-/// break no limit (of sections that deflect each other: when they do not burn) and, into level N,
-/// when the whole cycle holds as any other cycle of the program must. Successive moves with one
-/// feed are one stage; a move beyond the allowed number of stages is struck out, which is the
-/// source's limit by the commands of the gauge. A level that the preceding move has already passed
-/// is reached at once, τ = 0.
+/// it: this is the printed rule applied to the exact process. A move is admissible if its passes
+/// exceed no limit (of coupled sections: if they do not burn) and, into level N, if the whole cycle
+/// is feasible like any other cycle of the program. Successive moves with one feed are one stage; a
+/// move beyond the allowed number of stages is struck out, which is the source's limit by the
+/// commands of the gauge. A level that the preceding move has already passed is reached at once, τ
+/// = 0.
 ///
 /// The gauge detects the levels, so the grid contains only cycles under gauge control.
 namespace sparkout {
@@ -36,34 +36,34 @@ inline constexpr int mostStockLevels = 40;
 inline constexpr std::size_t mostGridFeeds = 40;
 
 struct StateGridSize {
-    int levels = 10; ///< N, as the source has it
+    int levels = 10; ///< N, by the source
     int stages = 2;  ///< greatest number of stages
     friend bool operator==(const StateGridSize&, const StateGridSize&) = default;
 };
 
-/// How a move into a state ended.
+/// The end of a move into a state.
 enum class MoveEnd {
-    noState,       ///< no way was kept in the state where it would begin
-    rises,         ///< its feed is above the one before, which the search forbids
-    tooManyStages, ///< it would begin one stage more than allowed
+    noState,       ///< no way was kept in its initial state
+    rises,         ///< its feed is above the previous one, which the search forbids
+    tooManyStages, ///< it would need one stage more than allowed
     broken,        ///< a limit is broken
     notReached,    ///< the cycle ends before the level
-    slower,        ///< admissible, but another is quicker
+    slower,        ///< admissible, but another move is quicker
     kept,          ///< m*
 };
 
 struct StateMove {
     MoveEnd end = MoveEnd::noState;
-    double move_s = 0;                    ///< τ; as far as it was run
+    double move_s = 0;                    ///< τ, as far as it was run
     double time_s = 0;                    ///< T[n−1,m'] + τ
-    std::optional<ConstraintKind> broken; ///< the requirement it breaks
+    std::optional<ConstraintKind> broken; ///< violated requirement
 };
 
 struct GridState {
-    std::optional<double> time_s; ///< T[n,m]; nothing: no admissible move
+    std::optional<double> time_s; ///< T[n,m]; empty: no admissible move
     std::size_t from = 0;         ///< m*; in level 1 the feed itself
     int stages = 0;               ///< number of stages of the way to this state
-    std::vector<StateMove> moves; ///< by m'; in level 1 the only one, from the blank
+    std::vector<StateMove> moves; ///< by m'; in level 1 only one, from the blank
 };
 
 enum class StateGridFault { none, noSearch, noFeeds, positionControl };
@@ -77,7 +77,7 @@ struct StateGrid {
     std::vector<std::vector<GridState>> states; ///< by level, from 1, and feed
     std::vector<std::size_t> path;              ///< feeds of the levels 1 … N; empty: none found
     std::optional<double> time_s;               ///< least T[N,m]
-    Cycle cycle;                                ///< the path as a project states it
+    Cycle cycle;                                ///< the path as a project's cycle
 
     [[nodiscard]] const GridState& state(int level, std::size_t feed) const {
         return states[static_cast<std::size_t>(level - 1)][feed];
@@ -94,11 +94,11 @@ struct StateGrid {
 
 /// Returns the project with a search of exactly the cycles of a grid of this size: up to
 /// `size.stages` stages of whole levels, with the feeds of its own search; of more than
-/// mostGridFeeds feeds some are left out at even intervals. Machine settings stay as they are;
-/// bounds of single stages and scenarios are removed, as the published rule has none.
+/// mostGridFeeds feeds some are left out at even intervals. Machine settings are unchanged; bounds
+/// of single stages and scenarios are removed, as the published rule has none.
 [[nodiscard]] Project withGridSearch(const Project& project, StateGridSize size);
 
-/// Fills the grid of a project without a fault; returns nothing after a stop. `onLevel` receives
+/// Fills the grid of a project without a fault; returns nullopt after a stop. `onLevel` receives
 /// the number of levels filled.
 [[nodiscard]] std::optional<StateGrid> fillStateGrid(const Project& project, StateGridSize size,
                                                      const std::stop_token& stop = {},

@@ -5,7 +5,7 @@
 
 namespace sparkout {
 
-/// What a step is in words, marked for translation in the context "FileError".
+/// The description of a step, marked for translation in the context "FileError".
 [[nodiscard]] const char* fileStepText(FileStep step);
 
 } // namespace sparkout

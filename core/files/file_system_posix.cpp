@@ -198,7 +198,7 @@ int exchangeIn(const Folder& folder, const std::string& a, const std::string& b)
 }
 
 void forEachNameIn(const Folder& folder, const std::function<void(const std::string&)>& take) {
-    // A descriptor of its own: reading moves the position. fdopendir takes it over.
+    // A separate descriptor, since reading moves the position; fdopendir takes ownership.
     const int fd = ::openat(nativeOf(folder.open), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     DIR* const opened = fd >= 0 ? ::fdopendir(fd) : nullptr;
     if (opened == nullptr) {

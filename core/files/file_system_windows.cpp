@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-// Its own headers need it first.
+// The other Windows headers require it first.
 #include <windows.h>
 
 namespace sparkout {
@@ -18,7 +18,7 @@ namespace sparkout {
 namespace {
 
 constexpr DWORD shareAll = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
-/// A link itself; a folder can be opened too.
+/// Opens a link itself, and folders, too.
 constexpr DWORD asItStands = FILE_FLAG_BACKUP_SEMANTICS | FILE_FLAG_OPEN_REPARSE_POINT;
 
 HANDLE nativeOf(const Descriptor& file) {
@@ -97,12 +97,12 @@ std::uint64_t joined(DWORD high, DWORD low) {
     return std::uint64_t{high} << 32 | low;
 }
 
-/// Counted from the year 1601 in steps of 100 ns; to compare, any year will do.
+/// Counted from the year 1601 in steps of 100 ns; only differences matter.
 std::int64_t nanoseconds(const FILETIME& time) {
     return static_cast<std::int64_t>(joined(time.dwHighDateTime, time.dwLowDateTime) * 100);
 }
 
-/// Whether a reparse point leads elsewhere: files of a cloud, for one, are reparse points too.
+/// Whether a reparse point is a link; cloud files, for instance, are reparse points, too.
 bool isLink(HANDLE file, DWORD attributes) {
     FILE_ATTRIBUTE_TAG_INFO tag{};
     return (attributes & FILE_ATTRIBUTE_REPARSE_POINT) != 0
@@ -132,7 +132,7 @@ int factsOfHandle(HANDLE file, FileFacts& facts) {
                            ? times.ChangeTime.QuadPart * 100
                            : facts.modified_ns;
     facts.writeProtected = (attributes & FILE_ATTRIBUTE_READONLY) != 0;
-    facts.ofThisUser = true; // who may not remove it is refused
+    facts.ofThisUser = true; // without the right to remove it, the call fails
     facts.mode = attributes;
     return 0;
 }
@@ -145,7 +145,7 @@ int factsOfName(const std::wstring& name, Links links, FileFacts& facts) {
     return factsOfHandle(nativeOf(file), facts);
 }
 
-/// A place in the file, for calls that take one.
+/// The position in the file for calls that need one.
 OVERLAPPED placeOf(std::uint64_t at) {
     OVERLAPPED place{};
     place.Offset = static_cast<DWORD>(at);
@@ -162,17 +162,18 @@ int readBlock(const Descriptor& file, OVERLAPPED* place, char* block, std::size_
     return !taken && ::GetLastError() == ERROR_HANDLE_EOF ? 0 : failureOf(taken);
 }
 
-/// As POSIX replaces: also a file that is open, where those who have it open let it be removed.
-/// Since version 1709 Windows can on its own file system; others, and Wine 8, refuse the parameter.
+/// Replaces like POSIX: also an open file that was opened with permission to delete it. Windows
+/// supports this on its own file system since version 1709; others, and Wine 8, refuse the
+/// parameter.
 bool replaceAsPosix(const std::wstring& from, const std::wstring& to) {
     Descriptor file;
-    // What was written through is not lost with the power: as MOVEFILE_WRITE_THROUGH does it.
+    // Flushes the data, like MOVEFILE_WRITE_THROUGH.
     if (open(from, DELETE | SYNCHRONIZE, shareAll, OPEN_EXISTING,
              asItStands | FILE_FLAG_WRITE_THROUGH, file)
         != 0)
         return false;
     const std::size_t bytes = to.size() * sizeof(wchar_t);
-    // The name begins within the structure, and the rest of that is room for its end.
+    // The name begins within the structure, whose remainder has room for its end.
     std::vector<std::uint64_t> block((sizeof(FILE_RENAME_INFO) + bytes) / sizeof(std::uint64_t)
                                      + 1);
     FILE_RENAME_INFO info{};
@@ -181,14 +182,14 @@ bool replaceAsPosix(const std::wstring& from, const std::wstring& to) {
     char* const raw = reinterpret_cast<char*>(block.data());
     std::memcpy(raw, &info, sizeof info);
     std::memcpy(raw + offsetof(FILE_RENAME_INFO, FileName), to.data(), bytes);
-    constexpr auto renameInfoEx = static_cast<FILE_INFO_BY_HANDLE_CLASS>(22); // hidden by mingw
+    constexpr auto renameInfoEx = static_cast<FILE_INFO_BY_HANDLE_CLASS>(22); // not in mingw
     return ::SetFileInformationByHandle(nativeOf(file), renameInfoEx, raw,
                                         static_cast<DWORD>(block.size() * sizeof(std::uint64_t)))
            != 0;
 }
 
-/// MoveFileExW replaces in one step; ReplaceFileW, which would keep more of the old file, has a
-/// moment between two in which none stands there.
+/// MoveFileExW replaces in one step; ReplaceFileW, which would keep more of the old file, leaves a
+/// moment without a file.
 int moveFile(const std::wstring& from, const std::wstring& to, DWORD flags) {
     constexpr ULONGLONG patience_ms = 2000;
     const ULONGLONG begin_ms = ::GetTickCount64();
@@ -199,13 +200,13 @@ int moveFile(const std::wstring& from, const std::wstring& to, DWORD flags) {
             failureOf(::MoveFileExW(from.c_str(), to.c_str(), flags | MOVEFILE_WRITE_THROUGH));
         if ((failed != EACCES && failed != EBUSY) || ::GetTickCount64() - begin_ms >= patience_ms)
             return failed;
-        // Others hold files open for moments: searches of the system, scanners for viruses, another
-        // save that reads its file back. Saves beside each other shall not wait in step.
+        // Others may hold files open briefly: system searches, virus scanners, another save that
+        // reads its file back. Simultaneous saves wait for random times.
         ::Sleep(static_cast<DWORD>(1 + randomNumber() % 20));
     }
 }
 
-/// Locks of Windows keep others from reading: a byte is locked that no file has.
+/// Windows locks prevent others from reading: locks a byte beyond any file.
 constexpr std::uint64_t lockedByte = std::uint64_t{1} << 62;
 
 } // namespace
@@ -387,7 +388,7 @@ int writeAll(const Descriptor& file, std::string_view bytes) {
 int copyOwnerAndMode(const Descriptor& file, const FileFacts& of) {
     constexpr DWORD kept = FILE_ATTRIBUTE_HIDDEN | FILE_ATTRIBUTE_SYSTEM | FILE_ATTRIBUTE_ARCHIVE
                            | FILE_ATTRIBUTE_NOT_CONTENT_INDEXED;
-    FILE_BASIC_INFO basic{}; // times of 0 are left as they are
+    FILE_BASIC_INFO basic{}; // times of 0 are not changed
     basic.FileAttributes = (of.mode & kept) != 0 ? of.mode & kept : FILE_ATTRIBUTE_NORMAL;
     return failureOf(
         ::SetFileInformationByHandle(nativeOf(file), FileBasicInfo, &basic, sizeof basic));
@@ -411,8 +412,8 @@ Locking lockFile(const Descriptor& file) {
                                                                       : Locking::unknown;
 }
 
-/// Folders take no locks: a hidden file in it, open to one program and gone with it, stands for
-/// that.
+/// Folders have no locks: a hidden file in it, open exclusively and deleted with its program,
+/// serves as the lock.
 Locking lockFolder(const std::filesystem::path& path, Descriptor& lock) {
     const int failed = open(systemName(path / L".folder.lock"), GENERIC_WRITE, 0, OPEN_ALWAYS,
                             FILE_ATTRIBUTE_HIDDEN | FILE_FLAG_DELETE_ON_CLOSE, lock);

@@ -20,7 +20,7 @@ namespace {
 constexpr std::chrono::seconds longestWait{2};
 constexpr int mostAside = 1000; ///< damaged versions of one file
 
-/// Whether the file holds exactly these bytes: 0, EILSEQ if not, or why it cannot be read.
+/// Whether the file has exactly these bytes: 0, EILSEQ if not, or why it cannot be read.
 int compareWith(const Descriptor& file, std::string_view bytes) {
     std::array<char, 65536> block;
     for (std::size_t at = 0;;) {
@@ -61,7 +61,7 @@ int readWhole(const Descriptor& file, std::string& bytes) {
     }
 }
 
-/// Whether a name in the folder holds what the caller expects to replace.
+/// Whether a name in the folder has the contents that the caller expects to replace.
 StepOutcome compareWithExpected(const Folder& folder, const std::string& name,
                                 const std::optional<std::string>& expected) {
     if (!expected)
@@ -76,8 +76,8 @@ StepOutcome compareWithExpected(const Folder& folder, const std::string& name,
     return sha256(bytes) == *expected ? StepOutcome{} : StepFailure{FileStep::changed, 0};
 }
 
-/// Waits until no other save of an expected version is comparing and replacing in the folder. Where
-/// that cannot be known, or takes too long, it goes on: the exchange is looked at once more.
+/// Waits until no other save of an expected version is comparing and replacing in the folder. If
+/// that is unknown, or takes too long, it continues: the exchange is checked again.
 void waitForTurn(const SaveTarget& target, Descriptor& turn) {
     const auto end = std::chrono::steady_clock::now() + longestWait;
     while (lockFolder(target.parent, turn) == Locking::heldElsewhere
@@ -85,7 +85,7 @@ void waitForTurn(const SaveTarget& target, Descriptor& turn) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-/// Copies the old file to NAME.bak by way of a temporary file.
+/// Copies the old file to NAME.bak through a temporary file.
 StepOutcome copyToBackup(SaveTarget& target, const std::string& backup) {
     if (!target.old) {
         int error = openIn(target.folder, target.name, Opening::read, target.old);
@@ -111,7 +111,7 @@ StepOutcome copyToBackup(SaveTarget& target, const std::string& backup) {
     return {};
 }
 
-/// After the rename: reads the new file under its name. Other bytes there are no fault of this save
+/// After the rename: reads the new file under its name. Other bytes are not a failure of this save
 /// if another one has put its own file in place meanwhile.
 StepOutcome confirm(const SaveTarget& target, const Descriptor& written, std::string_view bytes) {
     Descriptor placed;
@@ -123,9 +123,9 @@ StepOutcome confirm(const SaveTarget& target, const Descriptor& written, std::st
     return {};
 }
 
-/// Puts the temporary file in the place of the old one, which must be the expected one: the two are
-/// exchanged, the old one is looked at and removed or renamed to NAME.bak, or they are exchanged
-/// back. Where files cannot be exchanged a backup is copied first.
+/// Replaces the old file, which must be the expected one, by the temporary one: exchanges the two,
+/// checks the old one and removes it or renames it to NAME.bak, or exchanges them back. Where files
+/// cannot be exchanged a backup is copied first.
 StepOutcome replaceOld(SaveTarget& target, const std::string& temporary,
                        const WriteOptions& options) {
     const Folder& folder = target.folder;
@@ -157,7 +157,7 @@ StepOutcome replaceOld(SaveTarget& target, const std::string& temporary,
     return moveIntoPlace(target, temporary);
 }
 
-/// Puts the temporary file in its place, whatever the caller expects there.
+/// Puts the temporary file in its place without checking the old one.
 StepOutcome putInPlace(SaveTarget& target, const std::string& temporary,
                        const WriteOptions& options) {
     if (!target.exists && options.expected) {
@@ -172,10 +172,10 @@ StepOutcome putInPlace(SaveTarget& target, const std::string& temporary,
 
 StepOutcome save(SaveTarget& target, std::string_view bytes, const WriteOptions& options) {
     const bool exists = target.exists;
-    // First, so that nothing is written for nothing.
+    // First, to avoid useless writing.
     if (StepOutcome changed = compareWithExpected(target.folder, target.name, options.expected))
         return changed;
-    if (target.old) // another save shall not take the old file for a leftover while it is exchanged
+    if (target.old) // another save must not take the exchanged old file for a leftover
         (void)lockFile(target.old);
 
     Descriptor file;
@@ -199,7 +199,7 @@ StepOutcome save(SaveTarget& target, std::string_view bytes, const WriteOptions&
 }
 
 StepOutcome readAll(const std::filesystem::path& path, std::size_t maxBytes, std::string& bytes) {
-    // Asked before opening: opening a device may already do something.
+    // Checked before opening, since opening a device may have effects.
     FileFacts found;
     if (const int error = factsAt(path, Links::followed, found))
         return StepFailure{FileStep::inspect, error};

@@ -24,7 +24,7 @@ std::uint64_t sumOf(std::string_view bytes, std::uint64_t sum) {
     return sum;
 }
 
-/// Whether the file holds so many bytes of that sum: 0, EILSEQ if not, or why it cannot be read.
+/// Whether the file has this length and checksum: 0, EILSEQ if not, or why it cannot be read.
 int compareSum(const Descriptor& file, std::uint64_t length, std::uint64_t wanted) {
     std::string block(blockBytes, '\0');
     std::uint64_t at = 0, sum = firstSum;
@@ -46,9 +46,9 @@ struct SafeFileWriter::State {
     Existing existing;
     SaveTarget target;
     Descriptor file;
-    std::string name; ///< of the temporary file
+    std::string name; ///< name of the temporary file
     std::optional<TemporaryName> temporary;
-    std::string block; ///< not written yet
+    std::string block; ///< bytes that are not written yet
     std::uint64_t length = 0, sum = firstSum;
     std::optional<FileError> error;
 
@@ -87,7 +87,7 @@ struct SafeFileWriter::State {
         Descriptor placed;
         if (StepOutcome failed = openPlaced(target, placed))
             return failed;
-        // Read back before the rename; here it is enough that it is this file.
+        // Read back before the rename; here the identity of the file suffices.
         return sameFile(placed, file) ? StepOutcome{} : StepFailure{FileStep::verify, EILSEQ, true};
     }
 

@@ -9,9 +9,9 @@
 
 namespace sparkout {
 
-/// What writeFileSafely() does with bytes that come bit by bit and may be too many for the memory:
-/// nothing stands under the path until finish() has put the whole file there. One that is not
-/// finished leaves nothing behind.
+/// Like writeFileSafely() for bytes written in parts, possibly more than fit into memory: the path
+/// does not change until finish() puts the complete file there. An unfinished file leaves nothing
+/// behind.
 class SafeFileWriter {
 public:
     enum class Existing { replaced, refused };
@@ -21,11 +21,11 @@ public:
     SafeFileWriter(const SafeFileWriter&) = delete;
     SafeFileWriter& operator=(const SafeFileWriter&) = delete;
 
-    /// False: this or an earlier step failed; see error().
+    /// False if this or an earlier step failed; see error().
     bool write(std::string_view bytes);
     /// Syncs, reads back and renames. False: see error().
     bool finish();
-    /// Why it failed, if it did. A file that stood in the way is EEXIST.
+    /// Why it failed, if it did. An existing file is EEXIST.
     [[nodiscard]] const std::optional<FileError>& error() const;
 
 private:

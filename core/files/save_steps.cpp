@@ -47,7 +47,7 @@ StepOutcome openTarget(std::filesystem::path path, SaveTarget& target) {
     target.exists = true;
     if (!replacesOpenFiles())
         target.old = Descriptor();
-    // Asked of the mode too: the system lets root write anything.
+    // Checks the mode, too: the system lets root write anything.
     return outcomeOf(FileStep::readOnly, target.oldFacts.writeProtected ? EACCES : 0);
 }
 

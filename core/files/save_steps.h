@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The steps that saving a file whole (safe_file.cpp) and writing one bit by bit
-// (safe_file_writer.cpp) have in common.
+// The common steps of saving a file whole (safe_file.cpp) and in parts (safe_file_writer.cpp).
 
 #include "core/files/file_system.h"
 #include "core/files/safe_file.h"
@@ -13,19 +12,18 @@
 
 namespace sparkout {
 
-/// Why a step failed.
 struct StepFailure {
     FileStep step;
     int systemError;
     bool replaced = false; ///< see FileError::replaced
 };
-/// What a step hands back: nothing when it went well.
+/// The result of a step: empty on success.
 using StepOutcome = std::optional<StepFailure>;
 
-/// The file a save replaces: its folder, its name there and, if it exists, the old file, which is
-/// open where a file can be replaced so.
+/// The file to be replaced: its folder, its name there and, if it exists, the old file, kept open
+/// where open files can be replaced.
 struct SaveTarget {
-    std::filesystem::path parent; ///< of the folder
+    std::filesystem::path parent; ///< parent of the folder
     Folder folder;
     std::string name;
     bool exists = false;
@@ -33,28 +31,27 @@ struct SaveTarget {
     FileFacts oldFacts;
 };
 
-/// Finds the target behind a path, symbolic links followed, and opens what it needs.
+/// Finds the target of a path, following symbolic links, and opens what it needs.
 [[nodiscard]] StepOutcome openTarget(std::filesystem::path path, SaveTarget& target);
 
 /// A step whose call gave an error, or none.
 [[nodiscard]] StepOutcome outcomeOf(FileStep step, int error, bool replaced = false);
 
-/// Removes what killed saves of the target left, unless another save has its turn in the folder:
-/// the file that it replaces has a temporary name for a moment. Then makes its temporary file. A
-/// new file gets its mode from the umask, a replaced one stays private until it is whole.
+/// Removes leftovers of killed saves of the target, unless another save has its turn in the folder,
+/// whose old file briefly has a temporary name. Then creates its temporary file. A new file gets
+/// its mode from the umask, a replacing one is private until it is complete.
 [[nodiscard]] StepOutcome beginTemporary(const SaveTarget& target, Descriptor& file,
                                          std::string& name);
 
 /// Renames the temporary file to the target's name.
 [[nodiscard]] StepOutcome moveIntoPlace(SaveTarget& target, const std::string& temporary);
 
-/// After the rename: makes it durable and opens the file that stands under the target's name.
+/// After the rename: makes it durable and opens the file with the target's name.
 [[nodiscard]] StepOutcome openPlaced(const SaveTarget& target, Descriptor& placed);
 
-/// Whether two descriptors are of one file.
 [[nodiscard]] bool sameFile(const Descriptor& a, const Descriptor& b);
 
-/// The failure as the caller gets it, with the free space of the target's disk.
+/// The failure for the caller, with the free space of the target's disk.
 [[nodiscard]] FileError errorOf(const StepFailure& failure, const std::filesystem::path& path,
                                 const SaveTarget& target);
 

@@ -9,7 +9,7 @@
 namespace sparkout {
 namespace {
 
-/// Removes the name. Tried again on any error: a temporary file must not stay behind.
+/// Removes the name. Retries after any error, since a temporary file must not be left.
 void removeName(const Folder& folder, const std::string& name) {
     for (int attempt = 0; attempt < 3; ++attempt) {
         const int failed = removeIn(folder, name);
@@ -38,7 +38,7 @@ bool isTemporaryName(std::string_view name, std::string_view prefix) {
     return random.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-/// Removes one leftover: a regular file of ours that no running save holds locked.
+/// Removes one leftover: a regular file of ours that no running save has locked.
 void removeLeftover(const Folder& folder, const std::string& name) {
     Descriptor file;
     FileFacts opened;
@@ -57,7 +57,7 @@ TemporaryName::~TemporaryName() {
 }
 
 std::string temporaryPrefix(const std::string& target) {
-    // A hash (FNV-1a) stands for the target's name, since that may be 255 bytes long itself.
+    // A hash (FNV-1a) represents the target's name, which may have 255 bytes itself.
     std::uint64_t hash = 0xcbf29ce484222325U;
     for (const char c : target)
         hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
@@ -81,7 +81,7 @@ int createTemporary(const Folder& folder, const std::string& prefix, std::uint32
         removeName(folder, name);
         if (error != 0)
             return error;
-        // else another save was cleaning up at this very moment: take another name
+        // another save was cleaning up at this moment: take another name
     }
     return EEXIST;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Temporary names, which saving a file is made of.
+// Temporary names for saving a file.
 
 #include "core/files/file_system.h"
 
@@ -11,7 +11,7 @@
 
 namespace sparkout {
 
-/// A name that is removed at the end of the scope unless it was renamed away.
+/// A name that is removed at the end of the scope unless it was renamed.
 class TemporaryName {
 public:
     TemporaryName(const Folder& folder, std::string name)
@@ -22,19 +22,20 @@ public:
     void release() { m_name.clear(); }
 
 private:
-    const Folder* m_folder; ///< outlives it
+    const Folder* m_folder; ///< must outlive this object
     std::string m_name;
 };
 
-/// How the temporary names of one target begin, so that the next save finds what a killed one left.
+/// The prefix of the temporary names of a target, by which the next save finds leftovers.
 [[nodiscard]] std::string temporaryPrefix(const std::string& target);
 
-/// A new, locked file with an unpredictable name; the lock says "in use" to removeLeftovers().
-/// On file systems without locks nothing is ever taken for a leftover. Gives 0 or errno.
+/// Creates a new, locked file with an unpredictable name; the lock protects it from
+/// removeLeftovers(). On file systems without locks nothing counts as a leftover. Returns 0 or
+/// errno.
 [[nodiscard]] int createTemporary(const Folder& folder, const std::string& prefix,
                                   std::uint32_t mode, Descriptor& file, std::string& name);
 
-/// Removes the regular files of this user with that prefix that no running save holds locked.
+/// Removes the regular files of this user with that prefix that no running save has locked.
 void removeLeftovers(const Folder& folder, const std::string& prefix);
 
 } // namespace sparkout

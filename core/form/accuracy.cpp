@@ -11,7 +11,7 @@ namespace sparkout {
 
 namespace {
 
-/// Of those that are numbers: in a gap none is.
+/// The mean without NaN values, which mark a gap.
 double mean(std::span<const double> values) {
     const auto first = std::ranges::find_if(values, [](double v) { return !std::isnan(v); });
     double sum = 0;
@@ -51,7 +51,7 @@ double runout(std::span<const SectionShape> sections, double geometricRunout_mm,
               FormulaSheet* sheet) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const SectionShape& section : sections) {
-        for (const double radius : section.radii_mm) { // in a gap no number, and no extreme
+        for (const double radius : section.radii_mm) { // NaN in a gap, and no extreme
             low = std::min(low, radius);
             high = std::max(high, radius);
         }
@@ -62,9 +62,9 @@ double runout(std::span<const SectionShape> sections, double geometricRunout_mm,
     return found;
 }
 
-// Least squares by orthogonal parts: P₁ = ξ − mean ξ and P₂ = ξ² less its share in 1 and P₁, with ξ
-// from −1 at the first section to 1 at the last. Between these ends the quadratic part ξ² rises by
-// 1, so its coefficient is ends less middle.
+// Least squares by orthogonal functions: P₁ = ξ − mean ξ and P₂ = ξ² without its components along 1
+// and P₁, with ξ from −1 at the first section to 1 at the last. Between the middle and these ends
+// ξ² rises by 1, so its coefficient is ends less middle.
 LongitudinalProfile longitudinalProfile(std::span<const double> positions_mm,
                                         std::span<const double> meanRadii_mm) {
     const auto [first, last] = std::minmax_element(positions_mm.begin(), positions_mm.end());

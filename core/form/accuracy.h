@@ -10,11 +10,11 @@
 
 namespace sparkout {
 
-/// What the mean radius does along the length.
+/// The form of the mean radius along the length.
 enum class LongitudinalForm { straight, taper, barrel, saddle };
 
 /// Linear and quadratic part of the mean radii along the length, least squares [MODEL-7], both over
-/// the span from the first section to the last, in radius. Of one section neither, of two no
+/// the span from the first section to the last, in radius. One section has neither, two have no
 /// quadratic part.
 struct LongitudinalProfile {
     double taper_mm = 0; ///< last end less first end of the linear part
@@ -22,31 +22,31 @@ struct LongitudinalProfile {
     LongitudinalForm form = LongitudinalForm::straight; ///< the larger of the two
 };
 
-/// Below it, in either part, a profile counts as straight: a hundredth of a micrometre.
+/// Both parts of a straight profile are smaller: a hundredth of a micrometre.
 inline constexpr double straight_mm = 1e-5;
 
-/// One section against the drawing.
+/// Form of one section, compared with the drawing.
 struct SectionAccuracy {
     double meanRadius_mm = 0;
-    double radialRunout_mm = 0; ///< R_max − R_min about the centre axis, and the machine's own
+    double radialRunout_mm = 0; ///< R_max − R_min about the centre axis, plus the machine's own
     RoundnessZone leastSquares;
     RoundnessZone minimumZone;
 };
 
-/// A zone that holds several sections [ALSIGAR2021].
+/// A zone with several sections [ALSIGAR2021].
 struct ZoneForm {
     double cylindricity_mm = 0; ///< minimum zone
-    double totalRunout_mm = 0;  ///< R_max − R_min over its sections, and the machine's own
+    double totalRunout_mm = 0;  ///< R_max − R_min over its sections, plus the machine's own
     LongitudinalProfile profile;
 };
 
 /// A part against the drawing.
 struct PartAccuracy {
-    std::vector<SectionAccuracy> sections; ///< of a zone with several that of the least round one
-    std::vector<ZoneForm> zones;           ///< where zones hold several sections
+    std::vector<SectionAccuracy> sections; ///< one per zone: its least round section
+    std::vector<ZoneForm> zones;           ///< for zones with several sections
     CylinderZone leastSquares;
     CylinderZone minimumZone;
-    double totalRunout_mm = 0; ///< R_max − R_min over all sections, and the machine's own
+    double totalRunout_mm = 0; ///< R_max − R_min over all sections, plus the machine's own
     LongitudinalProfile profile;
 };
 
@@ -58,7 +58,7 @@ double runout(std::span<const SectionShape> sections, double geometricRunout_mm,
 [[nodiscard]] LongitudinalProfile longitudinalProfile(std::span<const double> positions_mm,
                                                       std::span<const double> meanRadii_mm);
 
-/// All of it, for sections of equally many radii (K ≥ 4) at different positions.
+/// Computes everything for sections with equal numbers of radii (K ≥ 4) at different positions.
 [[nodiscard]] PartAccuracy partAccuracy(std::span<const SectionShape> sections,
                                         double geometricRunout_mm);
 

@@ -32,10 +32,10 @@ Matrix basisMatrix(const AxisView& view,
     return M;
 }
 
-/// An orthonormal basis of the vectors taken so far, by Gram and Schmidt, each twice.
+/// An orthonormal basis of the added vectors, by Gram–Schmidt with reorthogonalisation.
 class Span {
 public:
-    /// What of v lies outside, 0 if that is no more than rounding.
+    /// The part of v outside the span, 0 if it is rounding.
     [[nodiscard]] Vector outside(const Vector& v) const {
         Vector rest = v;
         for (int pass = 0; pass < 2; ++pass) {
@@ -83,14 +83,14 @@ AxisFit ChebyshevFit::run(const AxisView& view, double tolerance) {
     return nearest(view, fit, tolerance);
 }
 
-// With fewer than six contacts the best fits are many. Towards the one of the simplex method from
-// the smallest shift and lean that keep the contacts, as far as the other points demand: the
-// distance that each still stands out falls linearly on the way. The radius is free, so the
-// contacts fix the shift and lean by their differences alone: of all that the fit keeps them with,
-// the smallest is its part within the span of these differences.
+// With fewer than six contacts there are many best fits. Moves from the smallest shift and lean
+// that keep the contacts towards the simplex method's fit, as far as the other points require:
+// their excess falls linearly on the way. The radius is free, so the contacts fix shift and lean
+// only by their differences: the smallest fit that keeps them is the part within the span of these
+// differences.
 AxisFit ChebyshevFit::nearest(const AxisView& view, const AxisFit& fit, double tolerance) const {
     const std::vector<Point> touching = contacts();
-    if (touching.empty()) { // no weight is a number
+    if (touching.empty()) { // NaN weights
         return fit;
     }
     const auto direction = [&](const Point& point) {
@@ -133,7 +133,7 @@ std::vector<ChebyshevFit::Point> ChebyshevFit::contacts() const {
     return found;
 }
 
-// Six points have one vector η with Σ η_i·g_i = 0; its signs are the basis's.
+// Six points have one vector η with Σ η_i·g_i = 0; its signs are those of the basis.
 void ChebyshevFit::makeFeasible(const AxisView& view) {
     for (Point& point : m_basis) {
         point.sign = 1;
@@ -187,8 +187,9 @@ ChebyshevFit::Entering ChebyshevFit::choose(const AxisView& view, const AxisFit&
     return found;
 }
 
-// The weights along the entering column: θ = min y_m/z_m over z_m > 0 leaves the basis. Of equals
-// the largest z, which keeps the basis well away from a singular one; by Bland the first point.
+// The weights along the entering column: the point with θ = min y_m/z_m over z_m > 0 leaves the
+// basis. Ties are broken by the largest z, which keeps the basis well-conditioned, or by Bland's
+// rule, by the first point.
 bool ChebyshevFit::pivot(const AxisView& view, const Point& entering, bool bland) {
     const Vector z =
         Eigen::PartialPivLU<Matrix>(basisMatrix(view, m_basis)).solve(column(view, entering));
@@ -238,7 +239,7 @@ AxisFit ChebyshevFit::runOnCandidates(const AxisView& view, double tolerance) {
     return fit;
 }
 
-// Written for the vector unit: with 200 sections of 360 radii this is most of the work.
+// Vectorised: with 200 sections of 360 radii this takes most of the time.
 void ChebyshevFit::takeResiduals(const AxisView& view, const AxisFit& fit, std::size_t section) {
     const std::size_t K = view.K;
     const double* __restrict d = view.d.data() + section * K;
@@ -254,10 +255,10 @@ void ChebyshevFit::takeResiduals(const AxisView& view, const AxisFit& fit, std::
     }
 }
 
-/// The furthest points of each section that stand out, on either side.
+/// Adds the furthest points of each section with an excess, on either side.
 bool ChebyshevFit::addCandidates(const AxisView& view, const AxisFit& fit, double tolerance) {
     const std::size_t before = m_candidates.size();
-    const auto isCandidate = [&](std::size_t i) { // those known before are sorted
+    const auto isCandidate = [&](std::size_t i) { // the earlier ones are sorted
         return std::binary_search(m_candidates.begin(),
                                   m_candidates.begin() + static_cast<std::ptrdiff_t>(before), i);
     };
@@ -266,7 +267,7 @@ bool ChebyshevFit::addCandidates(const AxisView& view, const AxisFit& fit, doubl
         takeResiduals(view, fit, j);
         const ValueRange range = rangeOf(m_residuals);
         for (const double extreme : {range.low, range.high}) {
-            if (!(std::abs(extreme) > fit.level + tolerance)) { // nor when it is not a number
+            if (!(std::abs(extreme) > fit.level + tolerance)) { // also for NaN
                 continue;
             }
             const auto found = std::find(m_residuals.begin(), m_residuals.end(), extreme);

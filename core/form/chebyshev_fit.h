@@ -7,7 +7,7 @@
 
 namespace sparkout {
 
-/// The points of a part's surface as seen from a trial axis, section by section: distance d and its
+/// The points of a part's surface relative to a trial axis, section by section: distance d and its
 /// gradient −(nx, ny) for a shift, −ζ·(nx, ny) for a lean, ζ that of the section.
 struct AxisView {
     AxisView(std::size_t sectionCount, std::size_t radiiPerSection)
@@ -31,15 +31,15 @@ struct AxisFit {
     double level = 0; ///< ≥ 0
 };
 
-/// Best uniform approximation of the distances by {1, nx, ny, nx·ζ, ny·ζ}: the linear programme
-/// min level with |d_i − fit_i| ≤ level, by the simplex method on its dual,
+/// Best uniform approximation of the distances by {1, nx, ny, nx·ζ, ny·ζ}: the linear programme min
+/// level with |d_i − fit_i| ≤ level, by the simplex method on its dual,
 ///
-///     max Σ y_i·s_i·d_i,   Σ y_i·s_i·g_i = 0,  Σ y_i = 1,  y ≥ 0,   g = (1, nx, ny, nx·ζ, ny·ζ)
+/// max Σ y_i·s_i·d_i,   Σ y_i·s_i·g_i = 0,  Σ y_i = 1,  y ≥ 0,   g = (1, nx, ny, nx·ζ, ny·ζ)
 ///
 /// A basis is six points with signs s; any six points of full rank have signs that make it
-/// feasible. The point that stands out furthest comes in; where weights are zero and the level
-/// stalls, Bland's rule takes over, so the method ends. Only points that once stood out in their
-/// section are looked at, until none of all stands out.
+/// feasible. The point with the largest excess enters; where weights are zero and the level stalls,
+/// Bland's rule is used, so the method terminates. Only points that once had the largest excess in
+/// their section are considered, until no point at all has an excess.
 class ChebyshevFit {
 public:
     struct Point {
@@ -51,7 +51,7 @@ public:
     /// Starts with three points each of two sections.
     ChebyshevFit(const AxisView& view, std::size_t firstSection, std::size_t lastSection);
 
-    /// Of several best fits one with little shift and lean.
+    /// Of several best fits returns one with a small shift and lean.
     AxisFit run(const AxisView& view, double tolerance);
 
     /// The points that carry the level, weights above zero.
@@ -75,7 +75,7 @@ private:
     std::array<Point, size> m_basis;
     std::array<double, size> m_weights{};
     std::vector<std::size_t> m_candidates;
-    std::vector<double> m_residuals; ///< of one section
+    std::vector<double> m_residuals; ///< residuals of one section
 };
 
 } // namespace sparkout

@@ -47,9 +47,9 @@ public:
     }
 
     // Offset q from the axis at the point's own position; along the leaning axis, direction (t, 1),
-    // the foot is λ = q·t/(1 + t²) further on. d = |q − λ·(t, 1)|, and as the foot is the nearest
-    // point of the axis, ∂d/∂(shift) = −(nx, ny) and ∂d/∂(lean) = −ζ_foot·(nx, ny). For the foot's
-    // place the section's is taken: λ is some R·t beside it.
+    // the foot is λ = q·t/(1 + t²) further. d = |q − λ·(t, 1)|, and as the foot is the nearest
+    // point of the axis, ∂d/∂(shift) = −(nx, ny) and ∂d/∂(lean) = −ζ_foot·(nx, ny). The section's
+    // place approximates that of the foot: λ is about R·t.
     void look(const Axis& axis, AxisView& view) const {
         const double tx = axis.u / m_reach, ty = axis.v / m_reach, t2 = tx * tx + ty * ty;
         const double along = 1 / (1 + t2);
@@ -93,7 +93,7 @@ public:
     [[nodiscard]] Axis axisOf(const CylinderZone& zone) const {
         return {zone.x_mm, zone.y_mm, zone.slopeX * m_reach, zone.slopeY * m_reach};
     }
-    /// The regression line through the sections' centres, up to some form/R of it.
+    /// The regression line through the sections' centres, an approximation up to form/R.
     [[nodiscard]] Axis throughCentres() const {
         const std::vector<double>& c = m_directions.cosines();
         const std::vector<double>& s = m_directions.sines();
@@ -141,8 +141,8 @@ CylinderZone fromCircles(const SectionShape& section, const RoundnessZone& circl
     return found;
 }
 
-/// Mean distance r and the Gauss-Newton step of the axis, up to some form/R of it: the directions
-/// are all but orthogonal. The foot of a point stands λ = d·(n·t) beside its section.
+/// Mean distance r and the Gauss-Newton step of the axis, up to about form/R of it: the directions
+/// are nearly orthogonal. The foot of a point is λ = d·(n·t) from its section.
 AxisFit leastSquaresStep(const AxisView& view, const Surface3d& surface, const Axis& axis) {
     const std::size_t K = view.K;
     double sum = 0;
@@ -177,7 +177,7 @@ AxisFit leastSquaresStep(const AxisView& view, const Surface3d& surface, const A
     return by;
 }
 
-/// The same of directions that are not even: Σ(d − r − n·(shift + ζ·lean))² least, ζ of the foot.
+/// For uneven directions: the least Σ(d − r − n·(shift + ζ·lean))², ζ of the foot.
 AxisFit leastSquaresOfSome(const AxisView& view, const Surface3d& surface, const Axis& axis) {
     using Vector5 = Eigen::Matrix<double, 5, 1>;
     const double perReach = 1 / surface.reach();
@@ -195,7 +195,7 @@ AxisFit leastSquaresOfSome(const AxisView& view, const Surface3d& surface, const
     return {view.d[0] + found[0], found[1], found[2], found[3], found[4], 0};
 }
 
-/// What is left of interrupted sections, which have their gaps alike.
+/// The ground parts of interrupted sections, whose gaps are the same.
 class GroundSections {
 public:
     GroundSections(std::span<const SectionShape> sections, const Directions& directions)
@@ -232,8 +232,8 @@ Axis moved(const Axis& axis, const AxisFit& fit, double share) {
             axis.v + share * fit.v};
 }
 
-/// Gauss-Newton on the axis: each step is the best axis of the distances made linear about the
-/// last one, halved until the true zone gets narrower.
+/// Gauss-Newton on the axis: each step is the best axis of the distances linearised about the last
+/// one, halved until the true zone becomes narrower.
 class ZoneSearch {
 public:
     ZoneSearch(const Surface3d& surface, const CylinderZone& start)
@@ -261,7 +261,7 @@ public:
     }
 
 private:
-    /// What the distances' curvature makes of a step: less than this a linear step cannot gain.
+    /// The error of a step by the curvature of the distances: a smaller gain is not significant.
     [[nodiscard]] double curvature(const AxisFit& fit) const {
         const double R = m_best.inner_mm;
         const double shift = std::hypot(fit.x, fit.y) + std::hypot(fit.u, fit.v);
@@ -297,7 +297,7 @@ private:
     AxisView m_view;
     CylinderZone m_best;
     double m_tolerance;
-    double m_gain = 0; ///< what the last linear step promised
+    double m_gain = 0; ///< predicted by the last linear step
 };
 
 } // namespace

@@ -9,7 +9,7 @@
 
 namespace sparkout {
 
-/// One section of a part: its radii and where it stands along the ground length.
+/// One section of a part: its radii and its place along the ground length.
 struct SectionShape {
     double position_mm = 0;
     std::span<const double> radii_mm; ///< R_k about the centre axis, K values
@@ -22,22 +22,21 @@ struct CylinderContact {
     bool outer = false;
 };
 
-/// Two cylinders about one axis that hold the points of all sections between them [ISO12180]. The
-/// axis passes (x, y) at `position` and leans by the slopes.
+/// Two coaxial cylinders that contain the points of all sections between them [ISO12180]. The axis
+/// passes (x, y) at `position` and leans by the slopes.
 struct CylinderZone {
     double position_mm = 0; ///< the sections' mean position
     double x_mm = 0, y_mm = 0;
     double slopeX = 0, slopeY = 0; ///< mm a mm along the axis
     double inner_mm = 0, outer_mm = 0;
-    double reference_mm = 0;               ///< least squares: the fitted radius; else the middle
+    double reference_mm = 0; ///< least squares: the fitted radius; otherwise the middle
     std::vector<CylinderContact> contacts; ///< minimum zone
 
-    /// The cylindricity deviation.
     [[nodiscard]] double deviation() const { return outer_mm - inner_mm; }
 };
 
 /// Least-squares cylinder: axis and radius with the smallest Σ(distance − radius)², distances
-/// square to the leaning axis. One section: its circle. Positions must differ.
+/// perpendicular to the leaning axis. One section: its circle. Positions must differ.
 [[nodiscard]] CylinderZone leastSquaresCylinder(std::span<const SectionShape> sections,
                                                 const Directions& directions);
 

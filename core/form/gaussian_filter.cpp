@@ -15,7 +15,7 @@ double gaussianTransmission(double lobes, double cutoff_upr) {
     return std::exp(-std::numbers::ln2 * ratio * ratio);
 }
 
-// What is taken off is summed up, so that what passes keeps all its digits.
+// Sums up the removed part, so that the remaining one keeps all its digits.
 std::vector<double> gaussianFiltered(std::span<const double> radii, const Directions& directions,
                                      double cutoff_upr) {
     const std::size_t K = radii.size();

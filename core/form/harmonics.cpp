@@ -7,7 +7,7 @@ namespace sparkout {
 
 namespace {
 
-/// Straight across the gaps, whose radii are no number.
+/// Bridges the gaps, whose radii are NaN, by straight lines.
 std::vector<double> bridged(std::span<const double> given) {
     std::vector<double> radii(given.begin(), given.end());
     const std::size_t K = radii.size();
@@ -26,8 +26,8 @@ std::vector<double> bridged(std::span<const double> given) {
 
 } // namespace
 
-// cos(n·φ_k) is the direction n·k mod K; the mean goes first, so that small lobes on a large radius
-// keep their digits.
+// cos(n·φ_k) is the direction n·k mod K; the mean is subtracted first, so that small lobes on a
+// large radius keep their digits.
 std::vector<Harmonic> harmonics(std::span<const double> given, const Directions& directions) {
     const std::vector<double> radii = bridged(given);
     const std::size_t K = radii.size();

@@ -8,11 +8,11 @@
 
 namespace sparkout {
 
-/// One lobe number of a profile: amplitude·cos(lobes·φ − phase).
+/// One harmonic of a profile: amplitude·cos(lobes·φ − phase).
 struct Harmonic {
     int lobes = 0;
     double amplitude_mm = 0; ///< ≥ 0; of lobe number 0 the mean radius
-    double phase_rad = 0;    ///< −π…π; a crest stands at φ = phase/lobes
+    double phase_rad = 0;    ///< −π…π; a crest is at φ = phase/lobes
 };
 
 /// The discrete Fourier sum of a section's K radii, lobe numbers 0 to ⌊K/2⌋:

@@ -20,9 +20,9 @@ namespace sparkout {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// What a radius may be off by for its distances' last bits, over the radius.
+/// Rounding error of a radius by the distances' last bits, relative to the radius.
 constexpr double roundings = 8 * epsilon;
-/// Weights below it are none.
+/// Smaller weights count as 0.
 constexpr double leastWeight = 1e-12;
 
 enum class Side { inscribed, circumscribed };
@@ -48,8 +48,8 @@ double leastOf(const Eigen::Vector3d& weights) {
     return std::isfinite(least) ? least : -std::numeric_limits<double>::infinity();
 }
 
-/// Three points a third of a turn apart, or of interrupted sections as near to it as there are; of
-/// all such the ones that balance best. Nothing: none do.
+/// Three points a third of a turn apart, or for interrupted sections as near to it as possible; of
+/// all such the best balanced ones. Empty if there are none.
 std::optional<Basis> balanced(const CentreView& view) {
     std::vector<std::pair<double, std::size_t>> angles;
     for (std::size_t k = 0; k < view.d.size(); ++k) {
@@ -84,7 +84,7 @@ struct Lift {
     double level = 0, x = 0, y = 0;
 };
 
-/// The dual simplex method: each exchange lowers the level, until no point stands out.
+/// The dual simplex method: each exchange lowers the level, until no point has an excess.
 Lift lift(const CentreView& view, const std::vector<double>& v, Basis& basis, double tolerance) {
     Lift found;
     for (std::size_t step = 0; step < 4 * v.size() + 64; ++step) {

@@ -14,11 +14,12 @@ namespace sparkout {
 ///
 /// About a trial centre the distances are linear in its shift up to their curvature; that problem,
 /// the least r with r ≥ d_k − n_k·shift, is a linear programme in three unknowns, solved exactly by
-/// the simplex method on its dual: three points whose directions balance carry the circle, the
-/// point that stands out furthest takes the place of one of them. Then the distances are taken
-/// anew, until the circle grows no smaller.
+/// the simplex method on its dual: three points whose directions balance define the circle, and the
+/// point with the largest excess replaces one of them. Then the distances are recomputed, until the
+/// circle becomes no smaller.
 ///
-/// Nothing where no three directions balance, as with a gap of half a turn: no circle is held then.
+/// Empty if no three directions balance, as with a gap of half a turn: the circle is then
+/// undefined.
 [[nodiscard]] std::optional<RoundnessZone>
 minimumCircumscribedCircle(std::span<const double> radii_mm, const Directions& directions);
 

@@ -52,7 +52,7 @@ std::vector<double> GroundRadii::of(std::span<const double> radii) const {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// What a zone may be off by for its distances' last bits, over the radius.
+/// Rounding error of a zone by the distances' last bits, relative to the radius.
 constexpr double roundings = 8 * epsilon;
 
 /// d_k ≈ r + x·nx_k + y·ny_k ± level.
@@ -66,8 +66,8 @@ struct Fit {
 };
 
 /// Remez's exchange for {1, nx, ny} on the points of one section: four reference points by rising
-/// angle, their residuals equal and alternating; the point that stands out furthest takes the place
-/// of its neighbour of the same sign. Every exchange raises the level, so none returns.
+/// angle, their residuals equal and alternating; the point with the largest excess replaces its
+/// neighbour of the same sign. Every exchange raises the level, so none recurs.
 class Exchange {
 public:
     explicit Exchange(std::size_t K) : m_reference{0, K / 4, K / 2, K / 2 + K / 4}, m_off(K) {}
@@ -100,8 +100,8 @@ private:
         return std::find(m_reference.begin(), m_reference.end(), k) != m_reference.end();
     }
 
-    /// Equal and alternating residuals: the differences of the first and the third distance, and of
-    /// the second and the fourth, know of neither radius nor level.
+    /// Solves for equal and alternating residuals: the differences of the first and the third
+    /// distance, and of the second and the fourth, depend neither on radius nor level.
     [[nodiscard]] Fit solve(const CentreView& s) const {
         const auto [a, b, c, d] = m_reference;
         const double ax = s.nx[a] - s.nx[c], ay = s.ny[a] - s.ny[c], ad = s.d[a] - s.d[c];
@@ -125,13 +125,14 @@ private:
             off[k] = std::abs(d[k] - fit.r - fit.x * nx[k] - fit.y * ny[k]);
         }
         const auto most = std::find(m_off.begin(), m_off.end(), rangeOf(m_off).high);
-        // Where nothing is a number any more, as with a centre in one of the points, a reference
-        // point ends the exchange.
+        // With NaN values, as with a centre in one of the points, a reference point ends the
+        // exchange.
         return most != m_off.end() ? static_cast<std::size_t>(most - m_off.begin())
                                    : m_reference.front();
     }
 
-    // The signs alternate all around, so just one of the two neighbours has the new point's sign.
+    // The signs alternate all around, so exactly one of the two neighbours has the new point's
+    // sign.
     void exchange(std::size_t k, bool outside, bool evenIsOutside) {
         const auto next = static_cast<std::size_t>(
             std::upper_bound(m_reference.begin(), m_reference.end(), k) - m_reference.begin());
@@ -172,12 +173,12 @@ RoundnessZone limaconZone(std::span<const double> radii, const Directions& direc
     return found;
 }
 
-/// Mean distance, and the shift of the centre that the directions, all but orthogonal, give.
+/// Mean distance, and the shift of the centre by the nearly orthogonal directions.
 struct Step {
     double r = 0, x = 0, y = 0;
 };
 
-/// Of directions that are not even: Σ(e − r − x·nx − y·ny)² least.
+/// For uneven directions: the least Σ(e − r − x·nx − y·ny)².
 Step leastSquaresOfSome(const CentreView& view) {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -214,7 +215,7 @@ bool isInterrupted(std::span<const double> radii) {
     return std::any_of(radii.begin(), radii.end(), [](double R) { return std::isnan(R); });
 }
 
-/// What `zoneOf` makes of the ground radii and their directions.
+/// The result of `zoneOf` for the ground radii and their directions.
 template <class ZoneOf>
 RoundnessZone ofGround(std::span<const double> radii, const Directions& directions,
                        const ZoneOf& zoneOf) {
@@ -254,8 +255,8 @@ RoundnessZone leastSquaresCircle(std::span<const double> radii, const Directions
     return found;
 }
 
-// Gauss-Newton on the centre: each step is the exact minimum zone of the distances made linear
-// about the last centre, halved until the true zone gets narrower.
+// Gauss-Newton on the centre: each step is the exact minimum zone of the distances linearised about
+// the last centre, halved until the true zone becomes narrower.
 RoundnessZone minimumZoneCircles(std::span<const double> radii, const Directions& directions,
                                  const RoundnessZone& leastSquares) {
     if (isInterrupted(radii)) {

@@ -13,7 +13,7 @@ namespace sparkout {
 class Directions {
 public:
     explicit Directions(std::size_t K);
-    /// Of some of the radii, by rising k; 4 at least.
+    /// The directions of some radii, by rising k; at least 4.
     Directions(const Directions& all, std::span<const std::size_t> radii);
     [[nodiscard]] std::size_t size() const { return m_cos.size(); }
     [[nodiscard]] bool areEven() const { return m_even; } ///< all K: Σ cos = Σ sin = 0 and so on
@@ -25,8 +25,8 @@ private:
     bool m_even = true;
 };
 
-/// The radii of sections that are interrupted alike, without those that are no number for they
-/// stand in a gap: a form is that of what is there.
+/// The radii of equally interrupted sections, without the NaN values of gaps: a form is that of the
+/// ground parts.
 class GroundRadii {
 public:
     explicit GroundRadii(std::span<const double> radii_mm); ///< of one of the sections
@@ -39,41 +39,40 @@ private:
     std::vector<std::size_t> m_ground;
 };
 
-/// Two circles about one centre that hold a section's points between them [ISO12181]. x points at
-/// radius 0, y a quarter turn on; both are counted from the centre axis of the machine.
+/// Two concentric circles that contain a section's points between them [ISO12181]. x points at
+/// radius 0, y a quarter turn further; both are relative to the centre axis of the machine.
 struct RoundnessZone {
     double x_mm = 0, y_mm = 0; ///< centre
     double inner_mm = 0;       ///< radius of the inner circle
     double outer_mm = 0;       ///< radius of the outer circle
     double reference_mm = 0;   ///< least squares: the fitted radius; minimum zone: the middle
-    /// Minimum zone: radii that touch outer and inner circle in turn, by rising k.
+    /// Minimum zone: radii with alternating contacts to the outer and inner circle, by rising k.
     std::array<std::size_t, 4> contacts{};
 
-    /// The roundness deviation.
     [[nodiscard]] double deviation() const { return outer_mm - inner_mm; }
 };
 
-/// Which circles a zone is made of. About a centre at the distance e from the axis the radius of a
-/// limaçon, R + x·cos φ + y·sin φ, differs from a circle's by at most e²/(2(R − e)); hence so much
-/// at most between the roundness values of the two: 0.01 µm for e = 17 µm, R = 15 mm.
+/// The curves of a zone. About a centre at the distance e from the axis the radius of a limaçon, R
+/// + x·cos φ + y·sin φ, differs from a circle's by at most e²/(2(R − e)), which also bounds the
+/// difference of the two roundness values: 0.01 µm for e = 17 µm, R = 15 mm.
 enum class ZoneModel { circles, limacons };
 
 /// Least-squares circle: the centre and radius with the smallest Σ(distance − radius)². Here and
-/// below radii that are no number, in gaps, are left out. Gauss's conditions are met for the true
-/// distances; a few steps, each smaller by max(e, form)/R.
+/// below NaN radii, in gaps, are ignored. Gauss's conditions are met for the true distances; takes
+/// a few steps, each smaller by max(e, form)/R.
 [[nodiscard]] RoundnessZone leastSquaresCircle(std::span<const double> radii_mm,
                                                const Directions& directions);
 
 /// Minimum zone: the centre with the smallest outer − inner; external and internal surfaces alike.
 ///
 /// Limaçons: the best uniform approximation of R_k by r + x·cos φ_k + y·sin φ_k, a Haar system, so
-/// it is unique, marked by four points that touch in turn, and the exchange (Remez) ends in it.
-/// Circles: the distances are taken anew about the centre found until four true distances touch in
-/// turn and no other point stands out. No centre of the neighbourhood is better; any other at all
-/// by at most w²/(2(R − w)·cos²(π/K)), w the zone found: 0.004 µm for w = 10 µm, R = 15 mm, and as
-/// w² below. (For a centre v: Σλ·d over the outer points less Σμ·d over the inner, weights that
-/// balance the directions, is no greater than the zone about v and no smaller than w − v²/(2(R −
-/// v)); and v ≤ w/cos(π/K) when the zone about v is not wider than w.)
+/// it is unique, characterised by four alternating contacts, and the exchange (Remez) converges to
+/// it. Circles: the distances are recomputed about the new centre until four true distances
+/// alternate and no other point has an excess. No centre in the neighbourhood is better; any other
+/// centre is better by at most w²/(2(R − w)·cos²(π/K)), w the zone found: 0.004 µm for w = 10 µm, R
+/// = 15 mm, and as w² below. (For a centre v: Σλ·d over the outer points less Σμ·d over the inner,
+/// weights that balance the directions, is no greater than the zone about v and no smaller than w −
+/// v²/(2(R − v)); and v ≤ w/cos(π/K) when the zone about v is not wider than w.)
 [[nodiscard]] RoundnessZone minimumZoneCircles(std::span<const double> radii_mm,
                                                const Directions& directions,
                                                ZoneModel model = ZoneModel::circles);

@@ -9,10 +9,10 @@
 #include <span>
 #include <vector>
 
-/// Roundness as measuring machines state it [ISO12181, ISO16610-21].
+/// Roundness readings as of measuring machines [ISO12181, ISO16610-21].
 namespace sparkout {
 
-/// Cut-offs of the low-pass filter in use [undulations per revolution].
+/// Usual cut-offs of the low-pass filter [undulations per revolution].
 inline constexpr std::array<int, 3> roundnessCutoffs_upr{15, 50, 150};
 
 /// A closed profile after one filter, about each of the four reference circles.
@@ -21,7 +21,7 @@ struct RoundnessReading {
     RoundnessZone minimumZone;                  ///< MZC
     RoundnessZone leastSquares;                 ///< LSC
     std::optional<RoundnessZone> inscribed;     ///< MIC
-    std::optional<RoundnessZone> circumscribed; ///< MCC; both held by no circle beside wide gaps
+    std::optional<RoundnessZone> circumscribed; ///< MCC; both are undefined beside wide gaps
 };
 
 [[nodiscard]] RoundnessReading roundnessReading(std::span<const double> radii_mm,
@@ -30,8 +30,8 @@ struct RoundnessReading {
 /// Not filtered, then by each of the cut-offs. K ≥ 4 radii at even angles.
 [[nodiscard]] std::vector<RoundnessReading> roundnessReadings(std::span<const double> radii_mm);
 
-/// The highest number of undulations that K radii tell: a filter whose cut-off is near it or above
-/// reads a form that was never sampled.
+/// The highest number of undulations that K radii resolve: a filter with a cut-off near it or above
+/// reads an undersampled form.
 [[nodiscard]] inline int resolvedUndulations(std::size_t radii) {
     return static_cast<int>(radii / 2);
 }

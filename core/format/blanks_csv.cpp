@@ -23,7 +23,7 @@ std::optional<FactorKind> factorOf(std::string_view heading) {
     return std::nullopt;
 }
 
-/// With either decimal sign: the delimiter is known.
+/// With either decimal separator, since the delimiter is known.
 std::optional<double> numberOf(std::string_view cell) {
     const auto plain = cellNumber(cell, '.');
     return plain ? plain : cellNumber(cell, ',');

@@ -8,28 +8,28 @@
 #include <variant>
 #include <vector>
 
-/// Measured blanks as a table: a line of headings, then a line a blank.
+/// Measured blanks as a table: a line of headings, then a line for each blank.
 namespace sparkout {
 
-/// What was measured of the blanks, in the order of the lines.
+/// The measurements of the blanks, in the order of the lines.
 struct MeasuredColumn {
     FactorKind kind;
     std::vector<double> values;
 };
 
-/// The first thing in the table that cannot be read.
+/// The first unreadable cell of the table.
 struct TableFault {
-    int line = 0;     ///< from 1
-    std::string text; ///< what stands there; empty where a heading of a factor is missing
+    int line = 0;     ///< counted from 1
+    std::string text; ///< the text found; empty if a heading of a factor is missing
 };
 
-/// Columns headed by the key of a factor ("stock_mm"); others are left out, and so are empty cells.
-/// Comma, semicolon or tab separates; decimal points and commas are both understood. A row has no
+/// Columns headed by the key of a factor ("stock_mm"); others are ignored, and so are empty cells.
+/// The delimiter is comma, semicolon or tab; decimal points and commas are accepted. A row has no
 /// more cells than there are headings.
 [[nodiscard]] std::variant<std::vector<MeasuredColumn>, TableFault>
 readMeasuredBlanks(const TableText& csv);
 
-/// Puts measured values in place of the laws of their factors.
+/// Replaces the laws of factors by measured values.
 void putMeasured(const std::vector<MeasuredColumn>& columns, Batch& batch);
 
 } // namespace sparkout

@@ -19,7 +19,7 @@ std::string difference(const Field& field, const void* a, const void* b, const s
         const void* const ofA = field.objectIn(a);
         const void* const ofB = field.objectIn(b);
         if (ofA == ofB) {
-            return {}; // shared, or given in neither
+            return {}; // shared, or not given in either
         }
         const bool both = ofA && ofB;
         return both ? difference(*field.nested, ofA, ofB, path, counts) : path;

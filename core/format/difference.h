@@ -12,8 +12,8 @@ struct Project;
 using InputFilter = bool (*)(std::string_view path);
 
 /// The path of the first input, in the order of the tables, in which two projects differ; of a list
-/// whose items are not as many, the list's. Empty when they are the same. Only inputs that `counts`
-/// accepts are compared; without it all are.
+/// with another number of items, the list's. Empty if they are the same. Compares only inputs
+/// accepted by `counts`, or all without it.
 [[nodiscard]] std::string firstDifference(const Project& a, const Project& b,
                                           InputFilter counts = nullptr);
 

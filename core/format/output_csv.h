@@ -7,13 +7,13 @@
 #include <span>
 #include <string>
 
-/// Outputs as columns of a CSV table: an interval takes two, an estimate and a share three.
+/// Outputs as columns of a CSV table: an interval takes two columns, an estimate and a share three.
 namespace sparkout {
 
 void addCsvHeads(CsvLine& line, const OutputRow& row, OutputKind kind);
 void addCsvCells(CsvLine& line, OutputKind kind, const OutputValue& value);
 
-/// A line of heads, and a line for each owner.
+/// A line of headings, and a line for each owner.
 template <class Owner, class Owners>
 [[nodiscard]] std::string outputsCsv(std::span<const Output<Owner>> rows, const Owners& owners) {
     CsvLine line;

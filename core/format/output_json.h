@@ -10,7 +10,7 @@
 
 namespace sparkout {
 
-/// An output as JSON has it: null where there is none, an interval as [low, high].
+/// An output in JSON: null without a value, an interval as [low, high].
 [[nodiscard]] nlohmann::ordered_json outputJson(const OutputValue& value);
 
 /// The outputs of an owner that have a key, as one object.
@@ -26,14 +26,13 @@ template <class Owner>
     return json;
 }
 
-/// The same of an owner that may be missing: null then.
+/// For an owner that may be missing: null then.
 template <class Owner>
 [[nodiscard]] nlohmann::ordered_json outputsJson(std::span<const Output<Owner>> rows,
                                                  const std::optional<Owner>& owner) {
     return owner ? outputsJson(rows, *owner) : nlohmann::ordered_json();
 }
 
-/// A list of them.
 template <class Owner, class Owners>
 [[nodiscard]] nlohmann::ordered_json outputsJsonOfEach(std::span<const Output<Owner>> rows,
                                                        const Owners& owners) {

@@ -39,7 +39,7 @@ std::string writeProject(const Project& project) {
 
 bool sameProject(const Project& a, const Project& b) {
     const std::string path = firstDifference(a, b);
-    // The texts of kept runs may differ and still be the same values.
+    // The texts of kept runs may differ with equal values.
     return path.empty() || (path.starts_with("/runs") && writeProject(a) == writeProject(b));
 }
 

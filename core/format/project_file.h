@@ -9,13 +9,13 @@
 #include <string>
 #include <string_view>
 
-/// The project file: one UTF-8 JSON text, read and written by the tables alone.
+/// The project file: one UTF-8 JSON text, read and written only by the tables.
 namespace sparkout {
 
-inline constexpr int projectVersion = 1; ///< of one surface
-inline constexpr int newestVersion = 2;  ///< of several, see core/setup/setup_file.h
+inline constexpr int projectVersion = 1; ///< version of a file of one surface
+inline constexpr int newestVersion = 2;  ///< with several, see core/setup/setup_file.h
 
-/// Limits of the reader; each is refused one beyond.
+/// Limits of the reader; larger numbers are refused.
 namespace limits {
 inline constexpr std::size_t fileBytes = 32u << 20;
 inline constexpr std::size_t depth = 64;
@@ -24,24 +24,24 @@ inline constexpr std::size_t stringBytes = 64u << 10;
 } // namespace limits
 
 struct ReadResult {
-    std::optional<Project> project; ///< given when there is no error
-    /// Given when every value could be read and is in its range, but a rule between values is
-    /// broken, or a kept run has faults: work in progress that the window opens again.
+    std::optional<Project> project; ///< given without errors
+    /// Given if every value was read and is in its range, but a rule between values is violated, or
+    /// a kept run has faults: unfinished work that the window can open.
     std::optional<Project> unfinished;
-    Issues issues; ///< errors, or warnings beside a project
+    Issues issues; ///< errors, or warnings with a project
 };
 
-/// Reads and validates a project text. All faults at once.
+/// Reads and validates a project text. Returns all faults at once.
 [[nodiscard]] ReadResult readProject(std::string_view text);
 
-/// The same; a stop leaves nothing: neither a project nor issues.
+/// After a stop the result is empty: neither a project nor issues.
 [[nodiscard]] ReadResult readProject(std::string_view text, const std::stop_token& stop);
 
-/// The text of a project: same project, same bytes. Numbers in the shortest digits that read
-/// back to the same double.
+/// The text of a project: equal projects give equal bytes. Numbers have the shortest digits that
+/// read back to the same double.
 [[nodiscard]] std::string writeProject(const Project& project);
 
-/// Whether two projects hold the same values.
+/// Whether two projects have the same values.
 [[nodiscard]] bool sameProject(const Project& a, const Project& b);
 
 } // namespace sparkout

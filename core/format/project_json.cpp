@@ -16,13 +16,13 @@ using nlohmann::json;
 
 namespace {
 
-/// Keys that may be null in memory are missing from unfinished work too; the others cannot be.
+/// Keys that may be null in memory are also missing from unfinished work; the others cannot be.
 bool mayBeNull(const Field& field) {
     return field.kind == Kind::optionalNumber || field.kind == Kind::optionalInteger
            || field.kind == Kind::optionalNumberList || field.kind == Kind::optionalObject;
 }
 
-/// `conditional`: whether keys that are required only sometimes are reported too.
+/// `conditional`: whether conditionally required keys are reported, too.
 void reportMissing(const std::vector<MissingKey>& missing, const Project& project, bool conditional,
                    bool nullable, Issues& issues) {
     for (const MissingKey& key : missing) {
@@ -38,7 +38,7 @@ void reportMissing(const std::vector<MissingKey>& missing, const Project& projec
     }
 }
 
-/// What a kept run was run with is a project of its own.
+/// The inputs of a kept run are a project of its own.
 void checkRuns(const Project& project, Issues& issues, const std::stop_token& stop) {
     for (std::size_t i = 0; i < project.runs.size() && !stop.stop_requested(); ++i) {
         for (Issue& issue : readProject(project.runs[i].inputs.text, stop).issues) {
@@ -92,18 +92,19 @@ ReadResult readProjectJson(const json& root, Issues found, const std::stop_token
     Project project;
     std::vector<MissingKey> missing;
     readByTable(root, tableOf<Project>(), &project, {}, issues, missing, {"format", "version"});
-    // Without a readable operation nobody knows which rules apply.
+    // Without a readable operation the applicable rules are unknown.
     const bool operationKnown = root.contains("operation") && !isReported(issues, "/operation");
     reportMissing(missing, project, operationKnown, false, issues);
     const bool readable = !hasErrors(issues);
-    // A kept run is a record. Faults in one, as an older or stricter version may see them, cost
-    // neither the record nor the work around it.
+    // A kept run is a record. Its faults, possibly found by another version, do not prevent loading
+    // it or the project.
     checkRuns(project, issues, stop);
     if (stop.stop_requested()) {
         return {};
     }
     reportMissing(missing, project, operationKnown, true, issues);
-    // A value that could not be read is reported already; its rest of a default is not judged.
+    // A value that could not be read is reported already; the default left in its place is not
+    // judged.
     const Issues unread = issues;
     for (Issue& issue : operationKnown ? validate(project) : checkRanges(project)) {
         if (!isReported(unread, issue.path)) {

@@ -7,16 +7,17 @@
 
 #include <stop_token>
 
-/// A project as a parsed JSON object: what stands beside "format" and "version" in its file.
+/// A project as a parsed JSON object: its file without "format" and "version".
 namespace sparkout {
 
 inline constexpr const char* projectFormat = "sparkout-project";
 
-/// What is wrong with "format" and "version", which may be up to `newest`; they decide whether the
-/// rest is worth reading.
+/// The faults of "format" and "version", which may be up to `newest`; they decide whether to read
+/// the rest.
 [[nodiscard]] Issues checkHeader(const nlohmann::json& root, int newest);
 
-/// Reads and validates. All faults at once, after those `found` by parsing; a stop leaves nothing.
+/// Reads and validates. Returns all faults at once, after those `found` by parsing; empty after a
+/// stop.
 [[nodiscard]] ReadResult readProjectJson(const nlohmann::json& root, Issues found,
                                          const std::stop_token& stop);
 

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Builds the value and refuses what the limits do not allow, before it is built.
+/// Builds the value and refuses values beyond the limits before building them.
 class Builder : public nlohmann::json_sax<json> {
 public:
     Builder(Issues& issues, const std::stop_token& stop) : m_issues(issues), m_stop(stop) {}
@@ -70,8 +70,8 @@ private:
         std::string key;
     };
 
-    /// Where the value being read stands: the members of the outer ones are placed already, that of
-    /// the innermost one is not.
+    /// The path of the value being read: the members of the outer values are placed already, that
+    /// of the innermost one is not.
     std::string path() const {
         std::string text;
         for (const Open& open : m_open) {
@@ -148,7 +148,7 @@ private:
     std::size_t m_values = 0;
 };
 
-/// Where the text ends to be JSON, in lines and columns from 1.
+/// The place at which the text ceases to be JSON, in lines and columns from 1.
 Issue notJson(std::string_view text, std::size_t position) {
     std::size_t line = 1;
     std::size_t column = 1;
@@ -160,7 +160,7 @@ Issue notJson(std::string_view text, std::size_t position) {
     return {IssueCode::notJson, Severity::error, {}, countOf(line), countOf(column)};
 }
 
-/// Shortest digits; what no JSON number can say is null, and −0 is 0 as for the reader.
+/// Shortest digits; numbers that JSON cannot represent are null, and −0 is 0 as in the reader.
 std::string printNumber(double value) {
     return std::isfinite(value) ? numberText(value + 0.0) : "null";
 }
@@ -188,7 +188,7 @@ std::string printFlat(const nlohmann::ordered_json& value) {
 void print(const nlohmann::ordered_json& value, std::size_t indent, std::string& out) {
     constexpr std::size_t lineLength = 100;
     const bool structured = value.is_object() || value.is_array();
-    // Numbers always share a line; anything else only when it is not the file itself and fits.
+    // Numbers always share a line; other values only inside the file and if they fit.
     const bool numbers = value.is_array() && !value.empty() && value.front().is_number();
     const bool whole = indent == 0 && structured && !numbers && !value.empty();
     std::string flat = whole ? std::string() : printFlat(value);
@@ -214,7 +214,7 @@ std::string shortened(std::string text) {
     if (text.size() > longest) {
         std::size_t end = longest;
         while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) {
-            --end; // not inside a character
+            --end; // inside a character
         }
         text = text.substr(0, end) + "…";
     }

@@ -33,7 +33,8 @@ void readStruct(const json& object, const StructInfo& table, void* owner, const 
                      {IssueCode::missingKey, Severity::error, key.path, {}, allowedIn(field)});
         }
     }
-    // What could not be read is reported already; its rest of a default is not judged.
+    // A value that could not be read is reported already; the default left in its place is not
+    // judged.
     const auto isReported = [&](const Issue& issue) {
         return std::any_of(issues.begin() + static_cast<std::ptrdiff_t>(before), issues.end(),
                            [&](const Issue& other) { return other.path == issue.path; });

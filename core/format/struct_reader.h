@@ -11,17 +11,15 @@
 
 namespace sparkout {
 
-/// Fills a struct of a file that is no project from a JSON object by its table, and holds it
-/// against the table: keys, types, what is required always, and ranges. Keys named in `skip` are
-/// somebody else's.
+/// Fills a struct of a file other than a project from a JSON object by its table, and checks it:
+/// keys, types, unconditional requirements, and ranges. Keys in `skip` are ignored.
 void readStruct(const nlohmann::json& object, const StructInfo& table, void* owner,
                 const std::string& path, Issues& issues, const std::vector<std::string>& skip = {});
 
-/// What is wrong with "format" and "version" of such a file; they decide whether the rest is worth
-/// reading.
+/// The faults of "format" and "version" of such a file; they decide whether to read the rest.
 [[nodiscard]] Issues checkFileHeader(const nlohmann::json& root, const char* format, int newest);
 
-/// Adds an issue unless as many are listed already as are listed at most.
+/// Adds an issue unless the list is full.
 void addIssue(Issues& issues, Issue issue);
 
 } // namespace sparkout

@@ -40,14 +40,14 @@ public:
                 continue;
             }
             m_missing.push_back({&field, owner, fieldPath});
-            if (field.kind == Kind::object) { // its required members are missing too
+            if (field.kind == Kind::object) { // its required members are missing, too
                 readObject(json::object(), *field.nested, field.object(owner, true), fieldPath, {});
             }
         }
     }
 
 private:
-    /// A fault beyond those that are listed is not even worded.
+    /// A fault beyond the limit of the list is not composed.
     bool full() const { return m_issues.size() >= limits::issues; }
 
     void report(IssueCode code, const std::string& path, const json& value, Detail limit) {
@@ -242,7 +242,7 @@ private:
         }
     }
 
-    /// Kinds that may be null: clears the member and says so.
+    /// For kinds that may be null: clears the member and returns true.
     static bool clearIfNull(const json& value, const Field& field, void* owner) {
         if (!value.is_null()) {
             return false;

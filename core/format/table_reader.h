@@ -13,21 +13,21 @@
 namespace sparkout {
 
 namespace limits {
-// Of a list whose row allows any number; what comes after is not even read.
+// Limits of a list whose row allows any number; the excess is not read.
 inline constexpr std::size_t listItems = 1'000;     ///< objects, or rows of numbers
 inline constexpr std::size_t listNumbers = 100'000; ///< numbers
-inline constexpr std::size_t levels = 5'000;        ///< of a grid, listed
+inline constexpr std::size_t levels = 5'000;        ///< listed levels of a grid
 } // namespace limits
 
-/// A key that was not given; whether it had to be is known once the whole project is read.
+/// A key that was not given; whether it is required is known after reading the whole project.
 struct MissingKey {
     const Field* field;
     const void* owner;
     std::string path;
 };
 
-/// Fills a struct from a JSON object by its table: types and keys are checked here, ranges by
-/// validate(). Keys named in `skip` are somebody else's.
+/// Fills a struct from a JSON object by its table: checks types and keys; validate() checks ranges.
+/// Keys in `skip` are ignored.
 void readByTable(const nlohmann::json& object, const StructInfo& table, void* owner,
                  const std::string& path, Issues& issues, std::vector<MissingKey>& missing,
                  const std::vector<std::string>& skip = {});

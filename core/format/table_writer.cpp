@@ -74,7 +74,7 @@ ordered_json fieldJson(const Field& field, const void* owner) {
     case Kind::levels: return levelsJson(field.as<Levels>(owner));
     case Kind::numberRows: return orNull(field.as<NumberRows>(owner));
     case Kind::samples: return field.as<Samples>(owner).values();
-    case Kind::jsonText: // by way of json: in the order of the keys, as it is read again
+    case Kind::jsonText: // through json: in the order of the keys, as it is read again
         return nlohmann::json::parse(field.as<JsonText>(owner).text);
     }
     return nullptr;
@@ -97,7 +97,7 @@ ordered_json writeByTable(const StructInfo& table, const void* owner,
             continue;
         }
         ordered_json value = fieldJson(field, owner);
-        // The table's defaults are written in full: reference page and schema read them.
+        // The table's defaults are written in full, for the reference page and the schema.
         if (field.sparse && owner != table.defaults && isDefault(field, owner, value, table)) {
             continue;
         }

@@ -10,8 +10,8 @@
 
 namespace sparkout {
 
-/// The JSON object of a struct by its table; keys that are null by default and null are left out,
-/// and so are those in `skip`.
+/// The JSON object of a struct by its table, without keys that are null by default and null, and
+/// without those in `skip`.
 [[nodiscard]] nlohmann::ordered_json writeByTable(const StructInfo& table, const void* owner,
                                                   const std::vector<std::string>& skip = {});
 

@@ -5,6 +5,6 @@
 
 namespace sparkout {
 
-[[nodiscard]] std::string today(); ///< the date of this day, UTC: "2026-03-05"
+[[nodiscard]] std::string today(); ///< today's date, UTC: "2026-03-05"
 
 } // namespace sparkout

@@ -8,8 +8,8 @@
 
 namespace sparkout {
 
-/// Whether the project can have all these parameters, and none is given twice: compliances only of
-/// places that have their own, no runout of a measured blank, no α and β of a wheel contact.
+/// Whether all these parameters apply to the project, and none is given twice: compliances only of
+/// places with their own, no runout of a measured blank, no α and β of a wheel contact.
 [[nodiscard]] bool areApplicable(const Project& project, const std::vector<FittedParameter>& list);
 
 } // namespace sparkout

@@ -28,26 +28,26 @@ namespace sparkout {
 namespace {
 
 constexpr double leastDeviation_um = 0.1;
-constexpr double ofPrediction_um = 0.03; ///< a standard deviation, by the number of stocks
-/// The derivative is taken over so much of a logarithm: a part that makes a stroke more there moves
-/// the mean by a jump that must not count.
+constexpr double ofPrediction_um = 0.03; ///< as a standard deviation, by the number of stocks
+/// Step of the derivative, as a logarithm: a part that makes another stroke there changes the mean
+/// by a jump that must not count.
 constexpr double derivativeStep = 0.1;
 
 /// The mean size of a zone or section.
 struct PlaceMean {
     std::size_t place = 0;
     double mean_um = 0;
-    std::optional<double> deviation_um; ///< of the parts
+    std::optional<double> deviation_um; ///< standard deviation of the parts
     double count = 1;
     bool isSummary = false;
 };
 
-/// How parameters meet the means.
+/// The derivatives of the means by the parameters.
 struct Meeting {
     double criterion = std::numeric_limits<double>::infinity();
-    double setting_um = 0;     ///< of the gauge, from where the project has it
+    double setting_um = 0;     ///< setting of the gauge, relative to the project's
     Eigen::VectorXd left_um;   ///< measured less predicted
-    Eigen::MatrixXd whitening; ///< that makes the errors of the means independent, of size 1
+    Eigen::MatrixXd whitening; ///< makes the errors of the means independent, of size 1
 };
 
 class BatchFit {
@@ -69,7 +69,7 @@ public:
         const auto isListed = [](const MeasuredStatistics& row) {
             return row.quantity == MeasuredQuantity::diameter_deviation && !row.isSummary;
         };
-        // What is summed up is of the parts that are listed, if any are.
+        // Summaries refer to the listed parts, if there are any.
         const bool areListed = std::ranges::any_of(rows, isListed);
         for (const MeasuredStatistics& row : rows) {
             if (row.quantity == MeasuredQuantity::diameter_deviation
@@ -96,7 +96,7 @@ public:
             m_result.status = IdentificationStatus::notRun;
         } else {
             report();
-            if (m_stop.stop_requested()) { // of a part of the phases
+            if (m_stop.stop_requested()) { // covers only some of the phases
                 m_result = {};
                 m_result.status = IdentificationStatus::stopped;
             }
@@ -115,7 +115,7 @@ private:
             q[m_factors[i]] = point[i];
         }
         CycleFactors factors = cycleFactors(m_project, m_list, q);
-        factors.blankRunout_mm = factorsOf(m_project).blankRunout_mm; // no finished part shows it
+        factors.blankRunout_mm = factorsOf(m_project).blankRunout_mm; // not in finished parts
         return factors;
     }
 
@@ -127,7 +127,7 @@ private:
         return at->second;
     }
 
-    /// Variances and covariances of the means: as the parts scatter, or one that is alone would.
+    /// Variances and covariances of the means, from the scatter of the parts.
     [[nodiscard]] Eigen::MatrixXd covarianceOfMeans(const SizesOverPhases& sizes) const {
         Eigen::MatrixXd covariance = m_covariance;
         for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
@@ -140,8 +140,8 @@ private:
         return covariance;
     }
 
-    /// How the means of two places go together: as the sizes of parts that were measured in both.
-    /// What is summed up does not say it, and few parts hardly do.
+    /// Finds the correlation of the means of two places from the parts measured in both. Summaries
+    /// do not contain it, and few parts hardly determine it.
     void findCovariance() {
         const auto count = static_cast<Eigen::Index>(m_means.size());
         m_covariance = Eigen::MatrixXd::Zero(count, count);
@@ -197,7 +197,7 @@ private:
         }
         const Eigen::MatrixXd covariance = covarianceOfMeans(sizes);
         Eigen::LLT<Eigen::MatrixXd> factored(covariance);
-        if (factored.info() != Eigen::Success) { // of parts that lack a place here and there
+        if (factored.info() != Eigen::Success) { // possible with parts that lack some places
             factored.compute(Eigen::MatrixXd(covariance.diagonal().asDiagonal()));
         }
         met.whitening = factored.matrixL().solve(Eigen::MatrixXd::Identity(count, count));
@@ -227,10 +227,10 @@ private:
 
     double criterionAt(const Point& point) { return meetingAt(point).criterion; }
 
-    /// Where the gauge ends the cycle, as the project has it.
+    /// The size at which the project's gauge ends the cycle.
     [[nodiscard]] double setting_mm() const { return 2 * targetRadius(*m_project.part); }
 
-    /// Of all factors alike, from one end of the scan to the other.
+    /// A point of the scan, with all factors alike, from one end to the other.
     [[nodiscard]] Point scanPoint(int k) const {
         return Point(m_factors.size(), range * (2.0 * k / scanned - 1));
     }
@@ -263,7 +263,7 @@ private:
         }
     }
 
-    /// Looks on either side in each factor, by less and less.
+    /// Tries both sides of each factor with decreasing steps.
     void refine(Point point) {
         double least = criterionAt(point);
         for (double step = range / scanned; step > finest; step /= 2) {
@@ -288,9 +288,9 @@ private:
         }
     }
 
-    /// The derivatives of what is left by the parameters of the list, each by its error, and those
-    /// of what is known before; the setting in µm. What finished parts do not show has none. Empty
-    /// where no cycle beside the best reaches size, and after a stop.
+    /// The derivatives of the residuals by the listed parameters, scaled by their errors, and of
+    /// the prior values; the setting in µm. Parameters without an influence on finished parts have
+    /// none. Empty if no cycle near the best reaches size, and after a stop.
     Eigen::MatrixXd derivatives() {
         const auto count = static_cast<Eigen::Index>(m_list.size());
         Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(m_best.left_um.size(), count);
@@ -324,7 +324,7 @@ private:
         return all;
     }
 
-    /// The value that was found of a factor; 1 of what finished parts do not show.
+    /// The fitted value of a factor; 1 for one without an influence on finished parts.
     [[nodiscard]] double factorOf(std::size_t parameter) const {
         const auto found = std::ranges::find(m_factors, parameter);
         return found == m_factors.end()
@@ -339,7 +339,7 @@ private:
             return;
         }
         m_result.stepsByStage = stepsByGauge(m_project, factorsAt(m_at), m_stop);
-        // The criterion of a factor's whole plausible range is that of its errors.
+        // The criterion over a factor's whole plausible range follows from its error.
         const Identifiability told =
             identifiabilityOf({columns.data(), static_cast<std::size_t>(columns.size())},
                               static_cast<std::size_t>(columns.rows()), m_list, {},
@@ -357,7 +357,7 @@ private:
         }
     }
 
-    /// The freedom of the deviations that the errors of the means rest on.
+    /// The degrees of freedom of the deviations behind the errors of the means.
     [[nodiscard]] double freedom() const {
         double least = std::numeric_limits<double>::infinity();
         for (const PlaceMean& one : m_means) {
@@ -372,8 +372,8 @@ private:
                                    [](double factor) { return std::abs(factor) > range - finest; });
     }
 
-    /// What is left of more means than parameters is about as many as there are more, if the cycle
-    /// that was run is the one that was ground.
+    /// Tests the model: with more means than parameters, the sum of squared residuals is about the
+    /// surplus if the ground cycle is the one that was run.
     [[nodiscard]] bool isLacking() const {
         const auto known = std::ranges::count_if(
             m_list, [](const FittedParameter& one) { return one.prior.has_value(); });
@@ -386,7 +386,7 @@ private:
         const std::size_t count = m_list.size();
         const double t = studentQuantile((1 + confidence95) / 2, freedom());
         const auto errorOf = [&](std::size_t i) { return std::sqrt(covariance[i * count + i]); };
-        std::vector<double> wider(count, 1); // an interval than that of the covariance
+        std::vector<double> wider(count, 1); // ratio of the interval to that of the covariance
         for (std::size_t i = 0; i < count; ++i) {
             FittedValue value{m_list[i], 1, {}, errorOf(i)};
             if (i == m_setting) {
@@ -419,8 +419,8 @@ private:
         }
     }
 
-    /// Of one factor alone the interval over which the criterion rises by t², beyond which no place
-    /// of the scan lies below; of several that of their covariance.
+    /// For a single factor the interval over which the criterion rises by t², if no other place of
+    /// the scan is lower; for several factors that of their covariance.
     Interval profileOf(std::size_t at, double t, double error) {
         if (m_factors.size() > 1) {
             return {m_at[at] - t * error, m_at[at] + t * error};
@@ -455,20 +455,20 @@ private:
     }
 
     static constexpr int scanned = 40;
-    static constexpr double range = 3; ///< of the logarithms: a factor of 20, and of a twentieth
+    static constexpr double range = 3; ///< of the logarithms: factors of 20 and 1/20
     static constexpr double finest = 0.002, manyParts = 1e6;
     static constexpr std::size_t fewParts = 10;
 
     const Project& m_project;
     const std::vector<FittedParameter>& m_list;
     const std::stop_token& m_stop;
-    std::size_t m_setting;              ///< its number in the list; as many as it has: none
-    std::vector<std::size_t> m_factors; ///< the numbers of the others
+    std::size_t m_setting;              ///< its index in the list; the size of the list: none
+    std::vector<std::size_t> m_factors; ///< indices of the others
     std::vector<PlaceMean> m_means;
-    Eigen::MatrixXd m_covariance; ///< of the means, without their variances
+    Eigen::MatrixXd m_covariance; ///< covariance of the means, without their variances
     std::map<Point, SizesOverPhases> m_known;
     Meeting m_best;
-    Point m_at; ///< of the best
+    Point m_at; ///< coordinates of the best point
     Identification m_result;
 };
 

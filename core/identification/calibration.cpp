@@ -23,13 +23,14 @@ namespace sparkout {
 
 namespace {
 
-/// What the fit found of an input: a factor of it with the standard error of its logarithm.
+/// The fitted factor of an input, with the standard error of its logarithm.
 struct Found {
     double factor = 1;
     double error = 0;
 };
 
-/// To two digits of its standard error, which is of its logarithm; at least 3 and at most 9 digits.
+/// Rounds to two digits of the standard error, which is that of its logarithm; at least 3 and at
+/// most 9 digits.
 double roundedTo(double value, double error) {
     constexpr double fewest = 3, most = 9;
     const double digits =
@@ -53,8 +54,8 @@ public:
         , m_data(std::move(data))
         , m_date(std::move(date)) {}
 
-    // The factors as scaledProject() and the problem have them: γ' = γ·c·α, η' = η·d·β/α, and the
-    // products of the powers stay what they were found to be: μ'·η' = μ·η·d·m.
+    // Applies the factors like scaledProject() and the problem: γ' = γ·c·α, η' = η·d·β/α, with the
+    // products of the powers as fitted: μ'·η' = μ·η·d·m.
     Project make() {
         if (hasThreshold(m_before)) {
             return makeThreshold();
@@ -73,8 +74,8 @@ public:
     }
 
 private:
-    /// K' = K·α, F'_0' = F'_0·β, and the powers what they were found to be: K_z' = K_z·c,
-    /// μ'·F'_0' = μ·F'_0·m.
+    /// Applies K' = K·α, F'_0' = F'_0·β, with the powers as fitted: K_z' = K_z·c, μ'·F'_0' =
+    /// μ·F'_0·m.
     Project makeThreshold() {
         changeCompliance();
         change("/material/specific_force_mpa", {{FittedKind::alpha, 1}});
@@ -89,7 +90,7 @@ private:
                 * found.factor;
             record("/material/specific_tangential_force_mpa", found.error);
         } else if (auto& tangential = m_made.material->specific_tangential_force_mpa;
-                   has(FittedKind::alpha) && !tangential) { // the power stays as it was predicted
+                   has(FittedKind::alpha) && !tangential) { // keeps the predicted power
             const Material& material = *m_before.material;
             tangential =
                 material.specific_force_mpa * material.shear_strain / material.shear_factor;
@@ -103,7 +104,7 @@ private:
 
     struct Term {
         FittedKind kind;
-        double sign; ///< in the sum of the logarithms
+        double sign; ///< sign in the sum of the logarithms
     };
 
     [[nodiscard]] bool has(FittedKind kind) const {
@@ -228,13 +229,13 @@ private:
         }
     }
 
-    /// That the input, if it is given, is from these data; of its digits those that mean something.
+    /// Records that an input, if given, comes from these data, rounded to its significant digits.
     void record(const std::string& path, double error) {
         const auto input = numberInput(m_made, path);
         if (!input || !input->value) {
             return;
         }
-        constexpr double quantile = 1.959963984540054; // of the normal law, 97.5 %
+        constexpr double quantile = 1.959963984540054; // 97.5 % quantile of the normal distribution
         const double fitted = *input->value, value = roundedTo(fitted, error);
         setNumberInput(m_made, path, value);
         Calibration calibration;

@@ -9,13 +9,13 @@
 
 namespace sparkout {
 
-/// The project with the inputs that a fit has found, each of them recorded as calibrated on these
-/// data (`measured.calibrations`, one an input: a later one takes the place of an earlier one).
-/// Offsets of the traces are no inputs. The project itself where nothing was fitted.
+/// The project with the fitted inputs, each recorded as calibrated on these data
+/// (`measured.calibrations`, one for each input: a later one replaces an earlier one). Offsets of
+/// the traces are not inputs. Returns the project unchanged if nothing was fitted.
 [[nodiscard]] Project withCalibration(const Project& project, const Identification& result,
                                       const std::string& data, const std::string& date);
 
-/// Records where the value of one input comes from.
+/// Records the origin of an input's value.
 void recordCalibration(Project& project, Calibration calibration);
 
 } // namespace sparkout

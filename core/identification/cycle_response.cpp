@@ -51,7 +51,7 @@ public:
         return finish(ok, stepsByStage);
     }
 
-    /// The wheel head's position ends the stages.
+    /// Runs a cycle whose stages end by the wheel head's position.
     CycleResponse runByPosition() {
         StageControl control(m_scaled, infeedsOfStages(m_scaled),
                              m_steps->run().blank().totalInfeed_mm);
@@ -84,13 +84,13 @@ private:
         m_response.middle_s.push_back((before_s + run.time_s()) / 2);
         addForces(firstPass);
         addSize();
-        // One step's visits at a time: a long cycle need not be kept.
+        // Keeps only one step's visits, since a cycle may be long.
         m_trajectory.passes.clear();
         m_trajectory.visits.clear();
         return done;
     }
 
-    /// Means over the passes of the step, each by the time it lasts, and over their radii.
+    /// Adds means over the passes of the step, weighted by their time, and over their radii.
     void addForces(std::size_t firstPass) {
         double chip = 0, friction = 0, time_s = 0;
         const auto radii = static_cast<std::size_t>(m_trajectory.radii);
@@ -120,13 +120,13 @@ private:
         m_response.friction_kw.push_back(m_law.mu * m_law.kr * friction * m_kwPerN);
     }
 
-    /// What stands beside k_r: √a, or v with a threshold.
+    /// The factor of k_r: √a, or v with a threshold.
     [[nodiscard]] double rubbingOf(const Visit& visit, double width_mm) const {
         const double a = std::max(0.0, visit.actual_mm);
         if (!m_law.threshold) {
             return std::sqrt(a);
         }
-        const ForceLaw& law = m_scaledLaw; // which the visit's force is of
+        const ForceLaw& law = m_scaledLaw; // the law of the visit's force
         return a > 0 ? 1 : law.kr > 0 ? visit.normalForce_n / (width_mm * law.kr) : 0;
     }
 
@@ -158,7 +158,7 @@ private:
         return (least + most) / 2 - target;
     }
 
-    /// A step in which nothing is cut.
+    /// Adds a step without a cut.
     void addIdle(double time_s) {
         m_response.middle_s.push_back(time_s);
         for (auto* const values : {&m_response.chip_n, &m_response.friction_n, &m_response.chip_kw,
@@ -186,8 +186,8 @@ private:
     }
 
     Project m_scaled;
-    ForceLaw m_law;       ///< of the project as it is
-    ForceLaw m_scaledLaw; ///< of the cycle that is run
+    ForceLaw m_law;       ///< force law of the unchanged project
+    ForceLaw m_scaledLaw; ///< force law of the run cycle
     bool m_withPlaces, m_isExternal;
     double m_kwPerN = 0;
     Trajectory m_trajectory;
@@ -212,8 +212,8 @@ std::vector<int> stepsByGauge(const Project& project, const CycleFactors& factor
     return result.status == RunStatus::completed ? result.countsByStage : std::vector<int>();
 }
 
-// Along a straight piece y(t) with the slope r the reading is y − r·τ and what is left of the
-// difference at its beginning. Pieces long past are forgotten.
+// On a linear piece y(t) of slope r the reading is y − r·τ plus the decaying remainder of the
+// difference at its beginning. Long past pieces are dropped.
 double laggedAt(const std::vector<double>& times, const std::vector<double>& values, double time,
                 double lag_s) {
     constexpr double least_s = 1e-6, forgotten = 40;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t leastForNoise = 5; ///< values
 
-/// The least difference of two values that are not equal; 0: all are.
+/// The least difference of two unequal values; 0 if all are equal.
 double stepOf(std::vector<double> values) {
     std::ranges::sort(values);
     double step = std::numeric_limits<double>::infinity();
@@ -28,7 +28,7 @@ double stepOf(std::vector<double> values) {
     return std::isfinite(step) ? step : 0;
 }
 
-/// The weight of a trace: never so small that rounding would count.
+/// The weight of a trace, never so small that rounding would matter.
 double weightOf(const FitGroup& group) {
     constexpr double leastShare = 1e-6, leastSpan = 1e-9;
     const auto [low, high] = std::ranges::minmax(group.values);
@@ -128,7 +128,7 @@ std::optional<double> noiseOfTrace(const std::vector<double>& time_s,
     if (count == 0) {
         return std::nullopt;
     }
-    constexpr double twelve = 12; // the variance of what is rounded to a step is step²/12
+    constexpr double twelve = 12; // rounding to a step has the variance step²/12
     return std::max(std::sqrt(sum / static_cast<double>(count)),
                     stepOf(values) / std::sqrt(twelve));
 }

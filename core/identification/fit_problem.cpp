@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-/// What one coordinate of an offset is.
+/// The unit of an offset's coordinate.
 double unitOf(FittedKind kind) {
     constexpr double offset_mm = 1e-3, shift_s = 0.1, idle_kw = 0.1;
     switch (kind) {
@@ -30,7 +30,7 @@ double unitOf(FittedKind kind) {
     }
 }
 
-/// Pearson's coefficient; 0 of what is constant.
+/// Pearson's correlation coefficient; 0 for constant values.
 double likeness(const std::vector<double>& a, const std::vector<double>& b) {
     const double count = static_cast<double>(a.size());
     const double meanA = std::accumulate(a.begin(), a.end(), 0.0) / count;
@@ -44,7 +44,7 @@ double likeness(const std::vector<double>& a, const std::vector<double>& b) {
     return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
-/// Every so many values of a trace serve to find where to begin.
+/// The stride through the values of a trace for finding starting values.
 std::size_t strideOf(const FitGroup& group, std::size_t enough = 400) {
     return (group.values.size() + enough - 1) / enough;
 }
@@ -240,7 +240,7 @@ double FitProblem::startOfIdle() const {
     return 0;
 }
 
-/// The mean difference of the sizes at this shift; of a long trace every so many values.
+/// The mean difference of the sizes at this shift, by a subset of a long trace.
 double FitProblem::startOfOffset(Scalars scalars, double shift_s) const {
     scalars.shift_s = shift_s;
     scalars.offset_mm = 0;
@@ -262,16 +262,17 @@ bool FitProblem::has(FittedKind kind) const {
     return std::ranges::find(m_parameters, kind, &FittedParameter::kind) != m_parameters.end();
 }
 
-/// Whether it has the clock of the cycle, with no delay of its own.
+/// Whether it shares the clock of the cycle, without a delay of its own.
 bool FitProblem::keepsStep(const FitGroup& group) const {
     return !(group.source == FitSource::power && has(FittedKind::power_delay))
            && !(group.source == FitSource::force && has(FittedKind::force_delay));
 }
 
-/// The best of shifts all over the traces, each with its own offset: one is fitted near the truth.
+/// The best shift over the whole traces, each with its own offset, since a fit converges only near
+/// the solution.
 double FitProblem::startOfShift(Scalars scalars) const {
     constexpr int tries = 200;
-    constexpr std::size_t enough = 100; // values of a trace: most of a fit's time goes here
+    constexpr std::size_t enough = 100; // values of a trace: this takes most of a fit's time
     std::vector<double> apart;
     const double cycle_s = m_response.end_s.back();
     scalars.offset_mm = 0;
@@ -285,11 +286,11 @@ double FitProblem::startOfShift(Scalars scalars) const {
         }
     }
     for (int i = 0; i <= tries && !isStopped(); ++i) {
-        // 0 is tried too, and stays where nothing is better.
+        // 0 is tried too, and kept if nothing is better.
         const double shift = i == 0 ? 0 : from + (to - from) * (i - 1) / (tries - 1);
         scalars.shift_s = shift;
         double sum = 0;
-        std::optional<double> offset_mm; // of the first trace of sizes
+        std::optional<double> offset_mm; // offset of the first trace of sizes
         for (std::size_t g = 0; g < m_data.groups.size(); ++g) {
             const FitGroup& group = m_data.groups[g];
             if (!keepsStep(group)) {
@@ -318,14 +319,13 @@ double FitProblem::startOfShift(Scalars scalars) const {
     return best;
 }
 
-/// At which the measured values follow the predicted ones most closely, of whatever size these
-/// are.
+/// The delay with the best correlation of measured and predicted values, whatever their scale.
 double FitProblem::startOfDelay(FitSource source, Scalars scalars) const {
     constexpr int tries = 40;
     constexpr double farthest_s = 2;
     double best = 0, closest = 0;
     for (int i = 0; i <= 2 * tries && !isStopped(); ++i) {
-        // 0 is tried first, and stays where nothing is better.
+        // 0 is tried first, and kept if nothing is better.
         const int step = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
         const double delay_s = farthest_s * step / tries;
         scalars.powerDelay_s = scalars.forceDelay_s = delay_s;
@@ -348,7 +348,7 @@ double FitProblem::startOfDelay(FitSource source, Scalars scalars) const {
 
 std::vector<double> FitProblem::start() {
     std::vector<double> q(m_parameters.size(), 0);
-    constexpr double leastRunout_mm = 1e-4; // whose logarithm can be taken
+    constexpr double leastRunout_mm = 1e-4; // positive, for its logarithm
     for (std::size_t i = 0; i < m_parameters.size(); ++i) {
         const FittedKind kind = m_parameters[i].kind;
         if (kind == FittedKind::blank_runout) {

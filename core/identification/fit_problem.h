@@ -11,14 +11,14 @@
 
 namespace sparkout {
 
-/// The factors of the cycle at coordinates q of these parameters, as FitProblem has them.
+/// The factors of the cycle at coordinates q of these parameters, as in FitProblem.
 [[nodiscard]] CycleFactors cycleFactors(const Project& project,
                                         const std::vector<FittedParameter>& list,
                                         const std::vector<double>& q);
 
-/// The residuals of the measured values against the simulated cycle as a function of coordinates
-/// q, one a parameter: the logarithm of a factor and of a runout, else the value by its unit of
-/// search. The steps of the stages are given, so that the function is smooth.
+/// The residuals of the measured values from the simulated cycle as a function of coordinates q,
+/// one for each parameter: the logarithm of a factor or a runout, otherwise the value in its unit.
+/// The numbers of steps of the stages are given, so that the function is smooth.
 class FitProblem {
 public:
     FitProblem(const Project& project, const FitData& data,
@@ -34,16 +34,16 @@ public:
     /// The noise of each group, by which its residuals are divided.
     void setNoise(std::vector<double> noise) { m_noise = std::move(noise); }
     [[nodiscard]] const std::vector<double>& noise() const { return m_noise; }
-    /// A weight for each value, of a robust loss; empty: 1.
+    /// A weight for each value, for a robust loss; empty: 1.
     void setWeights(std::vector<double> weights) { m_weights = std::move(weights); }
     [[nodiscard]] const std::vector<double>& weights() const { return m_weights; }
 
     [[nodiscard]] bool isStopped() const { return m_stop.stop_requested(); }
 
-    /// Coordinates to begin at: factors 1 or as known before, the others from the data.
+    /// Starting coordinates: factors 1 or their prior values, the others from the data.
     [[nodiscard]] std::vector<double> start();
-    /// These, with the best offset of the sizes, shift and delays for the steps as they are: those
-    /// are searched all over the traces.
+    /// These coordinates, with the best offset of the sizes, shift and delays for the current
+    /// steps, searched over the whole traces.
     [[nodiscard]] std::vector<double> startAt(std::vector<double> q);
     /// False: the cycle cannot be run there, or a stop was requested.
     bool evaluate(const std::vector<double>& q, std::vector<double>& residuals);
@@ -51,9 +51,9 @@ public:
     bool differences(const std::vector<double>& q, std::vector<double>& values);
     /// The ends of the stages in the time of the traces.
     [[nodiscard]] std::vector<double> stageEnds(const std::vector<double>& q);
-    /// Of the cycle [s]; 0 where it cannot be run.
+    /// The duration of the cycle [s]; 0 if it cannot be run.
     [[nodiscard]] double durationAt(const std::vector<double>& q);
-    /// How far to go in each coordinate for a derivative.
+    /// The step for a derivative by a coordinate.
     [[nodiscard]] static double derivativeStep(FittedKind kind);
 
     [[nodiscard]] static double valueOf(FittedKind kind, double q);
@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    /// What does not change the cycle.
+    /// The parameters that do not change the cycle.
     struct Scalars {
         double flow = 1, dullness = 1, chipForce = 1, rubbingForce = 1, chip = 1, friction = 1,
                idle_kw = 0, offset_mm = 0, shift_s = 0, powerDelay_s = 0, forceDelay_s = 0,
@@ -84,12 +84,12 @@ private:
     const FitData& m_data;
     std::stop_token m_stop;
     std::vector<FittedParameter> m_parameters;
-    bool m_hasThreshold; ///< of the force
+    bool m_hasThreshold; ///< whether the force has a threshold
     std::vector<int> m_steps;
     std::vector<double> m_noise, m_weights;
     std::size_t m_priors = 0;
     bool m_withPlaces = false;
-    CycleFactors m_lastFactors; ///< that the response is of
+    CycleFactors m_lastFactors; ///< factors of the last response
     CycleResponse m_response;
     bool m_hasResponse = false;
 };

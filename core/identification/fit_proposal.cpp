@@ -17,7 +17,7 @@ std::vector<FittedKind> proposedParameters(const FitData& data, bool hasThreshol
     } else if (size) {
         kinds = {FittedKind::alpha, FittedKind::beta};
     } else if (parts) {
-        // Sizes in one place tell how the gauge is set or how the system yields, not both.
+        // Sizes in one place determine either the gauge's setting or the compliance, not both.
         kinds = {power ? FittedKind::compliance : FittedKind::gauge_setting};
         std::set<int> places;
         for (const FitGroup& group : data.groups) {

@@ -8,11 +8,11 @@
 
 namespace sparkout {
 
-/// The parameters that data of these kinds can tell [MODEL-13]: size alone gives α and β, never γ
-/// and k_s apart; with the force it gives γ, σ_i and η. Power gives its two products, and the idle
-/// power where that is not stated. Offsets of the traces go with them. Finished parts give β and
-/// the setting of the gauge, those of one place the setting alone. With a threshold of the force
-/// factors of K and F'_0 stand in the places of those of σ_i and η.
+/// The parameters that data of these kinds can determine [MODEL-13]: size alone gives α and β,
+/// never γ and k_s separately; with the force it gives γ, σ_i and η. Power gives its two products,
+/// and the idle power if that is not given. Offsets of the traces are added. Finished parts give β
+/// and the setting of the gauge, those of one place the setting alone. With a threshold of the
+/// force, factors of K and F'_0 replace those of σ_i and η.
 [[nodiscard]] std::vector<FittedKind> proposedParameters(const FitData& data,
                                                          bool hasThreshold = false);
 

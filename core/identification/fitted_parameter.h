@@ -5,31 +5,31 @@
 
 namespace sparkout {
 
-/// What can be found from measurements [MODEL-13]. In the balance of a pass, D = a + α·a + β·√a,
-/// α = γ·b·k_s and β = γ·b·k_r; the wheel's power is idle + b·k_t·V_k·a + b·μ·k_r·V_k·√a, the
-/// normal force b·k_s·a + b·k_r·√a. With a threshold [MODEL-2] α is the factor of K, β that of
-/// F'_0, of the normal force, too, and neither flow stress nor dullness is anything to find.
+/// Parameters that can be fitted to measurements [MODEL-13]. In the balance of a pass, D = a + α·a
+/// + β·√a, α = γ·b·k_s and β = γ·b·k_r; the wheel's power is idle + b·k_t·V_k·a + b·μ·k_r·V_k·√a,
+/// the normal force b·k_s·a + b·k_r·√a. With a threshold [MODEL-2] α is the factor of K and β that
+/// of F'_0, also in the normal force, and flow stress and dullness are not fitted.
 enum class FittedKind {
-    alpha,          ///< factor of α alone
-    beta,           ///< factor of β alone
+    alpha,          ///< factor of α only
+    beta,           ///< factor of β only
     compliance,     ///< factor of γ: of α and β; of one zone or section, or of all
     flow_stress,    ///< factor of σ_i: of k_s, k_r and k_t
     dullness,       ///< factor of η: of k_r
     chip_power,     ///< factor of b·k_t·V_k
     friction_power, ///< factor of b·μ·k_r·V_k
     idle_power,     ///< [kW]
-    size_offset,    ///< of the gauge's zero [mm of diameter]
-    time_shift,     ///< of the beginning of the cycle in the traces [s]
-    power_delay,    ///< of the power behind what else was recorded [s]
-    force_delay,    ///< of the normal force behind what else was recorded [s]
+    size_offset,    ///< offset of the gauge's zero [mm of diameter]
+    time_shift,     ///< beginning of the cycle in the traces [s]
+    power_delay,    ///< delay of the power behind the other traces [s]
+    force_delay,    ///< delay of the normal force behind the other traces [s]
     blank_runout,   ///< ΔR of the blank [mm]
-    gauge_lag,      ///< time constant of the gauge, which follows the size by an exponential [s]
-    gauge_drift,    ///< of the gauge over the time of the cycle [mm/min]
-    gauge_setting,  ///< the diameter at which the gauge ends the cycle [mm]; of finished parts
+    gauge_lag,      ///< time constant of the gauge, a first-order lag [s]
+    gauge_drift,    ///< drift of the gauge over the time of the cycle [mm/min]
+    gauge_setting,  ///< diameter at which the gauge ends the cycle [mm]; for finished parts
     count_
 };
 
-/// What is known before: a mean and its standard deviation, in the unit of the parameter.
+/// Prior knowledge: a mean and its standard deviation, in the unit of the parameter.
 struct Prior {
     double mean = 1, deviation = 1;
     friend bool operator==(const Prior&, const Prior&) = default;
@@ -42,19 +42,18 @@ struct FittedParameter {
     friend bool operator==(const FittedParameter&, const FittedParameter&) = default;
 };
 
-/// Whether it multiplies an input: then it is fitted as its logarithm, stays positive and begins
-/// at 1.
+/// Whether it multiplies an input: then its logarithm is fitted, it stays positive and begins at 1.
 [[nodiscard]] bool isFactor(FittedKind kind);
-/// Whether it is a factor that the depths of cut depend on.
+/// Whether it is a factor on which the depths of cut depend.
 [[nodiscard]] bool actsOnDepths(FittedKind kind);
-/// Whether it is a property of what was recorded with: offset, times, lag and drift.
+/// Whether it is a property of the recorder: offset, times, lag and drift.
 [[nodiscard]] bool isOfRecorder(FittedKind kind);
 /// Whether it is an input of the project; the others belong to the traces.
 [[nodiscard]] bool isInput(FittedKind kind);
-/// How far the parameter may lie from its value before it counts as not known: of a factor and of
-/// the runout a ratio, else a difference in its unit.
+/// The distance of a parameter from its value beyond which it counts as unknown: a ratio for a
+/// factor and the runout, otherwise a difference in its unit.
 [[nodiscard]] double plausibleRange(FittedKind kind);
-/// Its key on the command line and in JSON, "time_shift".
+/// The key on the command line and in JSON, "time_shift".
 [[nodiscard]] const char* keyOf(FittedKind kind);
 
 } // namespace sparkout

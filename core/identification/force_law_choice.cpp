@@ -22,15 +22,15 @@ namespace {
 constexpr double decides = 6; ///< difference of Akaike's criteria
 constexpr double sourcesParameters = 4, thresholdParameters = 3;
 constexpr int mostMore = 500;           ///< revolutions
-constexpr double leastMean_mm2 = 1e-18; ///< of squares, where there is no noise
+constexpr double leastMean_mm2 = 1e-18; ///< of squares, if there is no noise
 
-/// A fit of offset and scale of a curve.
+/// A straight line fitted to a curve: offset and scale.
 struct Line {
     double scale = 0, offset = 0;
     double squares = std::numeric_limits<double>::infinity();
 };
 
-/// The readings, and what curves given at whole revolutions are there.
+/// The readings, and interpolation of curves given at whole revolutions.
 class Readings {
 public:
     explicit Readings(const SparkOutRecord& record) : m_values(record.size_mm) {
@@ -44,7 +44,7 @@ public:
         return static_cast<std::size_t>(std::ceil(m_places.back()));
     }
 
-    /// Least squares of offset + scale·curve, with the scale between two ends.
+    /// Least squares of offset + scale·curve, with a bounded scale.
     [[nodiscard]] Line fitted(const std::vector<double>& curve, double least = 0,
                               double most = std::numeric_limits<double>::infinity()) {
         const auto count = static_cast<double>(m_values.size());
@@ -69,7 +69,7 @@ public:
         }
         return line;
     }
-    /// Of the curve that was fitted last.
+    /// For the last fitted curve.
     [[nodiscard]] std::vector<double> residuals(const Line& line) const {
         std::vector<double> rests;
         for (std::size_t i = 0; i < m_values.size(); ++i) {
@@ -88,7 +88,7 @@ private:
     std::vector<double> m_places, m_values, m_at;
 };
 
-/// A law with its best values: a curve of revolutions by two shapes, or one.
+/// A law with its best values: a curve over revolutions with two shapes, or one.
 struct LawFit {
     Line line;
     double first = 0, second = 0; ///< logarithms of the shapes
@@ -116,7 +116,7 @@ std::vector<double> thresholdCurve(double constant, std::size_t revolutions) {
     return curve;
 }
 
-/// β over α [√mm] that wheels of usual dullness have.
+/// β over α [√mm] of wheels with usual dullness.
 struct Ratios {
     double least = 0, most = 0;
 };
@@ -134,7 +134,7 @@ Ratios ratiosOf(const Project& project) {
     return {ratio(usual.low), ratio(usual.high)};
 }
 
-/// The best of a grid of logarithms, then steps that are halved where none is better.
+/// The best of a grid of logarithms, refined by steps that are halved where none is better.
 template <class Try>
 std::pair<double, double> searched(std::pair<double, double> first,
                                    std::pair<double, double> second, int cells,
@@ -183,7 +183,7 @@ LawFit fitSources(Readings& readings, const Ratios& ratios, const std::stop_toke
     constexpr int cells = 40;
     const std::size_t revolutions = readings.revolutions();
     const auto lineAt = [&](const std::pair<double, double>& at, const std::vector<double>& curve) {
-        // the scale is 2·β², and β lies between so many α
+        // the scale is 2·β², with β between two multiples of α
         const double alpha = std::exp(at.first);
         const double least = alpha * ratios.least, most = alpha * ratios.most;
         return readings.fitted(curve, 2 * least * least, 2 * most * most);
@@ -216,7 +216,7 @@ LawFit fitThreshold(Readings& readings, const std::stop_token& stop) {
     return fit;
 }
 
-/// The share of the readings that counts as independent, by the correlation of neighbours.
+/// The share of independent readings, by the correlation of neighbours.
 double independentShare(const std::vector<double>& rests) {
     double squares = 0, products = 0;
     for (std::size_t i = 0; i < rests.size(); ++i) {
@@ -267,7 +267,7 @@ public:
     }
 
 private:
-    /// What the law with these values would record in so many revolutions, without noise.
+    /// The record of a law with these values over so many revolutions, without noise.
     [[nodiscard]] SparkOutRecord continued(bool sources, int revolutions) const {
         const LawFit& fit = sources ? m_sources : m_threshold;
         const auto all = static_cast<std::size_t>(revolutions);
@@ -282,8 +282,8 @@ private:
         return record;
     }
 
-    /// The difference of the criteria to be expected where one of the laws holds: what the other
-    /// leaves of it, with as many independent readings a revolution as now.
+    /// The expected difference of the criteria if one of the laws is true: by the residuals of the
+    /// other, with the current number of independent readings per revolution.
     [[nodiscard]] double expected(bool sources, int revolutions) const {
         const SparkOutRecord record = continued(sources, revolutions);
         Readings readings(record);

@@ -30,7 +30,7 @@ bool isUsed(const Project& project, const MeasuredTrace& trace) {
     });
 }
 
-/// The records whose inputs are still as they were found, and which have an interval.
+/// The records whose inputs are unchanged since the fit, and which have an interval.
 std::vector<Calibration> variedInputs(const Project& project) {
     std::vector<Calibration> records;
     for (const Calibration& record : project.measured->calibrations) {
@@ -45,18 +45,18 @@ std::vector<Calibration> variedInputs(const Project& project) {
     return records;
 }
 
-/// A cycle as gauge and drive show it, with the times its stages end at.
+/// The expected signals of gauge and drive in a cycle, with the ends of its stages.
 struct Predicted {
-    std::vector<int> steps; ///< of each stage
+    std::vector<int> steps; ///< steps of each stage
     CycleResponse shown;
-    double firstFeed_s = 0; ///< its middle
-    double lastFeed_s = 0;  ///< its end
+    double firstFeed_s = 0; ///< middle of the first feed
+    double lastFeed_s = 0;  ///< end of the last feed
     double end_s = 0;
 
     [[nodiscard]] double sizeAt(double time_s) const {
         return valueAt(shown.end_s, shown.size_mm, time_s);
     }
-    /// When the size falls to a value; the last time where none is so small.
+    /// The time at which the size falls to a value; the end if it does not.
     [[nodiscard]] double timeOf(double size_mm) const {
         const auto after = std::ranges::find_if(
             shown.size_mm, [size_mm](double value) { return value <= size_mm; });
@@ -105,7 +105,7 @@ std::optional<Predicted> predictedOf(const Project& project, const std::stop_tok
     return isFirst ? std::nullopt : std::optional(std::move(made));
 }
 
-/// The project with its calibrated inputs at their ends, one bit of `ends` each; nothing where the
+/// The project with its calibrated inputs at their ends, one bit of `ends` each; empty if the
 /// inputs are refused.
 std::optional<Project> atEnds(Project project, const std::vector<Calibration>& inputs,
                               unsigned ends) {
@@ -121,10 +121,10 @@ void widen(Interval& interval, double value) {
     interval.high = std::max(interval.high, value);
 }
 
-/// What a trace has more than predicted around a time, and its standard error.
+/// The excess of a trace over the prediction around a time, and its standard error.
 struct Excess {
     double mean = 0, error = 0;
-    double slope = 0; ///< of the predicted values, a second
+    double slope = 0; ///< slope of the predicted values, per second
 };
 
 class HeldOutTrace {
@@ -144,7 +144,7 @@ public:
         return m_excess.size() >= leastValues && m_trace.time_s.front() <= from_s
                && to_s <= m_trace.time_s.back() && countIn(from_s, to_s) >= leastValues;
     }
-    /// Over the values from one time to another, at least the `leastValues` last ones before it.
+    /// Over the values between two times, at least the last `leastValues` before the end.
     [[nodiscard]] Excess excess(double from_s, double to_s) const {
         const auto first = std::ranges::lower_bound(m_trace.time_s, from_s);
         const auto last = std::ranges::upper_bound(m_trace.time_s, to_s);
@@ -189,7 +189,7 @@ HoldOutRow rowOf(int trace, HoldOutQuantity quantity, double predicted, double e
              measured - predicted95.low + errorsOf95 * error}};
 }
 
-/// The values of the predicted curve and of the ends of the inputs' intervals.
+/// The values of the predicted curve and of those at the ends of the inputs' intervals.
 template <class Value>
 Interval rangeOf(const Predicted& nominal, const std::vector<Predicted>& ends, Value value) {
     Interval range{value(nominal), value(nominal)};
@@ -202,7 +202,7 @@ Interval rangeOf(const Predicted& nominal, const std::vector<Predicted>& ends, V
 void compareSizes(const HeldOutTrace& trace, const std::vector<Predicted>& ends,
                   std::vector<HoldOutRow>& rows) {
     const Predicted& nominal = trace.nominal();
-    constexpr double window = 0.15; // of the time between the two sizes
+    constexpr double window = 0.15; // share of the time between the two sizes
     const double width_s = window * (nominal.lastFeed_s - nominal.firstFeed_s);
     const double from_mm = nominal.sizeAt(nominal.firstFeed_s);
     const double to_mm = nominal.sizeAt(nominal.lastFeed_s);
@@ -221,7 +221,7 @@ void compareSizes(const HeldOutTrace& trace, const std::vector<Predicted>& ends,
                              })));
     }
     const double rest_s = nominal.end_s - nominal.lastFeed_s;
-    constexpr double tail = 0.25; // of the spark-out, where it hardly removes any more
+    constexpr double tail = 0.25; // share of the spark-out, with little removal
     if (rest_s > 0
         && trace.covers(nominal.lastFeed_s + rest_s / 2, nominal.end_s - tail / 2 * rest_s)) {
         const Excess end = trace.excess(nominal.end_s - tail * rest_s, nominal.end_s);

@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-/// The least share of a direction at which a parameter counts as part of it.
+/// The least share of a direction at which a parameter belongs to it.
 constexpr double partOfDirection = 0.2;
 
 Eigen::Index at(std::size_t i) {
@@ -34,7 +34,7 @@ public:
 private:
     void decompose(const Eigen::MatrixXd& jacobian) {
         const Eigen::Index count = jacobian.cols();
-        // What does not act at all is its own group; of the others the columns get length 1.
+        // A parameter without an effect is its own group; the columns of the others are normalised.
         Eigen::VectorXd lengths = jacobian.colwise().norm();
         const double longest = std::max(lengths.maxCoeff(), 1e-300);
         for (Eigen::Index i = 0; i < count; ++i) {
@@ -44,7 +44,7 @@ private:
             }
         }
         const Eigen::MatrixXd scaled = jacobian * lengths.cwiseInverse().asDiagonal();
-        // JᵀJ of columns of length 1 has the squares of the singular values; R keeps them.
+        // JᵀJ of normalised columns has the squares of the singular values; R keeps them.
         const Eigen::MatrixXd r = Eigen::HouseholderQR<Eigen::MatrixXd>(scaled)
                                       .matrixQR()
                                       .topRows(count)
@@ -71,7 +71,7 @@ private:
         reportFlat(covariance);
     }
 
-    /// Where the interval is as wide as the plausible range the profile itself decides.
+    /// If the interval is as wide as the plausible range, the profile decides.
     void reportFlat(const Eigen::MatrixXd& covariance) {
         for (std::size_t i = 0; i < m_list.size(); ++i) {
             const double error = std::sqrt(covariance(at(i), at(i)));
@@ -118,7 +118,7 @@ private:
             }
         }
         if (!group.empty()) {
-            // What they may change by and change nothing is against each other.
+            // The changes without effect have opposite signs.
             const bool isAgainst =
                 group.size() == 2 && direction[at(group[0])] * direction[at(group[1])] < 0;
             report(std::move(group), isAgainst);

@@ -69,7 +69,7 @@ public:
             m_result.status =
                 lacks() ? IdentificationStatus::doesNotFit : IdentificationStatus::cannotTell;
         } else {
-            std::vector<double> errors; // of the coordinates
+            std::vector<double> errors; // errors of the coordinates
             for (std::size_t i = 0; i < m_best.q.size(); ++i) {
                 errors.push_back(std::sqrt(found.covariance[i * m_best.q.size() + i]));
             }
@@ -90,7 +90,7 @@ public:
                 }
             }
             addValues(found);
-            if (m_stop.stop_requested()) { // the values would lack what was not asked
+            if (m_stop.stop_requested()) { // the values would be incomplete
                 m_result = {};
                 m_result.status = IdentificationStatus::stopped;
             }
@@ -99,7 +99,7 @@ public:
     }
 
 private:
-    /// `fitted` where nothing speaks against it.
+    /// `fitted` if there is no objection.
     IdentificationStatus refusal() {
         if (m_data.count() <= m_request.parameters.size()) {
             return IdentificationStatus::noData;
@@ -110,10 +110,10 @@ private:
                                            : IdentificationStatus::fitted;
     }
 
-    /// The steps of the stages are whole numbers, between which the shift and the factors have an
-    /// optimum of their own each: a step less is nearly made up for by a shift of one step. So the
-    /// fit begins at many factors, with the steps that the gauge would ask for and the best shift
-    /// of each; then the steps follow the gauge, then each may be one more or less.
+    /// The numbers of steps are integers, and each choice has its own optimum of shift and factors:
+    /// a missing step is nearly compensated by a shift of one step. So the fit starts at many
+    /// factors, with the steps by the gauge and the best shift of each; then the steps follow the
+    /// gauge, and finally each may change by one.
     bool fit() {
         const std::vector<bool> free(m_request.parameters.size(), false);
         m_best = minimise(m_problem, m_problem.start(), free, SearchEffort::rough);
@@ -132,13 +132,13 @@ private:
         return m_best.converged && !m_stop.stop_requested();
     }
 
-    /// Fits with these steps; keeps them where they fit better.
+    /// Fits with these steps; keeps them if they fit better.
     bool betterWith(const std::vector<int>& steps, const std::vector<double>& from) {
         const std::vector<int> before = m_problem.steps();
         m_problem.setSteps(steps);
         const std::vector<bool> free(m_request.parameters.size(), false);
         LeastSquares other = minimise(m_problem, from, free, SearchEffort::rough);
-        constexpr double better = 1e-9; // by no more than rounding is not better
+        constexpr double better = 1e-9; // a smaller improvement is rounding
         const bool fitsBetter = other.criterion < m_best.criterion * (1 - better);
         m_others.push_back(fitsBetter ? m_best : other);
         if (fitsBetter) {
@@ -149,15 +149,15 @@ private:
         return fitsBetter;
     }
 
-    /// Where a fit may begin.
+    /// A starting point of a fit.
     struct Start {
         double criterion = 0;
         std::vector<int> steps;
         std::vector<double> q;
     };
 
-    /// Factors of what the depths of cut depend on, from a quarter to four times: all of them
-    /// alike, and the first two each by itself.
+    /// Starting factors of the depths of cut, from a quarter to four times: all of them alike, and
+    /// each of the first two separately.
     [[nodiscard]] std::vector<std::vector<double>> factorsToBegin() {
         constexpr int along = 24, across = 6;
         std::vector<std::size_t> factors;
@@ -194,7 +194,7 @@ private:
                    : std::numeric_limits<double>::infinity();
     }
 
-    /// Fits from the best starts, of which each sequence of steps has one.
+    /// Fits from the best starts, one for each sequence of steps.
     void tryStarts(bool isByGauge) {
         const std::vector<int> before = m_problem.steps();
         std::vector<Start> starts;
@@ -234,7 +234,7 @@ private:
         }
     }
 
-    /// One more or less of a stage, or one from a stage to the next.
+    /// One step more or less in a stage, or one moved to the next stage.
     [[nodiscard]] std::vector<std::vector<int>> neighbours() const {
         const std::vector<int>& now = m_problem.steps();
         std::vector<std::vector<int>> found;
@@ -255,8 +255,8 @@ private:
         return found;
     }
 
-    /// The coordinates as they are, or with the shift that makes up for a step more or less in one
-    /// of the stages, whichever fits better with other steps.
+    /// The current coordinates, or those with the shift that compensates a step more or less in one
+    /// of the stages, whichever fits better with the new steps.
     [[nodiscard]] Start startWith(const std::vector<int>& steps) {
         const std::vector<int> before = m_problem.steps();
         const std::vector<FittedParameter>& list = m_request.parameters;
@@ -292,7 +292,7 @@ private:
         }
     }
 
-    /// Of steps that are far worse as things stand no fit will make better ones.
+    /// Steps that are far worse at the start are not improved by a fit.
     [[nodiscard]] bool isWorthATry(const Start& start) const {
         constexpr double farWorse = 100, leastMean = 1e-6;
         return start.criterion
@@ -301,8 +301,8 @@ private:
                                 leastMean * static_cast<double>(m_problem.residuals()));
     }
 
-    /// The noise of each group from its own residuals, and the weights of a robust loss, until
-    /// nothing changes.
+    /// Estimates the noise of each group from its own residuals, and the weights of a robust loss,
+    /// until nothing changes.
     void settleNoise() {
         constexpr int mostRounds = 12;
         for (int round = 0; round < mostRounds && !m_stop.stop_requested(); ++round) {
@@ -326,7 +326,7 @@ private:
         }
     }
 
-    /// RMS of each group; of a robust fit by the median, which outliers do not move.
+    /// RMS of each group; for a robust fit by the median, which outliers do not affect.
     std::vector<double> noiseOf(const std::vector<double>& differences) const {
         constexpr double leastShare = 1e-9;
         std::vector<double> noise;
@@ -365,8 +365,8 @@ private:
         return robustWeights(scaled, m_request.loss);
     }
 
-    /// A·(Σ J_i·ρ(i − j)·J_jᵀ)·A, A the covariance that holds where the noise is white: that of
-    /// least squares where it follows itself.
+    /// A·(Σ J_i·ρ(i − j)·J_jᵀ)·A with A the covariance for white noise: the covariance of least
+    /// squares for correlated noise.
     void widen(Identifiability& found) {
         const std::size_t count = m_request.parameters.size();
         const std::size_t rows = m_problem.residuals();
@@ -398,10 +398,10 @@ private:
         square(found.covariance) = white * square(sum) * white;
     }
 
-    /// The least and greatest coordinate of each parameter that fits alike: with other steps of the
-    /// stages, or in another valley, where the criterion rises by no more than at the ends of the
-    /// interval, counted in what the noise makes of it. Where they lie farther apart than the
-    /// plausible range is wide, the data do not tell the parameter.
+    /// Finds the least and greatest coordinate of each parameter that fits equally well: with other
+    /// steps of the stages, or in another valley, where the criterion rises by no more than at the
+    /// ends of the interval, relative to the noise. If they are farther apart than the plausible
+    /// range, the parameter is undetermined.
     void findAlike(const Identifiability& found) {
         double following = 1;
         for (const FitResiduals& group : m_result.residuals) {
@@ -431,7 +431,7 @@ private:
         }
     }
 
-    /// Whether more is left of a trace than noise.
+    /// Whether the residuals of a trace exceed noise.
     [[nodiscard]] bool lacks() const {
         return std::ranges::any_of(
             m_result.residuals, [](const FitResiduals& group) { return group.lack.isLacking(); });
@@ -458,7 +458,7 @@ private:
         const std::size_t count = m_request.parameters.size();
         const double t = student();
         std::vector<double> errors;
-        std::vector<double> wider; // an interval than that of the covariance
+        std::vector<double> wider; // ratio of the interval to that of the covariance
         for (std::size_t i = 0; i < count; ++i) {
             const FittedKind kind = m_request.parameters[i].kind;
             const double error = std::sqrt(found.covariance[i * count + i]);
@@ -529,8 +529,8 @@ private:
         addNormality(std::move(scaled));
     }
 
-    /// By a robust loss a lone outlier counts as little as in the fit. Several in a row, or many,
-    /// are what the model does not have.
+    /// With a robust loss a lone outlier counts as little as in the fit. Several in a row, or many,
+    /// are a deficiency of the model.
     static std::vector<double> withoutOutliers(std::span<const double> values,
                                                std::span<const double> weights) {
         constexpr double outlying = 0.5, mostOfAll = 0.05;
@@ -554,7 +554,7 @@ private:
 
     static void judge(const FitGroup& group, std::span<const double> left, double parameters,
                       const std::vector<double>& stageEnds_s, FitResiduals& residuals) {
-        // Of exact values the last digits of the simulation are left.
+        // For exact values the rounding of the simulation remains.
         constexpr double leastShare = 1e-6;
         const auto [least, most] = std::ranges::minmax(group.values);
         residuals.noise = traceNoiseOf(left, std::max(group.step, (most - least) * leastShare));
@@ -592,13 +592,13 @@ private:
     FitProblem m_problem;
     LeastSquares m_best;
     std::vector<LeastSquares> m_others;             ///< from other starts or with other steps
-    std::vector<std::pair<double, double>> m_alike; ///< ends of what fits alike, by parameter
-    double m_least = 0; ///< the criterion of the best by the same noise as theirs
+    std::vector<std::pair<double, double>> m_alike; ///< ends of equally good fits, by parameter
+    double m_least = 0; ///< criterion of the best fit for the same noise
     Identification m_result;
 };
 
-/// Whether the residuals of a trace follow each other, as those of the right cycle hardly do:
-/// beyond three standard errors of white noise, 1/√n.
+/// Whether the residuals of a trace are correlated, unlike those of the right cycle: beyond three
+/// standard errors of white noise, 1/√n.
 bool hasStructure(const std::vector<FitResiduals>& residuals) {
     constexpr double clearly = 3;
     return std::ranges::any_of(residuals, [](const FitResiduals& group) {
@@ -608,7 +608,7 @@ bool hasStructure(const std::vector<FitResiduals>& residuals) {
     });
 }
 
-/// −ln of the likelihood, less what is the same for any fit of the same data.
+/// −ln of the likelihood, without the part common to all fits of the data.
 double misfit(const std::vector<FitResiduals>& residuals) {
     double sum = 0;
     for (const FitResiduals& group : residuals) {
@@ -617,7 +617,8 @@ double misfit(const std::vector<FitResiduals>& residuals) {
     return sum;
 }
 
-/// Whether a fit with a time more is certainly better, in what the noise makes of its residuals.
+/// Whether a fit with an additional time is certainly better, relative to the noise of its
+/// residuals.
 bool isCertainlyBetter(const Identification& with, const Identification& without) {
     double following = 1;
     for (const FitResiduals& group : with.residuals) {
@@ -628,7 +629,8 @@ bool isCertainlyBetter(const Identification& with, const Identification& without
            > certainDelay * certainDelay * following;
 }
 
-/// What is fitted cannot be told: with a time more it fits better, and is not determined beside it.
+/// Marks parameters as undetermined: with an additional time the fit is better, and does not
+/// determine them.
 void leaveUntold(std::vector<Unidentified> wider, Identification& found) {
     const std::size_t count = found.values.size();
     for (Unidentified& one : wider) {
@@ -645,8 +647,8 @@ void leaveUntold(std::vector<Unidentified> wider, Identification& found) {
     }
 }
 
-/// For want of a time the steps of the stages may have gone astray, where no fit with the same
-/// steps finds it: all is fitted anew, from the beginning, with each time left out.
+/// Without a needed time the steps of the stages may be wrong, and no fit with the same steps
+/// reveals it: repeats the whole fit with each time left out.
 void addOutOfStepAnew(const Project& project, const IdentificationRequest& request,
                       const std::stop_token& stop, Identification& without) {
     std::vector<OutOfStep> found;
@@ -690,10 +692,10 @@ void addOutOfStepAnew(const Project& project, const IdentificationRequest& reque
     without.outOfStep = std::move(found);
 }
 
-/// The force law that the recorded spark-out supports, whatever law the fit is of.
+/// Adds the force law supported by the recorded spark-out, whatever law the fit uses.
 void addForceLaw(const Project& project, const std::stop_token& stop, Identification& found) {
-    // The revolutions of a spark-out are told apart where their beginning is known, the gauge
-    // follows at once, and each radius yields by itself.
+    // The revolutions of a spark-out are separable if its beginning is known, the gauge has no lag,
+    // and each radius deflects by itself.
     double begin_s = 0;
     bool isClear = found.status == IdentificationStatus::fitted && !isCoupled(project)
                    && !wheelContact(project);
@@ -710,8 +712,8 @@ void addForceLaw(const Project& project, const std::stop_token& stop, Identifica
     }
 }
 
-/// What validate() says of the inputs with these values and did not say before: with values that it
-/// refuses the model does not fit.
+/// Adds the new issues of validate() for the inputs with these values: refused values mean that the
+/// model does not fit.
 void judgeInputs(const Project& project, Identification& found) {
     const Issues before = validate(project);
     const Project calibrated = withCalibration(project, found, {}, {});

@@ -18,26 +18,26 @@
 #include <stop_token>
 #include <vector>
 
-/// Parameters of the process from measured cycles: nonlinear least squares on the simulated cycle
-/// itself [MODEL-13].
+/// Fits parameters of the process to measured cycles: nonlinear least squares on the simulated
+/// cycle itself [MODEL-13].
 namespace sparkout {
 
 struct IdentificationRequest {
     std::vector<FittedParameter> parameters;
-    std::vector<int> traces = {}; ///< by their numbers in the project; empty: all
-    bool withParts = false;       ///< the measured diameters too
+    std::vector<int> traces = {}; ///< indices in the project; empty: all
+    bool withParts = false;       ///< includes the measured diameters
     RobustLoss loss = RobustLoss::none;
 };
 
 enum class IdentificationStatus {
     fitted,
-    cannotTell,    ///< the data do not tell some of the parameters: no values
-    noData,        ///< nothing measured that the parameters act on, or less than there are
-    notApplicable, ///< compliances of places that the project cannot have, a parameter twice, the
+    cannotTell,    ///< the data leave some parameters undetermined: no values
+    noData,        ///< no data, or not enough, that depend on the parameters
+    notApplicable, ///< compliances of places that the project does not have, a parameter twice, the
                    ///< setting of the gauge from traces
     notRun,        ///< the cycle of the project cannot be run
     notConverged,
-    doesNotFit, ///< values are there, and what they leave is more than chance: not to be used
+    doesNotFit, ///< fitted, but the residuals exceed chance: not to be used
     stopped
 };
 
@@ -48,37 +48,37 @@ struct FittedValue {
     double error = 0; ///< standard error: of a factor relative to it
 };
 
-/// How the values of one group are met.
+/// The residuals of one group.
 struct FitResiduals {
     FitSource source = FitSource::size;
     int trace = -1;
     std::vector<double> values; ///< measured less predicted, in the order of the data
     double rms = 0;
-    std::optional<TraceNoise> noise{}; ///< of a trace, from what neighbours differ by
-    LackOfFit lack{};                  ///< of it
-    UnlikeCycle unlike{};              ///< where it lacks
-    std::size_t outliers = 0; ///< lone ones that a robust loss counts less in what is judged
+    std::optional<TraceNoise> noise{}; ///< noise of a trace, from differences of neighbours
+    LackOfFit lack{};                  ///< lack of fit of a trace
+    UnlikeCycle unlike{};              ///< cause of the lack of fit
+    std::size_t outliers = 0;          ///< lone outliers, with a lower weight in the judgement
 };
 
-/// A fit of traces begins all over factors from as little to as much; what it finds beyond them is
-/// not used: the inputs are to be brought nearer first.
+/// A fit of traces starts at factors within this ratio; results beyond it are not used, and the
+/// inputs should be improved first.
 inline constexpr double mostSearchedFactor = 4;
 
 struct Identification {
     IdentificationStatus status = IdentificationStatus::noData;
     std::vector<FittedValue> values;
-    std::vector<std::vector<double>> covariance; ///< of the values; of factors of their logarithms
+    std::vector<std::vector<double>> covariance; ///< of the values; for factors of their logarithms
     std::vector<std::vector<double>> correlation;
     std::vector<FitResiduals> residuals;
-    std::optional<Normality> normality; ///< of the residuals, each by the RMS of its group
-    std::vector<OutOfStep> outOfStep;   ///< times left out that are hardly 0: the values are wrong
+    std::optional<Normality> normality; ///< for residuals divided by the RMS of their group
+    std::vector<OutOfStep> outOfStep;   ///< omitted times, hardly 0: the values are wrong
     double condition = 1;
     std::vector<Unidentified> unidentified;
-    std::vector<int> stepsByStage;          ///< of the cycle that fits
-    std::optional<ForceLawChoice> forceLaw; ///< that its spark-out supports, where it is recorded
-    std::vector<int> withoutFactor; ///< currents left out, as their factor is not given; by number
-    std::size_t count = 0;          ///< measured values
-    /// Why the cycle cannot be run, or what is refused or unusual of the inputs with these values.
+    std::vector<int> stepsByStage;          ///< steps of the fitted cycle, by stage
+    std::optional<ForceLawChoice> forceLaw; ///< supported by its spark-out, if that is recorded
+    std::vector<int> withoutFactor;         ///< omitted currents without a given factor; by index
+    std::size_t count = 0;                  ///< measured values
+    /// Why the cycle cannot be run, or refused and unusual inputs with these values.
     Issues issues;
 };
 

@@ -11,7 +11,7 @@ namespace sparkout {
 
 namespace {
 
-/// The problem as Eigen's method takes it: of the free coordinates alone.
+/// The problem in the form for Eigen, with only the free coordinates.
 class Functor {
 public:
     Functor(FitProblem& problem, std::vector<double> q, std::vector<std::size_t> free)
@@ -23,7 +23,7 @@ public:
     int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& residuals) {
         put(x);
         ++evaluations;
-        constexpr double beyond = 1e6; // a step to where no cycle can be run is taken back
+        constexpr double beyond = 1e6; // makes a step to an impossible cycle fail
         if (m_problem.evaluate(m_q, m_residuals)) {
             residuals = Eigen::Map<const Eigen::VectorXd>(m_residuals.data(), values());
         } else if (m_problem.isStopped()) {

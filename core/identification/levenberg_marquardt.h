@@ -8,8 +8,8 @@
 
 namespace sparkout {
 
-/// Where the sum of the squared residuals of a problem is least, by Levenberg's and Marquardt's
-/// method of Eigen's NonLinearOptimization (MINPACK).
+/// The minimum of a problem's sum of squared residuals, by the Levenberg–Marquardt method of
+/// Eigen's NonLinearOptimization (MINPACK).
 struct LeastSquares {
     std::vector<double> q;
     double criterion = 0; ///< sum of the squares
@@ -17,17 +17,17 @@ struct LeastSquares {
     int evaluations = 0;
 };
 
-/// How far a search of the least squares goes: to the last digits, or until it is known which of
-/// several is the best.
+/// The accuracy of a search: to the last digits, or enough to choose the best of several.
 enum class SearchEffort { whole, rough };
 
-/// From a start; coordinates that are `fixed` stay. A stop of the problem ends it where it is.
+/// Starts at given coordinates, of which `fixed` ones are constant. A stop of the problem ends it
+/// early.
 [[nodiscard]] LeastSquares minimise(FitProblem& problem, const std::vector<double>& start,
                                     const std::vector<bool>& fixed,
                                     SearchEffort effort = SearchEffort::whole);
 
-/// Derivatives of the residuals by the coordinates, by central differences: a column each, one
-/// behind the other. False: the cycle cannot be run beside q.
+/// Derivatives of the residuals by the coordinates, by central differences, column after column.
+/// False if the cycle cannot be run near q.
 bool derivatives(FitProblem& problem, const std::vector<double>& q,
                  const std::vector<std::size_t>& free, std::vector<double>& columns);
 

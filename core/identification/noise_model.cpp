@@ -27,7 +27,7 @@ std::vector<double> variogramOf(std::span<const double> residuals, std::size_t m
     return found;
 }
 
-/// The least squares of w and s ≥ 0 for a given φ; their sum of squares.
+/// The least squares of w and s ≥ 0 for a given φ; returns their sum of squares.
 double fitFor(double phi, const std::vector<double>& variogram, TraceNoise& noise) {
     double n = 0, x = 0, xx = 0, y = 0, xy = 0, power = 1;
     for (const double value : variogram) {

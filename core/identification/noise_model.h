@@ -13,35 +13,35 @@ struct TraceNoise {
     double white = 0;     ///< w, a variance
     double following = 0; ///< s, a variance
     double phi = 0;       ///< φ, below 1
-    /// Of the error of rounding, which may be the same all along a stage where the size changes by
-    /// whole steps from value to value: step²/12·exp(−4π²·σ²/step²), σ the noise that was rounded.
+    /// The part of the rounding error that may be constant along a stage whose size changes by
+    /// whole steps from value to value: step²/12·exp(−4π²·σ²/step²), σ the noise before rounding.
     double held = 0;
 
     [[nodiscard]] double variance() const { return white + following; }
-    /// Of the variance, what follows itself.
+    /// The correlated share of the variance.
     [[nodiscard]] double share() const { return variance() > 0 ? following / variance() : 0; }
-    /// Of the mean of so many values in a row.
+    /// The variance of the mean of so many successive values.
     [[nodiscard]] double varianceOfMean(std::size_t count) const;
 };
 
-/// From what neighbours differ by, ½·mean (r_{t+k} − r_t)² = w + s·(1 − φ^k), k up to 12, so that
-/// what changes slowly over the trace does not count as noise. φ is such that values a 25th of the
-/// trace apart hardly know of each other: a noise slower than that cannot be told from a model that
-/// does not fit. Never below the variance of rounding to `step`, step²/12. At least 3 values.
+/// Estimates the noise from differences of neighbours, ½·mean (r_{t+k} − r_t)² = w + s·(1 − φ^k), k
+/// up to 12, so that slow changes over the trace do not count as noise. φ is such that values a
+/// 25th of the trace apart are nearly independent: slower noise cannot be distinguished from a
+/// wrong model. At least the variance of rounding to `step`, step²/12. Requires 3 values.
 [[nodiscard]] TraceNoise traceNoiseOf(std::span<const double> residuals, double step = 0);
 
-/// Of the means of stretches of the residuals: their mean square over what the noise gives them,
-/// of so many degrees of freedom; about 1 where nothing but noise is left.
+/// Lack of fit by the means of sections of the residuals: their mean square relative to the noise,
+/// with its degrees of freedom; about 1 if only noise is left.
 struct LackOfFit {
     double ratio = 1;
     double freedom = 1;
-    double most = 1; ///< that chance leaves, in 99 of 100 fits
+    double most = 1; ///< limit in 99 of 100 fits by chance
     [[nodiscard]] bool isLacking() const { return ratio > most; }
 };
 [[nodiscard]] LackOfFit lackOfFit(std::span<const double> residuals, const TraceNoise& noise,
                                   double parametersOfGroup);
 
-/// A row of a matrix of derivatives of residuals by p parameters, a column each.
+/// A row of the derivatives of residuals by p parameters, one for each column.
 struct Derivatives {
     std::span<const double> columns;
     std::size_t rows = 0;
@@ -51,9 +51,9 @@ struct Derivatives {
     }
 };
 
-/// Σ_ij J_i·ρ(i, j)·J_jᵀ of the derivatives J of the rows [first, end) by their noise, ρ the
-/// correlation of the noise: added to `sum`, p × p, row by row. `stages`: where the rows of the
-/// next stage begin.
+/// Adds Σ_ij J_i·ρ(i, j)·J_jᵀ of the derivatives J of the rows [first, end), divided by their
+/// noise, to `sum`, p × p, row by row; ρ is the correlation of the noise. `stages`: first rows of
+/// the later stages.
 void addFollowing(const Derivatives& derivatives, std::size_t first, std::size_t end,
                   const std::vector<std::size_t>& stages, const TraceNoise& noise,
                   std::vector<double>& sum);

@@ -15,13 +15,13 @@ namespace sparkout {
 namespace {
 
 constexpr double leastDrift_mm_min = 1e-5;
-constexpr double leastDelay_s = 1e-4; ///< below it no clock of a recorder can be told
+constexpr double leastDelay_s = 1e-4; ///< resolution of a recorder's clock
 
 bool hasTimes(const FitGroup& group) {
     return !group.time_s.empty();
 }
 
-/// Whether the data have what is delayed, and something that it can be late against.
+/// Whether the data have the delayed quantity, and another one as its reference.
 bool isOfData(FittedKind kind, const FitData& data) {
     if (kind == FittedKind::time_shift) {
         return std::ranges::any_of(data.groups, hasTimes);
@@ -66,7 +66,7 @@ double inflationOf(const FitData& data, const std::vector<double>& differences) 
     return most;
 }
 
-/// With one time more.
+/// A fit with an additional time.
 class WiderFit {
 public:
     WiderFit(const Project& project, const FitData& data, const FitProblem& fitted, FittedKind kind,
@@ -79,7 +79,7 @@ public:
         m_problem.setWeights(fitted.weights());
     }
 
-    /// Adds what was found, nothing where the time is 0 for all that the data tell.
+    /// Adds the result, unless the time is 0 as far as the data determine it.
     void find(const LeastSquares& best, const std::vector<double>& errors, LeftOut& leftOut) {
         std::vector<double> from = best.q;
         from.push_back(0);
@@ -129,7 +129,7 @@ public:
         leftOut.certain.push_back(found);
     }
 
-    /// Adds the others with the time held at an amount, where they fit about as well as the best.
+    /// Adds fits with the time held at an amount, if they fit about as well as the best.
     void findHeld(const LeastSquares& best, const std::vector<double>& errors, double amount,
                   LeftOut& leftOut) {
         std::vector<double> from = best.q, residuals, differences;
@@ -156,9 +156,9 @@ public:
     }
 
 private:
-    /// Whether the residuals of the fit speak for the time by enough of its standard errors, to
-    /// first order: of J = Q·R the last of Qᵀr, as the last column of R stands on what the other
-    /// ones do not reach.
+    /// Whether the residuals of the fit support the time by enough standard errors, to first order:
+    /// for J = Q·R the last element of Qᵀr, since the last column of R is orthogonal to the other
+    /// ones.
     bool isWorthAFit(const std::vector<double>& q) {
         std::vector<std::size_t> all(q.size());
         std::iota(all.begin(), all.end(), std::size_t{0});

@@ -11,53 +11,54 @@
 
 namespace sparkout {
 
-/// A property of the recorder that was not fitted and is hardly 0: a time of the traces against the
-/// cycle (`time_shift`), of the power or the force against what else was recorded, lag or drift of
-/// the gauge. Left out, it goes into the other parameters, whose intervals say nothing of it.
+/// A property of the recorder that was not fitted and is probably not 0: a shift of the traces
+/// relative to the cycle (`time_shift`), a delay of the power or the force relative to other
+/// traces, lag or drift of the gauge. If omitted, it biases the other parameters, whose intervals
+/// do not show it.
 struct OutOfStep {
     FittedKind kind = FittedKind::power_delay;
-    double amount = 0;         ///< with it fitted too
-    double error = 0;          ///< its standard error; wider where the residuals follow each other
-    std::size_t parameter = 0; ///< the one of the fit that it moves most, by its error
-    double value = 0;          ///< what that one would be
+    double amount = 0;         ///< value in a fit that includes it
+    double error = 0;          ///< its standard error; wider if the residuals are correlated
+    std::size_t parameter = 0; ///< the fitted one that it changes most, relative to its error
+    double value = 0;          ///< value of that parameter with it
 };
 
-/// The delay counts as real beyond so many standard errors: of normal noise one fit in 2,000.
+/// The number of standard errors beyond which a delay counts as real: exceeded by normal noise in
+/// one of 2,000 fits.
 inline constexpr double certainDelay = 3.5;
-/// From so many on it may be real: the criterion of Akaike is for it.
+/// The number from which it may be real: Akaike's criterion supports it.
 inline constexpr double possibleDelay = 1.4;
 
-/// What is known of the lag of a gauge that nobody stated: gauges filter over 0.05 to 0.3 s, so one
-/// of twice this may well be there. An estimate.
+/// Prior for the lag of a gauge that is not given: gauges filter over 0.05 to 0.3 s, so twice this
+/// value is plausible. An estimate.
 inline constexpr double usualLag_s = 0.15;
 
-/// What was left out of a fit.
+/// The properties of the recorder omitted from a fit.
 struct LeftOut {
     std::vector<OutOfStep> certain;
-    /// Fits with one more that may be real, or with a usual lag of the gauge that the data do not
-    /// exclude: coordinates of the fitted parameters and the standard errors of these.
+    /// Fits with an additional property that may be real, or with a usual lag of the gauge that the
+    /// data do not exclude: coordinates of the fitted parameters and their standard errors.
     struct Possible {
         std::vector<double> q, errors;
     };
     std::vector<Possible> possible;
 };
 
-/// Whether it is beyond `certainDelay` of its errors, and long enough for the clock of a recorder.
+/// Whether it exceeds `certainDelay` standard errors, and the resolution of a recorder's clock.
 [[nodiscard]] bool isCertain(const OutOfStep& found);
 
-/// The times that the data could tell and that are not fitted.
+/// The times that the data could determine and that are not fitted.
 [[nodiscard]] std::vector<FittedKind> timesLeftOut(const FitData& data,
                                                    const std::vector<FittedParameter>& fitted);
 
-/// Of residuals in the order of time: near 0 where they are noise alone.
+/// For residuals in the order of time: near 0 for white noise.
 [[nodiscard]] double firstAutocorrelation(std::span<const double> residuals);
 
-/// By how much the variance of a mean is greater where each residual follows the one before:
-/// (1 + ρ)/(1 − ρ) of the first autocorrelation ρ.
+/// The factor on the variance of a mean of correlated residuals: (1 + ρ)/(1 − ρ) for the first
+/// autocorrelation ρ.
 [[nodiscard]] double inflation(double autocorrelation);
 
-/// Of a fit at its best: each time left out is fitted
-/// beside the rest, with the same steps and weights.
+/// For a fit at its best: fits each omitted time besides the rest, with the same steps and weights.
 [[nodiscard]] LeftOut outOfStep(const Project& project, const FitData& data,
                                 const FitProblem& fitted, const LeastSquares& best,
                                 const std::vector<double>& errors, const std::stop_token& stop);

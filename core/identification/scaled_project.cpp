@@ -42,8 +42,8 @@ void scalePlaceCompliances(Project& project, const std::vector<double>& factors)
     }
 }
 
-// σ_i and α act on α alike, for γ stands before both: γ' = γ·c·σ·α. What is left for β is η. The
-// wheel contact, which is not linear, is to yield under P as it did under σ·P.
+// σ_i and α have the same effect on α, since γ precedes both: γ' = γ·c·σ·α. η then corrects β. The
+// nonlinear wheel contact must deflect under P as before under σ·P.
 Project scaledProject(const Project& project, const CycleFactors& factors) {
     Project scaled = project;
     scaled.runs.clear();

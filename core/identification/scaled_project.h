@@ -7,22 +7,21 @@
 
 namespace sparkout {
 
-/// What the depths of cut depend on: factors of what the project has.
+/// Factors on the inputs that determine the depths of cut.
 struct CycleFactors {
     double alpha = 1, beta = 1, compliance = 1, flowStress = 1, dullness = 1;
-    std::vector<double> places; ///< of the compliance of each zone or section; empty: 1
+    std::vector<double> places; ///< factors of the compliance of each zone or section; empty: 1
     double blankRunout_mm = 0;  ///< ΔR itself
     friend bool operator==(const CycleFactors&, const CycleFactors&) = default;
 };
 
-/// The factors of a project as it is.
+/// The factors of an unchanged project.
 [[nodiscard]] CycleFactors factorsOf(const Project& project);
 
-/// Whether zones or sections can have compliances of their own: given, or computed for each by
-/// itself.
+/// Whether zones or sections can have their own compliances: given, or computed separately.
 [[nodiscard]] bool hasPlaceCompliances(const Project& project);
 
-/// Multiplies γ place by place; what is computed becomes given.
+/// Multiplies γ place by place; a computed γ becomes a given one.
 void scalePlaceCompliances(Project& project, const std::vector<double>& factors);
 
 /// Where the force has a threshold alpha is the factor of K and beta that of F'_0.

@@ -9,15 +9,15 @@
 
 namespace sparkout {
 
-/// The sizes of many parts of which nobody knows where their stock fell in the steps of the feed:
-/// of each zone or section the mean diameter less the nominal one.
+/// The sizes of many parts with an unknown stock within the steps of the feed: for each zone or
+/// section the mean diameter less the nominal one.
 struct SizesOverPhases {
-    std::vector<double> means_um;      ///< none: no cycle reached size
-    std::vector<double> deviations_um; ///< of one part
+    std::vector<double> means_um;      ///< empty: no cycle reached size
+    std::vector<double> deviations_um; ///< deviations of one part
 };
 
-/// Over usualPhases(), one infeed of stock, by so many stocks that lie evenly in it: a step of the
-/// size as a function of the stock counts to a 256th of the range.
+/// Over usualPhases(), one infeed of stock, with this number of evenly spaced stocks: a step of the
+/// size over the stock is resolved to a 256th of the range.
 [[nodiscard]] SizesOverPhases sizesOverPhases(const Project& project, const CycleFactors& factors,
                                               const std::stop_token& stop = {});
 

@@ -29,7 +29,7 @@ double shaftLength(const Project& project) {
     return length;
 }
 
-/// The shaft on rigid units: what bends.
+/// The shaft on rigid units, for its bending.
 Compliance bentShaft(const Project& project) {
     const Shaft& shaft = project.part->shaft;
     constexpr double rigid = std::numeric_limits<double>::infinity();
@@ -95,7 +95,7 @@ private:
                                               : StiffnessTrialStatus::found;
     }
 
-    /// What a unit's compliance of 1 µm/N adds to γ at a place.
+    /// The contribution of a unit's compliance of 1 µm/N to γ at a place.
     [[nodiscard]] double shareOf(StiffnessUnit unit, double position_mm) const {
         const double u =
             m_project.part->shaft.mounting == Mounting::centres ? position_mm / m_length_mm : 0;
@@ -108,11 +108,11 @@ private:
         return 1;
     }
 
-    /// Least squares with these columns.
+    /// A least-squares solution for given columns.
     struct Solved {
         Eigen::MatrixXd columns;
         Eigen::VectorXd values, residuals;
-        bool isDetermined = false; ///< no column follows from the others
+        bool isDetermined = false; ///< the columns are independent
         [[nodiscard]] double freedom() const {
             return static_cast<double>(columns.rows() - columns.cols());
         }
@@ -127,7 +127,7 @@ private:
         return made;
     }
 
-    /// The columns of the compliances and more of them, a function of reading and unit each.
+    /// The columns of the compliances and additional ones, each a function of reading and unit.
     template <class Column>
     [[nodiscard]] Solved with(const Eigen::MatrixXd& compliances, const Eigen::VectorXd& right,
                               Eigen::Index units, Column column) const {
@@ -143,20 +143,20 @@ private:
         return solved(std::move(all), right);
     }
 
-    /// Whether so many columns more leave less than chance would let them.
+    /// Whether additional columns reduce the residuals by more than chance.
     static bool isBetter(const Solved& more, const Solved& plain) {
         constexpr double probability = 0.99;
         const double columns = plain.freedom() - more.freedom();
-        const double least = 1e-18 * plain.columns.squaredNorm(); // of exact readings
+        const double least = 1e-18 * plain.columns.squaredNorm(); // for exact readings
         return more.freedom() > 0 && plain.squares() > least
                && (plain.squares() - more.squares()) * more.freedom()
                       > fisherQuantile(probability, columns, more.freedom()) * columns
                             * std::max(more.squares(), least);
     }
 
-    /// The straight line, or the one with play where there is any.
+    /// The proportional fit, or the one with play if it is significant.
     Solved testLine(Solved plain, const Eigen::VectorXd& right) {
-        // Play of the wheel head would act as that of both centres does.
+        // Play of the wheel head would act like that of both centres.
         const Eigen::Index units = m_project.part->shaft.mounting == Mounting::centres ? 2 : 1;
         Solved play = with(plain.columns, right, units,
                            [this](const StiffnessReading& reading, StiffnessUnit unit) {
@@ -169,10 +169,10 @@ private:
                      return reading.load_n * reading.load_n * shareOf(unit, reading.position_mm);
                  });
         if (!play.isDetermined || !bent.isDetermined || !(play.freedom() > 0)) {
-            return plain; // too few places with loads of two sizes
+            return plain; // too few places with two different loads
         }
         const bool isSeen = isBetter(play, plain) || isBetter(bent, plain);
-        // A deflection that begins below 0 does not come from play.
+        // A deflection that begins below 0 is not due to play.
         const bool isPlay = play.squares() <= bent.squares() && play.values.tail(units).sum() > 0;
         m_trial.line = !isSeen ? LoadLine::straight : isPlay ? LoadLine::play : LoadLine::bent;
         if (m_trial.line != LoadLine::play) {

@@ -15,7 +15,7 @@ namespace sparkout {
 
 namespace {
 
-/// So many samples of a trace are enough to align it.
+/// Greatest number of samples used to align a trace.
 constexpr std::size_t mostAligned = 400;
 
 FitData thinned(FitData data) {
@@ -35,7 +35,7 @@ FitData thinned(FitData data) {
     return data;
 }
 
-/// What does not change the cycle, but where a trace lies against it.
+/// The parameters of the alignment of traces, which do not change the cycle.
 std::vector<FittedParameter> alignment(const FitData& data) {
     std::vector<FittedParameter> list{{FittedKind::time_shift, {}, {}}};
     if (data.has(FitSource::size)) {

@@ -10,23 +10,23 @@
 
 namespace sparkout {
 
-/// A measured trace beside what the cycle of the project would show, sample by sample.
+/// A measured trace with the prediction of the project's cycle, sample by sample.
 struct TraceComparison {
-    int trace = 0; ///< its number in the project
+    int trace = 0; ///< index in the project
     FitSource source = FitSource::size;
-    std::optional<int> place;      ///< of a size; not given: where the gauge measures
-    std::vector<double> time_s;    ///< of the cycle, from its beginning
+    std::optional<int> place;      ///< place of a size; not given: at the gauge
+    std::vector<double> time_s;    ///< from the beginning of the cycle
     std::vector<double> measured;  ///< mm from the target, kW, N; a size without the offset
     std::vector<double> predicted; ///< at the same times
-    double rms = 0;                ///< of measured less predicted
-    double shift_s = 0;            ///< of the trace, at which the cycle begins
-    double offset_mm = 0;          ///< of the gauge's zero, taken off the sizes
+    double rms = 0;                ///< RMS of measured less predicted
+    double shift_s = 0;            ///< beginning of the cycle in the trace
+    double offset_mm = 0;          ///< offset of the gauge's zero, subtracted from the sizes
 };
 
-/// The traces of a project against its cycle with so many steps in its stages. Those of one file
-/// have one clock: where the cycle begins in it is the shift with the least squares, found together
-/// with the gauge's zero and an idle power that is not stated. Empty where nothing was traced or
-/// the cycle cannot be run.
+/// Compares the traces of a project with its cycle with these numbers of steps in its stages.
+/// Traces of one file share a clock: the shift to the beginning of the cycle is fitted by least
+/// squares together with the gauge's zero and an unknown idle power. Empty without traces or if the
+/// cycle cannot be run.
 [[nodiscard]] std::vector<TraceComparison> compareTraces(const Project& project,
                                                          const std::vector<int>& stepsByStage,
                                                          const std::stop_token& stop = {});

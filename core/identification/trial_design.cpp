@@ -33,16 +33,16 @@ namespace sparkout {
 namespace {
 
 constexpr double feedFactors[] = {1.0 / 3, 1, 3};
-constexpr double shareOfStock = 0.8; ///< that a trial feeds: it ends above size
+constexpr double shareOfStock = 0.8; ///< fed in a trial, which ends above size
 constexpr double normal95 = 1.959963984540054;
-constexpr double machineShare = 0.01; ///< an estimate of how well a machine keeps feed and speed
+constexpr double machineShare = 0.01; ///< estimated repeatability of a machine's feed and speed
 
 Eigen::Index numbered(std::size_t i) {
     return static_cast<Eigen::Index>(i);
 }
 
 /// Steps of a spark-out until a twentieth of the steady deflection at this infeed is left, at the
-/// most compliant place: a + α·a + β·√a = what was left before [MODEL-3].
+/// most compliant place: a + α·a + β·√a = previous deflection [MODEL-3].
 int settlingSteps(const Project& project, double infeed_mm) {
     constexpr double share = 1.0 / 20;
     constexpr int fewest = 3, most = 200;
@@ -59,7 +59,7 @@ int settlingSteps(const Project& project, double infeed_mm) {
     }
     const double A = 1 + gamma * width * law.ks, C = gamma * width * law.kr;
     double left = gamma * law.normal(width, std::sqrt(infeed_mm));
-    // with a threshold of what is above γ·b·F'_0, which stays
+    // with a threshold the part above γ·b·F'_0, which remains
     const double wanted = law.threshold ? C + share * (left - C) : share * left;
     int steps = 0;
     for (; left > wanted && steps < most; ++steps) {
@@ -84,9 +84,9 @@ bool records(TrialRecord record, FitSource source) {
     return false;
 }
 
-/// Traces as a trial would record them; their values do not matter to derivatives.
+/// Traces in the form of a trial's record; derivatives do not depend on their values.
 FitData plannedData(const CycleResponse& response, TrialRecord record, const TrialNoise& noise) {
-    constexpr double before_s = 1; // of the cut, so that idle power shows
+    constexpr double before_s = 1; // of the cut, to show the idle power
     FitData data;
     for (const FitSource source : {FitSource::size, FitSource::power, FitSource::force}) {
         if (!records(record, source)) {
@@ -146,7 +146,7 @@ public:
     }
 
 private:
-    /// Of one cycle, which is run once for all kinds of record.
+    /// For one cycle, which is run once for all kinds of record.
     void addTrials(std::vector<Trial>& trials, double factor, TrialSparkOut sparkOut) {
         const Project project = trialProject(m_project, factor, sparkOut);
         const Stage& stage = project.cycle->stages.front();
@@ -179,7 +179,7 @@ private:
         }
     }
 
-    /// The parameters of interest, then what has to be found from the same traces beside them.
+    /// The parameters of interest, followed by those that the same traces must also determine.
     [[nodiscard]] std::vector<FittedParameter> withNuisances(const FitData& data) const {
         std::vector<FittedParameter> all = m_request.parameters;
         for (const FittedKind kind : proposedParameters(data)) {
@@ -260,7 +260,7 @@ private:
                 trial.cannotTell.push_back(wanted[i]);
                 continue;
             }
-            // No machine repeats a trial exactly, however little noise the record has.
+            // Adds the machine's repeatability to the noise of the record.
             const double wide = normal95 * std::hypot(error, isFactor(kind) ? machineShare : 0.0);
             trial.expected.push_back({wanted[i], error, FitProblem::valueOf(kind, q[i] - wide),
                                       FitProblem::valueOf(kind, q[i] + wide)});
@@ -278,7 +278,7 @@ private:
         return isRatio ? std::log(range) : FitProblem::coordinateOf(kind, range);
     }
 
-    static constexpr double leastRunout_mm = 1e-4; ///< whose logarithm can be taken
+    static constexpr double leastRunout_mm = 1e-4; ///< positive, for its logarithm
     const Project& m_project;
     const TrialRequest& m_request;
     const std::stop_token& m_stop;

@@ -11,7 +11,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// What the residuals lose when their part along the regressor, less its mean, is taken off.
+/// The reduction of the residuals' squares by removing their part along the centred regressor.
 double takenBy(Values regressor, std::span<const double> residuals) {
     const double mean = std::reduce(regressor.begin(), regressor.end())
                         / static_cast<double>(std::max<std::size_t>(regressor.size(), 1));

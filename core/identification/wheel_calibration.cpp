@@ -21,13 +21,12 @@ namespace sparkout {
 
 namespace {
 
-/// Ra [µm] that the cycle leaves in each zone or section with a factor of 1; 0 where it is not
-/// known.
+/// Ra [µm] by the cycle in each zone or section with a factor of 1; 0 if unknown.
 std::vector<double> computedRoughness(const Project& project) {
     Project plain = project;
     plain.runs.clear();
     plain.measured.reset();
-    constexpr double any_um = 100; // so that the last cut is kept
+    constexpr double any_um = 100; // keeps the last cut
     plain.part->tolerance.roughness_ra_um = any_um;
     const SimulationResult result = simulate(plain);
     std::vector<double> values(static_cast<std::size_t>(placeCount(project)), 0);
@@ -43,7 +42,7 @@ std::vector<double> computedRoughness(const Project& project) {
     return values;
 }
 
-// P_y = b·(k_s·u² + k_r·u) with u = √a, by the form of the root that does not cancel.
+// Solves P_y = b·(k_s·u² + k_r·u) for u = √a by the form of the root without cancellation.
 double depthOfForce(const Project& project, double force_n, double width_mm) {
     const ForceLaw law = forceLaw(project);
     const double pressure = force_n / width_mm;

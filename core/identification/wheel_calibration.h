@@ -8,20 +8,20 @@
 #include <optional>
 #include <string>
 
-/// What one measured part tells of the wheel as it is dressed [MODEL-8, MODEL-13].
+/// Calibrates the dressed wheel on one measured part [MODEL-8, MODEL-13].
 namespace sparkout {
 
-/// Measured Ra to that which the project's cycle leaves: the factor of Ra for this wheel and this
+/// Ratio of measured Ra to that of the project's cycle: the factor of Ra for this wheel and
 /// dressing.
 struct RoughnessCalibration {
     double factor = 1;                  ///< geometric mean over the measured values
-    std::optional<Interval> interval95; ///< Student's of the logarithms, of two values or more
+    std::optional<Interval> interval95; ///< Student's, of the logarithms of two or more
     std::size_t count = 0;
-    std::string wheel, dressing; ///< that it holds for
+    std::string wheel, dressing; ///< the wheel and dressing to which it applies
 };
 
-/// From the parts and statistics in the project's section `measured`. Nothing where no Ra above 0
-/// is measured, or where the cycle does not end or cuts nothing at last.
+/// From the parts and statistics in the project's section `measured`. Empty without a measured Ra
+/// above 0, or if the cycle does not end or its last step does not cut.
 [[nodiscard]] std::optional<RoughnessCalibration> roughnessFromParts(const Project& project);
 
 /// The project with the factor, recorded as calibrated on these data.
@@ -35,13 +35,13 @@ enum class LimitReading {
 
 /// The wheel's strengths from one cut at which it just began to shed its grains.
 struct StrengthsCalibration {
-    double factor = 1;   ///< of all four: energies and moduli of grain and bond
+    double factor = 1;   ///< for all four: energies and moduli of grain and bond
     double depth_mm = 0; ///< a of that cut
 };
 
-/// A reading at the limit, over an effective width of cut. With all four strengths c times as great
-/// f_g, f_b and so f_cr are c times as great: c is the load of the cut under the strengths as they
-/// are. Nothing where these are not given, or the reading is not above 0.
+/// A reading at the limit, over an effective width of cut. With all four strengths multiplied by c,
+/// f_g, f_b and so f_cr are multiplied by c: c is the load of the cut under the current strengths.
+/// Empty without these, or if the reading is not positive.
 [[nodiscard]] std::optional<StrengthsCalibration>
 strengthsFromLimit(const Project& project, LimitReading reading, double value, double width_mm);
 

@@ -42,7 +42,7 @@ std::optional<Undecided> undecidedOf(const Requirement& row, const Project& proj
     return std::nullopt;
 }
 
-/// Keeps the worse of two; of the settings only what fails.
+/// Keeps the worse of two; for settings only if not met.
 void keepWorst(std::optional<ConstraintResult>& worst,
                const std::vector<ConstraintResult>& constraints) {
     for (const ConstraintResult& each : constraints) {
@@ -76,7 +76,7 @@ JudgedStocks judgedStocks(const PhaseDecision& decision) {
     return stocks;
 }
 
-/// In the order of the kinds, where it is not there yet.
+/// In the order of the kinds, without duplicates.
 void addUndecided(std::vector<Undecided>& all, const Undecided& one) {
     const auto at = std::ranges::lower_bound(all, one.kind, {}, &Undecided::kind);
     if (at == all.end() || at->kind != one.kind) {
@@ -186,7 +186,7 @@ Judgement judge(const SimulationResult& result, const std::vector<ConstraintResu
         judgement.worst = stocks->worst;
     }
     judgement.notDecided = undecided(result.project, constraints);
-    if (stocks && stocks->hasOpenEstimate) { // for the part that was run it may be decided
+    if (stocks && stocks->hasOpenEstimate) { // it may be decided for the part that was run
         addUndecided(judgement.notDecided, roughnessNotKnown);
     }
     judgement.stocks = std::move(stocks);

@@ -15,7 +15,7 @@
 #include <vector>
 
 /// Judgement of a cycle as fit: for the part that was run, for every stock of the blank within one
-/// infeed, and for the batch where there is one. The window, its reports and the command line all
+/// infeed, and for the batch if there is one. The window, its reports and the command line all
 /// state this judgement.
 namespace sparkout {
 
@@ -45,12 +45,12 @@ struct JudgedStocks {
     bool holds = false;
     /// Share of failing stocks, with stocks distributed evenly over the range; 0…1.
     double failingShare = 0;
-    /// Status of stocks whose cycle does not end by itself; completed: there are none.
+    /// Status of stocks whose cycle does not end by itself; completed if there are none.
     RunStatus status = RunStatus::completed;
-    /// The requirement to report first, at the stock where it is worst; settings only where they
-    /// fail. Nothing: none is checked.
+    /// The requirement to report first, at the stock where it is worst; settings only if not met.
+    /// Empty if none is checked.
     std::optional<ConstraintResult> worst{};
-    /// For a machine with an unknown number of lobes whose cycle holds with an odd number: the
+    /// For a machine with an unknown number of lobes whose cycle is fit with an odd number: the
     /// requirement that fails for some stocks with an even number.
     std::optional<ConstraintKind> failsIfEven{};
     bool hasOpenEstimate = false; ///< for some stock, the range of an estimate contains its limit
@@ -60,9 +60,9 @@ struct JudgedStocks {
 /// seconds of one processor.
 inline constexpr std::int64_t mostJudgedVisits = 200'000'000;
 
-/// Decides on the stocks of the project of a result. Returns nothing under position control, where
-/// all pieces together would take more than mostJudgedVisits by an estimate from the run, and when
-/// stopped.
+/// Decides on the stocks of the project of a result. Returns nullopt under position control, if all
+/// pieces together would take more than mostJudgedVisits by an estimate from the run, and after a
+/// stop.
 [[nodiscard]] std::optional<JudgedStocks> judgeStocks(const SimulationResult& result,
                                                       const std::stop_token& stop = {});
 
@@ -80,7 +80,6 @@ struct JudgedBatch {
     }
     [[nodiscard]] bool holds() const { return isWhole && parts > 0 && !fails(); }
 };
-/// Judges a batch that was run.
 [[nodiscard]] JudgedBatch judgeBatch(const BatchResult& result, const BatchSummary& summary);
 
 /// State of a cycle: the first of these that applies.
@@ -88,12 +87,12 @@ enum class JudgedState {
     notComputed, ///< inputs refused, or stopped
     fails,       ///< the part that was run fails
     stocksFail,  ///< the cycle fails for some stocks within one infeed
-    batchFails,  ///< more parts of the batch fail than are allowed to
+    batchFails,  ///< more parts of the batch are rejected than allowed
     undecided,   ///< all requirements are met except those that cannot be checked
     close,       ///< all requirements are met, with little margin
     batchHolds,
-    stocksHold, ///< the cycle holds for every stock within one infeed; there is no batch, or it was
-                ///< not run
+    stocksHold, ///< the cycle is fit for every stock within one infeed; there is no batch, or it
+                ///< was not run
     nominal     ///< the part that was run is good; other parts are not known
 };
 /// Returns the key of a state in files: "stocks_fail".
@@ -106,12 +105,11 @@ enum class JudgedState {
 struct Judgement {
     JudgedState state = JudgedState::notComputed;
     RunStatus status = RunStatus::refused; ///< status of the part that was run
-    /// The requirement to report first, over all judged stocks; settings only where they fail.
-    /// Where the part that was run fails, it is a requirement of that part. Nothing: none is
-    /// checked.
+    /// The requirement to report first, over all judged stocks; settings only if not met. If the
+    /// part that was run fails, it is a requirement of that part. Empty if none is checked.
     std::optional<ConstraintResult> worst;
-    std::optional<JudgedStocks> stocks; ///< nothing: not decided
-    std::optional<JudgedBatch> batch;   ///< nothing: there is no batch, or it was not run
+    std::optional<JudgedStocks> stocks; ///< empty: not decided
+    std::optional<JudgedBatch> batch;   ///< empty: there is no batch, or it was not run
     std::vector<Undecided> notDecided;
 
     [[nodiscard]] bool isNominalGood() const {

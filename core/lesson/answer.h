@@ -9,12 +9,13 @@
 
 namespace sparkout {
 
-/// What a student hands in for a step; what its goal does not ask for is not given.
+/// A student's answer to a step; what its goal does not ask for is not given.
 struct Answer {
-    JsonText setup;               ///< as set, the text of a project file; {}: as the step begins
-    std::optional<double> number; ///< predicted
-    NumberRows curve;             ///< predicted, points [x, y] with rising x
-    std::optional<std::vector<double>> order;  ///< of places from 0, the largest first
+    JsonText setup; ///< set-up as the text of a project file; {}: unchanged from the beginning of
+                    ///< the step
+    std::optional<double> number;              ///< predicted
+    NumberRows curve;                          ///< predicted, points [x, y] with rising x
+    std::optional<std::vector<double>> order;  ///< places counted from 0, the largest first
     std::optional<std::vector<double>> chosen; ///< options, from 1
     std::string text;
 

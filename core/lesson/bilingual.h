@@ -7,7 +7,7 @@
 
 namespace sparkout {
 
-/// A text in both languages of the program. Of one that is given in one language alone, that.
+/// A text in both languages of the program; if only one is given, both are the same.
 struct Bilingual {
     std::string ru, en;
 

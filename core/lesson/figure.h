@@ -11,7 +11,7 @@ namespace sparkout {
 
 /// A figure that a student can read off a run, by its name in files.
 enum class FigureName {
-    // of the cycle
+    // cycle
     cycleTime,
     steps,
     diameterSpread,
@@ -25,18 +25,18 @@ enum class FigureName {
     burnMargin,
     removalRate,
     specificEnergy,
-    // of what is ground with what, and how fast: of the project
+    // project
     equivalentDiameter,
     shearCoefficient,
     flatCoefficient,
     burnFreeFeed,
-    // of a stage
+    // stage
     stageSteps,
     stageTime,
     stageDepth,
     stageForce,
     stagePower,
-    // of a zone or section
+    // zone or section
     compliance,
     deviationLeast,
     deviationMost,
@@ -45,7 +45,7 @@ enum class FigureName {
     roundness,
     roughness,
     placeForce,
-    // of a double stroke or revolution, or of one of its steps, in a zone or section
+    // double stroke or revolution, or one of its steps, in a zone or section
     programmedFeed,
     actualFeed,
     lag,
@@ -55,14 +55,14 @@ enum class FigureName {
     runoutAfter,
     damagedLayer,
     burnLimit,
-    // of the batch, and of the mean diameter of a zone or section over it
+    // batch, and the mean diameter of a zone or section over it
     batchBad,
     batchMean,
     batchDeviation,
     batchMeanHalf,
     batchPp,
     batchPpk,
-    // of the search
+    // search
     bestTime,
     levelsBestTime,
     levelsRuleTime,
@@ -70,27 +70,27 @@ enum class FigureName {
     count_
 };
 
-/// What a figure is of.
+/// The scope of a figure.
 enum class FigureScope { cycle, stage, place, step, batch, batchPlace, search };
 
-/// A figure as a lesson asks for it. What its scope does not need is not given.
+/// A figure that a lesson asks for. Members that its scope does not need are not given.
 struct Figure {
     FigureName name = FigureName::cycleTime;
     PlaceName place;
-    std::optional<int> stage; ///< from 1
+    std::optional<int> stage; ///< counted from 1
     std::optional<int> count; ///< double stroke or revolution from 1; not given: the last one
-    Step step = Step::none;   ///< none: of the whole double stroke or revolution
+    Step step = Step::none;   ///< none: the whole double stroke or revolution
     friend bool operator==(const Figure&, const Figure&) = default;
 };
 
-/// What is said of a figure wherever it is named.
+/// The properties of a figure.
 struct FigureRow {
     FigureName name;
-    Choice choice; ///< its key in files, and its label
+    Choice choice; ///< key in files and label
     const char* unit;
-    int digits; ///< decimals that can be read
+    int digits; ///< number of readable decimals
     FigureScope scope;
-    bool ofSurface; ///< known of the cut part alone where strips stay uncut
+    bool ofSurface; ///< known for the cut part alone where strips stay uncut
 };
 
 [[nodiscard]] const FigureRow& rowOf(FigureName name);

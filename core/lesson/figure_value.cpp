@@ -38,7 +38,7 @@ std::optional<double> leastMarginOf(const FigureSource& run, std::optional<Const
     return least ? std::optional(*least * wholePercent) : std::nullopt;
 }
 
-/// What the force law and the limit of burn are made of; of the project alone.
+/// A figure of the force law or the limit of burn, which the project alone determines.
 std::optional<double> ofProject(FigureName name, const Project& project) {
     switch (name) {
     case FigureName::equivalentDiameter:
@@ -48,7 +48,7 @@ std::optional<double> ofProject(FigureName name, const Project& project) {
     case FigureName::flatCoefficient: {
         const ForceLaw law = forceLaw(project);
         if (law.threshold) {
-            return std::nullopt; // it has neither
+            return std::nullopt; // no force law and no limit of burn
         }
         return name == FigureName::shearCoefficient ? law.ks : law.kr;
     }
@@ -130,7 +130,7 @@ std::optional<double> ofPlace(const Figure& figure, const FigureSource& run) {
     }
 }
 
-/// The passes of a double stroke or revolution in a place, or of one of its steps.
+/// The passes of a double stroke or revolution at a place, or of one of its steps.
 class StepPasses {
 public:
     StepPasses(const Figure& figure, const FigureSource& run)
@@ -155,7 +155,7 @@ public:
 
     [[nodiscard]] bool any() const { return !m_passes.empty(); }
 
-    /// The mean over the radii of what a visit of the last pass says.
+    /// The mean of a value over the radii of the last pass.
     template <class Value>
     [[nodiscard]] double atEnd(Value value) const {
         return meanOver(*m_passes.back(), value);
@@ -168,7 +168,7 @@ public:
         }
         return sum;
     }
-    /// t_П at the end less that before the first of the passes.
+    /// t_П at the end less t_П before the first of the passes.
     [[nodiscard]] double programmed_mm(double first_mm) const {
         const auto fed = [](const Visit& visit) { return visit.programmed_mm; };
         return atEnd(fed) - (m_before ? meanOver(*m_before, fed) : first_mm);
@@ -195,7 +195,7 @@ public:
     struct Radii {
         double least_mm = std::numeric_limits<double>::infinity(), most_mm = -least_mm;
     };
-    /// Those that the last pass leaves.
+    /// The radii after the last pass.
     [[nodiscard]] Radii radiiAtEnd() const {
         Radii radii;
         for (std::size_t k = 0; k < m_radii; ++k) {
@@ -209,7 +209,7 @@ public:
     }
 
 private:
-    /// The last one of the stage, or of the cycle.
+    /// The last count of the stage, or of the cycle.
     static int lastCount(const Figure& figure, const FigureSource& run) {
         const std::vector<int>& counts = run.result.countsByStage;
         int last = 0;
@@ -234,11 +234,11 @@ private:
     const Trajectory& m_run;
     std::size_t m_radii; ///< K
     std::vector<const Pass*> m_passes;
-    const Pass* m_before = nullptr; ///< the last one of the place before them
+    const Pass* m_before = nullptr; ///< last pass at the place before them
     const Pass* m_last = nullptr;
 };
 
-/// Burn in the passes of a step; nothing where it is not limited.
+/// Burn in the passes of a step; empty where it is not limited.
 std::optional<double> burnOf(FigureName name, const StepPasses& passes, const Project& project) {
     const auto& U = project.material->burn_rise_k;
     if (!U) {

@@ -13,16 +13,16 @@
 
 namespace sparkout {
 
-/// A run that figures are read off. The window has all of it in its outcome.
+/// A run from which figures are read. The window has all of it in its outcome.
 struct FigureSource {
     const SimulationResult& result;
     const PartAccuracy& accuracy;
     const std::vector<ConstraintResult>& constraints;
     const ShopNumbers& shop;
-    const Trajectory& trajectory; ///< empty where the run was not recorded
+    const Trajectory& trajectory; ///< empty if the run was not recorded
 };
 
-/// A run made to read figures off.
+/// A run from which figures are read.
 struct StudiedRun {
     SimulationResult result;
     PartAccuracy accuracy;
@@ -36,13 +36,13 @@ struct StudiedRun {
     [[nodiscard]] bool isCompleted() const { return result.status == RunStatus::completed; }
 };
 
-/// Runs a project, and records it where that is asked for and there is room. One that validate()
-/// refuses, or that was stopped, has nothing but its status.
+/// Runs a project, recorded if requested and there is memory. A project refused by validate(), or a
+/// stopped run, has only a status.
 [[nodiscard]] StudiedRun studyRun(const Project& project, bool recorded,
                                   const std::stop_token& stop = {});
 
-/// The value of a figure in its unit; nothing: this run has no such figure, or it is not known as
-/// strips stay uncut.
+/// The value of a figure in its unit; empty if this run does not have it, or if it is not known
+/// since strips stay uncut.
 [[nodiscard]] std::optional<double> figureValue(const Figure& figure, const FigureSource& run);
 
 } // namespace sparkout

@@ -244,7 +244,7 @@ const StructInfo& tableOf<Goal>() {
             .hint = SPARKOUT_NOOP("Input", "A figure of the run has a value, within a tolerance.")),
         SPARKOUT_FIELD(Goal, prediction, .label = SPARKOUT_NOOP("Input", "Number predicted"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
-                       .hint = SPARKOUT_NOOP("Input", "A figure is said before the run.")),
+                       .hint = SPARKOUT_NOOP("Input", "A figure is predicted before the run.")),
         SPARKOUT_FIELD(Goal, curve, .label = SPARKOUT_NOOP("Input", "Curve predicted"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
                        .hint = SPARKOUT_NOOP("Input", "A curve is drawn before the run.")),

@@ -7,56 +7,58 @@
 #include <optional>
 #include <vector>
 
-/// What a step of a lesson asks for. A kind of goal is a struct with its table; a goal holds
+/// The goals of a lesson's steps. A kind of goal is a struct with its table; a goal contains
 /// exactly one of them.
 namespace sparkout {
 
-/// The cycle ends by itself and meets every requirement of the drawing and the machine.
+/// The cycle must end by itself and meet every requirement of the drawing and the machine.
 struct RequirementsGoal {
-    double least_margin_percent = 0; ///< that the worst requirement is to have left
-    bool every_stock = false; ///< within one infeed, where that can be decided; else the part run
+    double least_margin_percent = 0; ///< least margin of the worst requirement
+    bool every_stock = false; ///< for any stock within one infeed, where that can be decided;
+                              ///< otherwise for the part run
 };
 
 /// The cycle is quick enough.
 struct TimeGoal {
     std::optional<double> below_min; ///< [min]
-    /// Of the proved best of the project's grid; made into `below_min` of each variant.
+    /// Limit relative to the proved best cycle of the project's grid; converted into `below_min` of
+    /// each variant.
     std::optional<double> within_percent_of_best;
-    bool requirements_hold = true; ///< as well
+    bool requirements_hold = true; ///< the requirements must be met, too
 };
 
-/// A figure of the run has a value.
+/// A figure of the run must have a value.
 struct FigureGoal {
     Figure figure;
     double value = 0;     ///< in the figure's unit
-    double tolerance = 0; ///< either way
+    double tolerance = 0; ///< allowed deviation, ±
 };
 
-/// A number said before the run, or read off it; the engine has the right one.
+/// A number predicted before the run, or read off it; the engine computes the right one.
 struct NumberPrediction {
     Figure figure;
-    double tolerance = 0;         ///< either way, in the figure's unit
-    double tolerance_percent = 0; ///< the same, of the engine's value; the greater holds
-    bool after_run = false;       ///< read off the run, or computed from what is
+    double tolerance = 0;         ///< ±, in the figure's unit
+    double tolerance_percent = 0; ///< ±, in per cent; the greater one applies
+    bool after_run = false;       ///< answered after the run, by reading or computing
 };
 
-/// What a predicted curve runs along.
+/// The abscissa of a predicted curve.
 enum class CurveAlong { count, stage, place };
 
-/// A curve said before the run, by points that are joined by straight lines.
+/// A curve predicted before the run, by points joined by straight lines.
 struct CurvePrediction {
     Figure figure;
     CurveAlong along = CurveAlong::count;
-    std::vector<double> at; ///< where it is compared
+    std::vector<double> at; ///< places of comparison
     double tolerance = 0;
     double tolerance_percent = 0;
-    double least_share_percent = 100; ///< of the places that must be within it
+    double least_share_percent = 100; ///< share of the places that must be within the tolerance
 };
 
-/// The zones or sections in the order of a figure, the largest first, said before the run.
+/// The zones or sections in the order of a figure, the largest first, predicted before the run.
 struct OrderPrediction {
     Figure figure;
-    double alike = 0; ///< values no further apart may stand in either order
+    double alike = 0; ///< values no further apart may be in either order
 };
 
 struct ChoiceOption {
@@ -64,12 +66,12 @@ struct ChoiceOption {
     bool right = false;
 };
 
-/// One or several of these are right.
+/// One or several options are right.
 struct ChoiceGoal {
     std::vector<ChoiceOption> options;
 };
 
-/// An answer in words, which the teacher reads.
+/// An answer in words, read by the teacher.
 struct TextGoal {
     int least_letters = 1;
 };
@@ -86,21 +88,21 @@ struct Goal {
     std::optional<ChoiceGoal> choice;
     std::optional<TextGoal> text;
 
-    [[nodiscard]] int count() const;     ///< of kinds that are given; of a lesson that was read 1
-    [[nodiscard]] GoalKind kind() const; ///< of the first that is given
-    /// The figure it asks for; null: none.
+    [[nodiscard]] int count() const;     ///< of the given kinds; 1 if read from a file
+    [[nodiscard]] GoalKind kind() const; ///< the first kind that is given
+    /// The requested figure; null if there is none.
     [[nodiscard]] const Figure* asked() const;
 };
 
 [[nodiscard]] const char* goalKey(GoalKind kind);
 
-/// Whether the answer is said before the run.
+/// Whether the answer is given before the run.
 [[nodiscard]] bool isPrediction(const Goal& goal);
-/// Whether the engine has the answer, said before the run or after it.
+/// Whether the engine computes the answer, given before the run or after it.
 [[nodiscard]] constexpr bool isAnsweredByEngine(GoalKind kind) {
     return kind == GoalKind::prediction || kind == GoalKind::curve || kind == GoalKind::order;
 }
-/// Whether it is met by what the student sets.
+/// Whether it is met by settings of the student.
 [[nodiscard]] constexpr bool isMetBySetting(GoalKind kind) {
     return kind == GoalKind::requirements || kind == GoalKind::time || kind == GoalKind::figure;
 }

@@ -20,7 +20,7 @@ namespace {
 constexpr double hundred = 100; ///< %
 const Figure leastMarginFigure{FigureName::leastMargin, {}, {}, {}, Step::none};
 
-/// So that a last bit fails nobody.
+/// Tolerance for rounding.
 constexpr double lastBit = 1e-9;
 
 bool isWithin(double said, double value, double tolerance) {
@@ -41,7 +41,7 @@ std::vector<ConstraintKind> failingOf(const FigureSource& run) {
     return failing;
 }
 
-/// Each kind of goal against a run.
+/// Checks each kind of goal against a run.
 class GoalCheck {
 public:
     GoalCheck(const FigureSource& run, const Answer& answer) : m_run(run), m_answer(answer) {}
@@ -65,7 +65,7 @@ public:
         if (goal.requirements_hold) {
             m_result.failing = failingOf(m_run);
         }
-        if (!goal.below_min) { // it follows from the best, which is not proved here
+        if (!goal.below_min) { // it depends on the best time, which is not proved here
             return done(Finding::noSuchFigure);
         }
         return done(passedIf(*m_result.value <= *goal.below_min && m_result.failing.empty()));
@@ -133,7 +133,7 @@ public:
         if (!order) {
             return done(Finding::notAnswered);
         }
-        bool isRight = true; // no place after one that is smaller by more than they may differ
+        bool isRight = true; // no place may follow one that is smaller by more than the tolerance
         for (std::size_t i = 0; i < order->size(); ++i) {
             for (std::size_t j = i + 1; j < order->size(); ++j) {
                 isRight =
@@ -144,7 +144,7 @@ public:
     }
 
 private:
-    /// The worst of all stocks; what cannot be decided so stays as the run says.
+    /// Judges the worst of all stocks; where that cannot be decided the verdict of the run remains.
     void judgeEveryStock() {
         const std::optional<JudgedStocks> stocks = judgeStocks(m_run.result);
         if (stocks && stocks->worst) {
@@ -190,7 +190,7 @@ private:
         return rows && !rows->empty();
     }
 
-    /// The predicted curve at a place; nothing beyond its ends.
+    /// The predicted curve at a place; empty beyond its ends.
     [[nodiscard]] std::optional<double> said(double at) const {
         for (std::size_t i = 0; isCurve() && i < m_answer.curve->size(); ++i) {
             const auto& b = (*m_answer.curve)[i];
@@ -205,7 +205,7 @@ private:
         return std::nullopt;
     }
 
-    /// The predicted order, when it names each place once.
+    /// The predicted order, if it names each place once.
     [[nodiscard]] std::optional<std::vector<std::size_t>> saidOrder(std::size_t places) const {
         std::vector<std::size_t> order;
         for (const double each : m_answer.order.value_or(std::vector<double>())) {
@@ -237,7 +237,7 @@ GoalResult checkChoiceGoal(const ChoiceGoal& goal, const Answer& answer) {
         isRight = isRight && isChosen == goal.options[i].right;
         isKnown = isKnown || goal.options[i].right;
     }
-    // A student's file does not say which are right.
+    // A student's file does not contain which options are right.
     result.finding = isKnown ? passedIf(isRight) : Finding::forTeacher;
     return result;
 }
@@ -277,7 +277,7 @@ GoalResult checkWithRun(const Goal& goal, const FigureSource& run, const Answer&
     return {};
 }
 
-/// The set-up that was handed in, or the one that the step begins with.
+/// The submitted set-up, or the initial one of the step.
 std::optional<Setup> submittedSetup(const Lesson& lesson, std::size_t step, const Answer& answer,
                                     GoalResult& result, const std::stop_token& stop) {
     if (!answer.hasSetup()) {
@@ -329,7 +329,7 @@ GoalResult checkStep(const Lesson& lesson, std::size_t step, const Answer& answe
     const LessonStep& of = lesson.steps[step];
     GoalResult result;
     result.kind = of.goal.kind();
-    // Where something is to be set, nothing handed in is no answer.
+    // Where settings are asked for, an answer without a set-up is no answer.
     if (isMetBySetting(result.kind) && !answer.hasSetup()) {
         return result;
     }

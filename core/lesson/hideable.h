@@ -7,8 +7,8 @@
 
 namespace sparkout {
 
-/// What a step of a lesson may hide of the window. The keys of the views are those of `--view`; a
-/// test of the window holds them against the views there are.
+/// The elements of the window that a step may hide. The keys of the views are those of `--view`; a
+/// test of the window compares them with its views.
 enum class Hideable {
     overview,
     feeds,
@@ -31,13 +31,13 @@ enum class Hideable {
     examples,
     reports,
     exportResults,
-    batchIndices, ///< of a view that stays: interval of the mean, Pp and Ppk
+    batchIndices, ///< parts of a view: interval of the mean, Pp and Ppk
     count_
 };
 
-/// Whether it is one of the views; else a panel or a command.
+/// Whether it is a view; otherwise it is a panel or a command.
 [[nodiscard]] bool isView(Hideable thing);
-/// The view of a name of `--view`; nothing: there is none.
+/// The view with a name of `--view`; empty if there is none.
 [[nodiscard]] std::optional<Hideable> viewNamed(std::string_view key);
 
 /// A view, panel or command that a step hides.

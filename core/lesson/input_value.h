@@ -11,18 +11,18 @@ namespace sparkout {
 struct Project;
 struct Setup;
 
-/// A value that a lesson puts into a project: a number, or the text of a choice or of a name.
+/// A value that a lesson puts into a project: a number, or a text for a choice or a name.
 struct InputValue {
-    std::string path; ///< of an input, "/wheel/dullness"
+    std::string path; ///< path of the input, "/wheel/dullness"
     std::optional<double> number;
-    std::string text; ///< where there is no number
+    std::string text; ///< used without a number
     friend bool operator==(const InputValue&, const InputValue&) = default;
 };
 
-/// Puts a value in its place; false: the project has no such input, or none that takes it.
+/// Sets an input; false if the project has none that takes the value.
 [[nodiscard]] bool putInput(Project& project, const InputValue& value);
 
-/// The same in a surface of a set-up, in all of them where they share it.
+/// Sets an input in a surface of a set-up, or in all of them if they share it.
 [[nodiscard]] bool putInput(Setup& setup, std::size_t surface, const InputValue& value);
 
 template <>

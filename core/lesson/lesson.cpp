@@ -20,7 +20,7 @@ bool isBelow(std::string_view path, std::string_view above) {
     return path.starts_with(above) && (path.size() == above.size() || path[above.size()] == '/');
 }
 
-/// Whether it is no input of the cycle, but what a file says beside it.
+/// Whether it is an entry of the file that is not an input of the cycle.
 bool isNobodys(std::string_view path) {
     constexpr std::array beside{"/title", "/author", "/notes", "/runs", "/measured"};
     return std::any_of(beside.begin(), beside.end(),
@@ -42,13 +42,13 @@ bool isSameLeaf(const Leaf& a, const Leaf& b) {
     if (field.kind == Kind::objectList) {
         return field.size(a.owner) == field.size(b.owner);
     }
-    if (field.nested) { // not given in one of both, or in neither
+    if (field.nested) { // not given in at least one of the two
         return (field.objectIn(a.owner) == nullptr) == (field.objectIn(b.owner) == nullptr);
     }
     return field.same(a.owner, b.owner);
 }
 
-/// The paths of inputs that two projects have otherwise.
+/// The paths of inputs that differ between two projects.
 std::vector<std::string> changedInputs(const Project& from, const Project& to) {
     const std::map<std::string, Leaf> before = leavesByPath(from), after = leavesByPath(to);
     std::set<std::string> changed;
@@ -177,8 +177,7 @@ const StructInfo& tableOf<Hint>() {
         SPARKOUT_FIELD(
             Hint, price, .label = SPARKOUT_NOOP("Input", "Price"),
             .unit = SPARKOUT_NOOP("Unit", "points"), .hard = {0, 1000},
-            .hint = SPARKOUT_NOOP("Input",
-                                  "What a student who takes it loses of the points of the step.")),
+            .hint = SPARKOUT_NOOP("Input", "Points of the step that a student loses by using it.")),
     };
     static const StructInfo info = makeTable<Hint>(SPARKOUT_NOOP("Struct", "Hint"), rows);
     return info;
@@ -217,7 +216,7 @@ const StructInfo& tableOf<LessonStep>() {
         SPARKOUT_FIELD(
             LessonStep, values, .label = SPARKOUT_NOOP("Input", "Values"), .hard = {0, 100},
             .sparse = true,
-            .hint = SPARKOUT_NOOP("Input", "What is put into the project as the step begins.")),
+            .hint = SPARKOUT_NOOP("Input", "Values put into the project when the step begins.")),
         SPARKOUT_FIELD(LessonStep, others, .label = SPARKOUT_NOOP("Input", "Other inputs"),
                        .hint = SPARKOUT_NOOP(
                            "Input", "What a student may do with inputs that are not named.")),

@@ -14,48 +14,48 @@
 #include <string>
 #include <vector>
 
-/// A laboratory work: what a student reads, does step by step and is asked.
+/// A laboratory work: texts, steps and questions for a student.
 namespace sparkout {
 
-/// What a student may do with an input.
+/// A student's access to an input.
 enum class Access { locked, free, hidden };
 
-/// The access to an input, or to all inputs below a path: "/cycle" names all of the cycle. Of
-/// several that name an input the longest path holds.
+/// The access to an input, or to all inputs below a path: "/cycle" names all of the cycle. The
+/// longest of several matching paths applies.
 struct InputAccess {
     std::string path;
     Access access = Access::free;
 };
 
-/// What helps, for a price in points.
+/// A hint, for a price in points.
 struct Hint {
     Bilingual text;
     double price = 0;
 };
 
-/// What is shown when a step begins.
+/// The place shown when a step begins.
 struct ShownMoment {
-    std::string view; ///< by its name for `--view`; empty: the one in front
+    std::string view; ///< name for `--view`; empty: the current view
     PlaceName place;
-    std::optional<int> stage; ///< from 1
+    std::optional<int> stage; ///< counted from 1
     std::optional<int> count; ///< double stroke or revolution from 1
     Step step = Step::none;
 };
 
 struct LessonStep {
     Bilingual task;
-    int surface = 1;                ///< that it is about, from 1
-    std::vector<InputValue> values; ///< put into the project as the step begins
+    int surface = 1;                ///< surface of the step, from 1
+    std::vector<InputValue> values; ///< set in the project as the step begins
     Access others = Access::locked; ///< inputs that are not named
     std::vector<InputAccess> inputs;
     std::vector<HiddenThing> hidden;
     Goal goal;
     double points = 1;
-    std::vector<Hint> hints; ///< in the order in which they may be taken
+    std::vector<Hint> hints; ///< in the order in which they may be used
     std::optional<ShownMoment> moment;
 };
 
-/// All of a lesson but its project.
+/// A lesson without its project.
 struct LessonSheet {
     Bilingual title;
     Bilingual aim;
@@ -66,25 +66,24 @@ struct LessonSheet {
 };
 
 struct Lesson : LessonSheet {
-    Setup base; ///< the project that it begins with
+    Setup base; ///< initial project
 
-    [[nodiscard]] double points() const; ///< of all steps
+    [[nodiscard]] double points() const; ///< sum of all steps
 };
 
-/// The lesson as a student may have it: without the rules of the variants and the guide for the
-/// teacher, without what says which options are right, and without kept runs and measurements,
-/// which may show an answer.
+/// The lesson as given to students: without the rules of the variants, the guide for the teacher,
+/// the right options, and kept runs and measurements, which may show an answer.
 [[nodiscard]] Lesson forStudents(Lesson lesson);
 
-/// The set-up that a step begins with.
+/// The initial set-up of a step.
 [[nodiscard]] Setup setupOf(const Lesson& lesson, std::size_t step);
 
-/// What a student may do with an input in a step.
+/// A student's access to an input in a step.
 [[nodiscard]] Access accessTo(const LessonStep& step, std::string_view path);
 
-/// Inputs of the submitted set-up that differ from those a step begins with and are free neither in
-/// it nor in a step before it, by their paths in a file. Titles, notes, kept runs and measurements
-/// are nobody's.
+/// Inputs of the submitted set-up that differ from those at the beginning of a step and are free
+/// neither in it nor in a step before it, by their paths in a file. Titles, notes, kept runs and
+/// measurements are ignored.
 [[nodiscard]] std::vector<std::string> forbiddenChanges(const Lesson& lesson, std::size_t step,
                                                         const Setup& submitted);
 

@@ -62,7 +62,7 @@ private:
         checkText(text, path, most);
     }
 
-    /// Its length, and its tags: what they are, how many and how deep.
+    /// Checks the length and the tags: kinds, number and depth.
     void checkText(const Bilingual& text, const std::string& path, const TextSize& most) {
         for (const auto& [key, each] : {std::pair{"/ru", &text.ru}, std::pair{"/en", &text.en}}) {
             if (each->size() > most.bytes) {
@@ -88,7 +88,7 @@ private:
         }
     }
 
-    /// The project of a surface counted from 1; null: there is none, which is reported.
+    /// The project of a surface counted from 1; null if there is none, which is reported.
     const Project* surface(int number, const std::string& path) {
         const auto count = m_lesson.base.surfaces.size();
         if (number < 1 || static_cast<std::size_t>(number) > count) {
@@ -143,7 +143,7 @@ private:
         }
     }
 
-    /// Each value by itself, then the project with all of them.
+    /// Checks each value by itself, then the project with all of them.
     void checkValues(const LessonStep& step, const std::string& path) {
         Setup setup = m_lesson.base;
         const auto index = static_cast<std::size_t>(step.surface) - 1;
@@ -196,7 +196,7 @@ private:
         }
     }
 
-    /// Where a goal runs along places or stages, these are not asked for.
+    /// A goal along places or stages does not need these of the figure.
     void checkFigure(const Figure& figure, const Goal& goal, const Project& project,
                      const std::string& path) {
         const FigureScope scope = rowOf(figure.name).scope;
@@ -370,7 +370,7 @@ private:
             checkVariedPath({input.path, 0.0, {}}, project, path + "/path", varied);
             return;
         }
-        std::set<std::string> ofSets; // all sets may set the same inputs
+        std::set<std::string> ofSets; // the sets may share inputs
         for (std::size_t i = 0; i < input.sets.size(); ++i) {
             std::set<std::string> ofSet = varied;
             for (std::size_t j = 0; j < input.sets[i].values.size(); ++j) {

@@ -6,11 +6,11 @@
 
 namespace sparkout {
 
-/// Which texts a lesson must have right: of a student's file no option is.
+/// The owner of a lesson; a student's file need not contain the right options.
 enum class LessonOf { teacher, student };
 
-/// Faults of a lesson beside those of its keys, ranges and project: paths that name no input of the
-/// project, figures and moments that it does not have, goals that are none or several, prices above
+/// Faults of a lesson in addition to those of its keys, ranges and project: paths without an input,
+/// figures and moments that the project does not have, a missing or ambiguous goal, prices above
 /// the points.
 [[nodiscard]] Issues checkLesson(const Lesson& lesson, LessonOf of = LessonOf::teacher);
 

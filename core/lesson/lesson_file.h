@@ -18,17 +18,16 @@ inline constexpr const char* lessonFormat = "sparkout-lesson";
 inline constexpr int lessonVersion = 1;
 
 struct ReadLesson {
-    std::optional<Lesson> lesson; ///< given when there is no error
-    Issues issues;                ///< errors, or warnings beside a lesson
+    std::optional<Lesson> lesson; ///< given without errors
+    Issues issues;                ///< errors, or warnings with a lesson
 };
 
-/// Reads and checks a lesson within the limits of a project file (project_file.h). All faults at
-/// once, those of its project below "/project".
+/// Reads and checks a lesson within the limits of a project file (project_file.h). Returns all
+/// faults at once, those of its project below "/project".
 [[nodiscard]] ReadLesson readLesson(std::string_view text, LessonOf of = LessonOf::teacher,
                                     const std::stop_token& stop = {});
 
-/// Reads a lesson whoever it is of: a teacher's, or one that students were given. The faults are
-/// those of a teacher's.
+/// Reads a teacher's or a student's lesson. The faults are those of a teacher's.
 [[nodiscard]] ReadLesson readLessonOfAnybody(std::string_view text);
 
 /// The text of a lesson: the same lesson, the same bytes.

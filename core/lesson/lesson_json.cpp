@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* projectKey = "project";
 
-/// The set-up below "/project"; nothing when it has errors.
+/// The set-up below "/project"; empty if it has errors.
 std::optional<Setup> readBase(const json& root, Issues& issues, const std::stop_token& stop) {
     const std::string path = std::string("/") + projectKey;
     const auto found = root.find(projectKey);
@@ -63,7 +63,7 @@ ReadLesson readLessonJson(const json& root, LessonOf of, Issues found,
     const Issues faults = checkLesson(lesson, of);
     if (faults.empty()) {
         read.lesson = std::move(lesson);
-    } else { // before warnings, of which the list may be full
+    } else { // placed before warnings, since the list may be full
         issues.insert(issues.begin(), faults.begin(), faults.end());
         issues.resize(std::min(issues.size(), limits::issues));
     }

@@ -5,10 +5,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-/// A lesson as a parsed JSON object, with its "format" and "version", as a work holds it too.
+/// A lesson as a parsed JSON object with its "format" and "version", which a work contains, too.
 namespace sparkout {
 
-/// After the issues `found` by parsing.
+/// Appends to the issues `found` by parsing.
 [[nodiscard]] ReadLesson readLessonJson(const nlohmann::json& root, LessonOf of, Issues found,
                                         const std::stop_token& stop);
 

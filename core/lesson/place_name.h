@@ -9,15 +9,15 @@
 
 namespace sparkout {
 
-/// A zone or section as a file names it: "rz1", "nz", "rz2", or the number of a section from 0; as
+/// A zone or section as named in a file: "rz1", "nz", "rz2", or the number of a section from 0; as
 /// an input a CountOrWord.
 struct PlaceName {
     std::optional<int> zone;    ///< index of the word
-    std::optional<int> section; ///< from 0
+    std::optional<int> section; ///< counted from 0
     friend bool operator==(const PlaceName&, const PlaceName&) = default;
 
     [[nodiscard]] bool isGiven() const { return zone || section; }
-    /// Its index in SimulationResult::sections.
+    /// The index in SimulationResult::sections.
     [[nodiscard]] std::size_t index() const {
         return static_cast<std::size_t>(zone.value_or(section.value_or(0)));
     }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double studyPercent = 100;
 
-/// The mean diameter of a place, which has both limits and so both indices.
+/// The mean diameter of a place; it has both limits and so both indices.
 const CharacteristicSummary* diameterOf(const BatchSummary& summary, const PlaceName& place) {
     for (const CharacteristicSummary& each : summary.characteristics) {
         if (std::string_view(each.characteristic.name) == "diameter"
@@ -36,7 +36,7 @@ std::optional<double> inMinutes(const std::optional<double>& time_s) {
     return time_s ? std::optional(*time_s / units::secondsPerMinute) : std::nullopt;
 }
 
-/// Time of the proved quickest cycle of a grid.
+/// Time of the proved quickest cycle of a grid [s].
 std::optional<double> provedTime_s(const Project& project) {
     if (hasErrors(validate(project)) || Variants(project).fault() != GridFault::none) {
         return std::nullopt;

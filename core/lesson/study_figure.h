@@ -6,15 +6,15 @@
 
 #include <optional>
 
-/// Figures of what is more than one run: of the project's batch, of its search, of dynamic
-/// programming on its levels. Each is computed anew.
+/// Figures that need more than one run: of the project's batch, its search, or dynamic programming
+/// on its levels. Each call computes them anew.
 namespace sparkout {
 
-/// Of the batch, or of a zone or section over it; nothing: the project has no batch that can be
-/// run, or the figure is not known of it.
+/// A figure of the batch, or of a zone or section over it; empty if the project's batch cannot be
+/// run, or the figure is not known.
 [[nodiscard]] std::optional<double> batchFigure(const Figure& figure, const Project& project);
 
-/// Of the search; nothing: the project has no grid, or no cycle of it holds.
+/// A figure of the search; empty without a grid or without a fit cycle.
 [[nodiscard]] std::optional<double> searchFigure(const Figure& figure, const Project& project);
 
 } // namespace sparkout

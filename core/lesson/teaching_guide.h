@@ -5,8 +5,8 @@
 
 #include <vector>
 
-/// What a teacher has of a lesson beside its tasks: the methodical guide is printed from it. It
-/// stands in the teacher's file alone.
+/// A teacher's material besides the tasks, from which the methodical guide is printed. Only the
+/// teacher's file contains it.
 namespace sparkout {
 
 /// A question for the defence of the work.
@@ -15,7 +15,7 @@ struct ControlQuestion {
     Bilingual answer;
 };
 
-/// What students often get wrong, and what to say to it.
+/// A frequent mistake of students, and a reply to it.
 struct TypicalMistake {
     Bilingual text;
 };

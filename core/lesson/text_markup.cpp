@@ -14,7 +14,7 @@ constexpr std::array allTags{"p",  "i",  "b",    "sub", "sup",   "ul", "ol",
                              "li", "br", "code", "h3",  "table", "tr", "td"};
 constexpr std::string_view formulaTag = "p class=\"formula\"";
 
-/// What stands between < and >: a name that is known, after a slash if it closes one.
+/// Whether the text between < and > is a known tag, after a slash if it closes one.
 bool isKnownTag(std::string_view inside) {
     if (inside == formulaTag) {
         return true;
@@ -25,8 +25,8 @@ bool isKnownTag(std::string_view inside) {
     return std::find(allTags.begin(), allTags.end(), inside) != allTags.end();
 }
 
-/// Calls a function with what stands between each < and the > after it, and with where the < is;
-/// without a > with nothing. It goes on while the function returns true.
+/// Calls a function with the text between each < and the following > (empty without one) and with
+/// the position of the <, while the function returns true.
 template <typename Visit>
 void eachTag(std::string_view text, Visit&& visit) {
     for (std::size_t at = text.find('<'); at != std::string_view::npos;
@@ -50,11 +50,11 @@ public:
             return;
         }
         if (name == "p" || name == "li" || name == "tr" || name == "td") {
-            end(name, isStructure); // by itself, but not that of a table or list around
+            end(name, isStructure); // ends implicitly, but not beyond its table or list
         }
         m_open.push_back(name);
     }
-    /// Closes the innermost tag of the name and all within it.
+    /// Closes the innermost tag with the name and all tags inside it.
     void close(std::string_view name) {
         end(name, [](std::string_view) { return false; });
     }

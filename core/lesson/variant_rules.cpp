@@ -12,7 +12,7 @@ namespace sparkout {
 
 namespace {
 
-/// The number as one would write it: 0.11 + 2·0.01 is 0.13.
+/// The number in plain decimals: 0.11 + 2·0.01 is 0.13.
 double asWrittenInSteps(double value) {
     constexpr double scale = 1e9;
     return std::abs(value) < 1e6 ? std::round(value * scale) / scale : value;
@@ -25,7 +25,7 @@ int VariedInput::alternatives() const {
 }
 
 double VariedInput::levels() const {
-    constexpr double slack = 1e-6; // a step that ends this near to the end reaches it
+    constexpr double slack = 1e-6; // a step that ends within this distance reaches the end
     if (isRange()) {
         return *to < *from ? 0 : std::floor((*to - *from) / *step + slack) + 1;
     }
@@ -146,16 +146,18 @@ const StructInfo& tableOf<VariantRules>() {
                        .hard = {1, 20}, .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Every value of each goes with every value "
                                                       "of the others.")),
-        SPARKOUT_FIELD(VariantRules, difficulty, .label = SPARKOUT_NOOP("Input", "Difficulty"),
-                       .hint = SPARKOUT_NOOP("Input", "What the best answers may differ by.")),
+        SPARKOUT_FIELD(
+            VariantRules, difficulty, .label = SPARKOUT_NOOP("Input", "Difficulty"),
+            .hint = SPARKOUT_NOOP("Input", "Permitted difference between the best answers.")),
         SPARKOUT_FIELD(
             VariantRules, figures, .label = SPARKOUT_NOOP("Input", "Figures"), .hard = {0, 100},
             .sparse = true,
             .hint = SPARKOUT_NOOP("Input", "What every variant has within bounds as given, so that "
                                            "the questions are true of it.")),
-        SPARKOUT_FIELD(VariantRules, surface, .label = SPARKOUT_NOOP("Input", "Surface"),
-                       .hard = {1, 20},
-                       .hint = SPARKOUT_NOOP("Input", "Whose inputs are varied, from 1.")),
+        SPARKOUT_FIELD(
+            VariantRules, surface, .label = SPARKOUT_NOOP("Input", "Surface"), .hard = {1, 20},
+            .hint =
+                SPARKOUT_NOOP("Input", "Number of the surface whose inputs are varied, from 1.")),
     };
     static const StructInfo info =
         makeTable<VariantRules>(SPARKOUT_NOOP("Struct", "Variants"), rows);

@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-/// How the variants of a lesson differ. It stands in the teacher's file alone.
+/// Rules for the variants of a lesson. Only the teacher's file contains them.
 namespace sparkout {
 
 namespace limits {
 inline constexpr std::size_t levelsOfInput = 10'000;
 } // namespace limits
 
-/// Values that belong together, as those of an entry of a catalogue.
+/// Values that belong together, such as those of a catalogue entry.
 struct ValueSet {
     std::string name;
     std::vector<InputValue> values;
@@ -25,33 +25,33 @@ struct ValueSet {
 /// An input that the variants vary: over a range in steps, over a list, or over sets of values.
 /// Exactly one of them is given.
 struct VariedInput {
-    std::string path;               ///< of a range or list
-    std::optional<double> from, to; ///< both ends may come
+    std::string path;               ///< input of a range or list
+    std::optional<double> from, to; ///< both ends included
     std::optional<double> step;
     std::optional<std::vector<double>> list;
     std::vector<ValueSet> sets;
 
     [[nodiscard]] bool isRange() const { return from && to && step; }
-    [[nodiscard]] int alternatives() const; ///< that are given
-    [[nodiscard]] double levels() const;    ///< how many there are
-    /// What a level puts into a project, from 0.
+    [[nodiscard]] int alternatives() const; ///< number of forms that are given
+    [[nodiscard]] double levels() const;    ///< number of levels
+    /// The values of a level, counted from 0.
     [[nodiscard]] std::vector<InputValue> valuesAt(std::size_t level) const;
-    /// The level as a table states it: its number, or the name of the set.
+    /// The name of the level in a table: its number, or the name of the set.
     [[nodiscard]] std::string nameOf(std::size_t level) const;
 };
 
-/// How far the best answer of a variant may be from that of the lesson as it stands.
+/// The allowed distance of a variant's best answer from that of the original lesson.
 struct Difficulty {
-    double least_time_percent = 70; ///< of the lesson's best time [%]
-    double most_time_percent = 140; ///< of the lesson's best time [%]
+    double least_time_percent = 70; ///< share of the lesson's best time [%]
+    double most_time_percent = 140; ///< share of the lesson's best time [%]
     double margin_within_percent =
-        10; ///< of the least relative margin, either way [percentage points]
+        10; ///< deviation of the least relative margin, ± [percentage points]
 };
 
-/// A figure that every variant has within bounds as a step begins: what the questions rest on.
+/// Bounds of a figure that every variant meets as a step begins, so that the questions apply.
 struct FigureBound {
     Figure figure;
-    int step = 1; ///< from 1
+    int step = 1; ///< counted from 1
     std::optional<double> least, most;
 };
 
@@ -59,7 +59,7 @@ struct VariantRules {
     std::vector<VariedInput> inputs;
     Difficulty difficulty;
     std::vector<FigureBound> figures;
-    int surface = 1; ///< whose inputs are varied, from 1
+    int surface = 1; ///< surface whose inputs are varied, from 1
 };
 
 template <>

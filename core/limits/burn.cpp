@@ -16,7 +16,7 @@ namespace {
 
 constexpr double sqrtPi = 1 / std::numbers::inv_sqrtpi;
 
-/// Beyond it ierfc is no normal number any more.
+/// Beyond it ierfc is subnormal.
 constexpr double largestArgument = 26;
 
 } // namespace
@@ -39,7 +39,7 @@ Heating BurnModel::heating(double a) const {
     heat.length_mm = std::sqrt(a * De);
     heat.time_s = heat.length_mm / Vd;
     heat.lineForce_n_mm = m_cutting.law.tangential(1, u);
-    // P_z/L with √a cancelled, so that a = 0 has its flux too
+    // P_z/L with √a cancelled, so that a = 0 has its flux, too
     heat.flux_mw_mm2 =
         (m_cutting.law.kt * u + m_cutting.law.mu * m_cutting.law.kr) * Vk / std::sqrt(De);
     heat.diffusionDepth_mm = std::sqrt(m_Omega * heat.time_s);
@@ -63,8 +63,8 @@ double BurnModel::damagedDepth(double a, double U) const {
     return 2 * heat.diffusionDepth_mm * inverseIerfc(U / heat.scale_k);
 }
 
-// w³ + p·w = Q with p ≥ 0, Q > 0: of Cardano's S − p/(3S), S = ∛(Q/2 + √(Q²/4 + p³/27)), the
-// difference is multiplied out, S³ − (p/3S)³ = Q, so that nothing cancels.
+// w³ + p·w = Q with p ≥ 0, Q > 0: the difference of Cardano's S − p/(3S), S = ∛(Q/2 + √(Q²/4 +
+// p³/27)), is multiplied out with S³ − (p/3S)³ = Q, so that nothing cancels.
 double BurnModel::rootOfCubic(double rise, FormulaSheet* sheet) const {
     const ForceLaw& law = m_cutting.law;
     const double p = law.mu * law.kr / law.kt;
@@ -99,9 +99,8 @@ double BurnModel::burnFreeDepth(double U, FormulaSheet* sheet) const {
 }
 
 // T(h) = U for the x = h/(2√(Ωτ)) of the contact itself is the cubic with U/(√π·ierfc(x)) on its
-// right side. Its root w rises with x,
-//     w'/w = (k_t·w² + μk_r)/(3k_t·w² + μk_r)·erfc(x)/ierfc(x),
-// and so do √a = w² and the depth h = 2·x·√(Ωτ) = 2·x·diffusion·w.
+// right side. Its root w rises with x,     w'/w = (k_t·w² + μk_r)/(3k_t·w² +
+// μk_r)·erfc(x)/ierfc(x), and so do √a = w² and the depth h = 2·x·√(Ωτ) = 2·x·diffusion·w.
 BurnLimitPoint BurnModel::limitPoint(double U, double x) const {
     const double kt = m_cutting.law.kt, mukr = m_cutting.law.mu * m_cutting.law.kr;
     const double y = ierfc(x);

@@ -46,12 +46,12 @@ public:
     /// Greatest depth of cut [mm] that does not burn: T(0) = U, the cubic's root in closed form.
     double burnFreeDepth(double U, FormulaSheet* sheet = nullptr) const;
     /// Greatest depth of cut [mm] whose damaged layer is not deeper than the stock left, h_d ≤
-    /// stock: T(stock) = U. It rises with the stock, from burnFreeDepth(U) at 0 on; so a radius
-    /// holds exactly where a ≤ limitDepth(U, max(0, R_k after the pass − R_t)).
+    /// stock: T(stock) = U. It rises with the stock, from burnFreeDepth(U) at 0; so a radius is
+    /// within the limit exactly if a ≤ limitDepth(U, max(0, R_k after the pass − R_t)).
     double limitDepth(double U, double stock, FormulaSheet* sheet = nullptr) const;
 
-    /// The same curve with x = stock/(2·√(Ωτ)) as its parameter, x ≥ 0, which needs no root to be
-    /// found: the cubic with U/(√π·ierfc(x)) in place of U.
+    /// The curve with x = stock/(2·√(Ωτ)) as its parameter, x ≥ 0, without root finding: the cubic
+    /// with U/(√π·ierfc(x)) replacing U.
     [[nodiscard]] BurnLimitPoint limitPoint(double U, double x) const;
     /// The x of a stock.
     [[nodiscard]] double limitArgument(double U, double stock) const;
@@ -65,7 +65,7 @@ private:
     double m_diffusion; ///< √(Ω·√D_e/V_d), so that √(Ωτ) = diffusion·w [mm^(3/4)]
 };
 
-/// The limiting depth for the stock left, with all it is made of.
+/// The limiting depth for the stock left, with all intermediate values.
 [[nodiscard]] FormulaSheet burnLimitSheet(const Project& project, double U, double stock);
 
 } // namespace sparkout

@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    // x over which the curve bends is 1.
+    // 1 is the range of x over which the curve bends.
     static constexpr double nodesPerArgument = 48, fewestNodes = 8, mostNodes = 96;
     const BurnModel& m_model;
     double m_U, m_last, m_nodes;
@@ -54,7 +54,8 @@ BurnTable::BurnTable(const BurnModel& model, double U, double deepest_mm) {
     constexpr double fewest = 16, most = 8192;
     const double deepest = std::max(deepest_mm, 0.0);
     const BurnLimitPoint surface = model.limitPoint(U, 0);
-    // The stock over which the curve bends: the reach of heat, or over which √a doubles.
+    // The range of stock over which the curve bends: the reach of heat, or that over which √a
+    // doubles.
     const double scale = surface.stockSlope_mm * std::min(1.0, surface.root / surface.rootSlope);
     const double wanted = std::ceil(stepsPerScale * deepest / scale);
     m_isResolved = wanted <= most;
@@ -74,7 +75,7 @@ BurnTable::BurnTable(const BurnModel& model, double U, double deepest_mm) {
 
 std::optional<BurnStretch> BurnTable::over(double low_mm, double high_mm,
                                            double totalInfeed_mm) const {
-    constexpr double enough = 7e-7; ///< at the points between the nodes, of the value there
+    constexpr double enough = 7e-7; ///< relative, at the points between the nodes
     const double centre = (high_mm + low_mm) / 2, half = (high_mm - low_mm) / 2;
     const auto value = [&](double t) { return usage(1, centre + half * t); };
     // Through the values at t = −1, −√½, 0, √½ and 1, even and odd parts apart.
@@ -103,11 +104,11 @@ std::optional<BurnStretch> BurnTable::over(double low_mm, double high_mm,
 
 namespace {
 
-// Written once and compiled for two vector units, as the pass is (pass_kernel.cpp).
+// One source compiled for two vector units, like the pass (pass_kernel.cpp).
 [[gnu::always_inline]] inline double worstOf(const BurnStretch& stretch,
                                              const double* __restrict root,
                                              const double* __restrict depth, std::size_t count) {
-    const BurnStretch local = stretch; // its numbers stay in registers
+    const BurnStretch local = stretch; // keeps its numbers in registers
     double worst = 0;
 #pragma omp simd reduction(max : worst)
     for (std::size_t i = 0; i < count; ++i) {

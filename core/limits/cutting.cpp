@@ -29,9 +29,9 @@ Cutting cuttingOf(const Project& project) {
 
 namespace {
 
-// The coefficients come out of forceLaw(); what is said of them here is held against it by a test.
+// The coefficients are computed by forceLaw(); a test compares the formulas shown here with it.
 
-/// What the wheel's recipe comes to, where the force follows from it.
+/// Shows the results of the wheel's recipe, if the force follows from it.
 void stateRecipe(FormulaSheet* sheet, const Wheel& wheel) {
     if (!sheet || !wheel.force_recipe) {
         return;
@@ -63,7 +63,7 @@ void stateRecipe(FormulaSheet* sheet, const Wheel& wheel) {
     }
 }
 
-/// k_s or k_t: σ_i·V_d/V_k by a coefficient, and by κ of a recipe that states one.
+/// k_s or k_t: σ_i·V_d/V_k times a coefficient, and κ if a recipe is given.
 void stateShear(FormulaSheet* sheet, const Project& project, const Cutting& cutting,
                 const FormulaTerm& result, const FormulaTerm& coefficient, const char* plain,
                 const char* byRecipe) {

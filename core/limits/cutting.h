@@ -6,8 +6,8 @@
 
 namespace sparkout {
 
-/// One project's contact of wheel and part, in mm, N, s: what the limits of the depth of cut are
-/// made of [MODEL-1, MODEL-2].
+/// A project's contact of wheel and part, in mm, N, s: the basis of the limits of the depth of cut
+/// [MODEL-1, MODEL-2].
 struct Cutting {
     ForceLaw law;
     double d_mm = 0;     ///< d, part
@@ -21,12 +21,12 @@ struct Cutting {
 
 [[nodiscard]] Cutting cuttingOf(const Project& project);
 
-/// Normal force P_y(a) [N] and tangential force P_z(a) [N] for an effective width b [mm], with
-/// everything they are made of [MODEL-2, KORCHAK]. With a threshold of a width that cuts, a > 0.
+/// Normal force P_y(a) [N] and tangential force P_z(a) [N] for an effective width b [mm], with all
+/// intermediate values [MODEL-2, KORCHAK]. With a threshold, for a width that cuts, a > 0.
 [[nodiscard]] FormulaSheet normalForceSheet(const Project& project, double b, double a);
 [[nodiscard]] FormulaSheet tangentialForceSheet(const Project& project, double b, double a);
 
-/// D_e, V_d and V_k with their numbers, at the head of every sheet that needs them.
+/// Shows D_e, V_d and V_k with their numbers, at the beginning of every sheet that needs them.
 void stateContact(FormulaSheet* sheet, const Project& project, const Cutting& cutting);
 /// μ·k_r and k_t with their numbers.
 void stateTangential(FormulaSheet* sheet, const Project& project, const Cutting& cutting);

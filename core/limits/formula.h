@@ -6,19 +6,19 @@
 #include <string>
 #include <vector>
 
-/// Formulas that state themselves with the numbers of one case. The function that computes fills
-/// the sheet on its way, so that what is shown is what was computed. Texts name their quantities
-/// as {symbol}; window, report and command line format numbers and units.
+/// Formulas with the numbers of one case. The computing function fills the sheet, so that the
+/// displayed values are the computed ones. Texts name their quantities as {symbol}; window, report
+/// and command line format numbers and units.
 namespace sparkout {
 
-/// A quantity of a formula: its symbol, its value and the unit of that value.
+/// A quantity of a formula: its symbol, its value and unit.
 struct FormulaTerm {
     const char* symbol = "";
     double value = 0;
     const char* unit = "";
 };
 
-/// A number that belongs to the formula: it is shown as a number where symbols are asked for.
+/// A number that is part of the formula: shown as a number even with symbols.
 [[nodiscard]] constexpr FormulaTerm constantTerm(const char* name, double value) {
     return {name, value, nullptr};
 }
@@ -26,7 +26,7 @@ struct FormulaTerm {
     return term.unit == nullptr;
 }
 
-/// One equation: "{L} = √({a}·{D_e})", what stands on its right side, and what came out.
+/// One equation: "{L} = √({a}·{D_e})", the terms of its right side, and the result.
 struct FormulaStep {
     const char* text = "";
     FormulaTerm result;
@@ -42,7 +42,7 @@ struct FormulaSheet {
     [[nodiscard]] const FormulaTerm& result() const { return steps.back().result; }
 };
 
-/// Writes one equation into the sheet, if there is one.
+/// Writes an equation into the sheet, if there is one.
 inline void state(FormulaSheet* sheet, const char* text, const FormulaTerm& result,
                   std::initializer_list<FormulaTerm> terms) {
     if (sheet) {
@@ -50,14 +50,14 @@ inline void state(FormulaSheet* sheet, const char* text, const FormulaTerm& resu
     }
 }
 
-/// How a term is written: its symbol, its number, its number with the unit.
+/// Formats a term: its symbol, its number, or its number with the unit.
 using TermWriter = std::function<std::string(const FormulaTerm&)>;
 
-/// Replaces each {symbol} of a step's text by what the writer makes of its term; a symbol without
-/// a term stays as it is.
+/// Replaces each {symbol} of a step's text by the writer's text for its term; a symbol without a
+/// term is unchanged.
 [[nodiscard]] std::string fillFormula(const FormulaStep& step, const TermWriter& writer);
 
-/// The equation in symbols; its constants are written by `number`: "L = √(a·D_e)".
+/// The equation in symbols, with its constants formatted by `number`: "L = √(a·D_e)".
 [[nodiscard]] std::string formulaInSymbols(const FormulaStep& step, const TermWriter& number);
 
 /// The right side with numbers in place of all symbols: "√(0.005·28.57)".

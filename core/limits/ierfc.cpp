@@ -42,8 +42,8 @@ double ierfc(double x) {
     return static_cast<double>(wideIerfc(x));
 }
 
-// Newton's steps on ln ierfc(x) = ln(value). ierfc is log-concave, so from the right of the root
-// they fall towards it without passing it; e^(−x²)/√π ≥ ierfc(x) gives the start.
+// Newton's steps on ln ierfc(x) = ln(value). ierfc is log-concave, so from the right they approach
+// the root without passing it; e^(−x²)/√π ≥ ierfc(x) gives the start.
 double inverseIerfc(double value) {
     constexpr double top = std::numbers::inv_sqrtpi;
     if (value >= top) {

@@ -11,13 +11,13 @@ struct ValueAndSlope {
     double slope = 0;
 };
 
-/// The root of a rising function between low and high, to the last bits of x: Newton's steps kept
-/// inside the bracket, halved where they leave it or do not shrink it fast enough. The function is
-/// ≤ 0 at low and ≥ 0 at high, 0 ≤ low; f is not asked at low. `f(x)` gives value and slope.
+/// The root of a rising function between low and high, to the last bits of x: Newton's steps within
+/// the bracket, bisecting where they leave it or shrink it too slowly. The function is ≤ 0 at low
+/// and ≥ 0 at high, 0 ≤ low; f is not called at low. `f(x)` returns value and slope.
 template <class Function>
 double risingRoot(const Function& f, double low, double high) {
     constexpr int mostSteps = 200;
-    constexpr int judged = 4; ///< steps after which the bracket must have halved
+    constexpr int judged = 4; ///< steps within which the bracket must halve
     double x = high;
     double width = high - low;
     for (int step = 1; step <= mostSteps; ++step) {

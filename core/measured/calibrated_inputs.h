@@ -8,15 +8,15 @@
 
 namespace sparkout {
 
-/// The record of the input at a path; null: it was not calibrated.
+/// The record of the input at a path; null if it was not calibrated.
 [[nodiscard]] const Calibration* calibrationOf(const Project& project, std::string_view path);
 
-/// Whether the input still has the value that was found. A value set by hand since, or an input
-/// that the project does not have any more, keeps its record, but it is not calibrated.
+/// Whether the input still has the fitted value. A record is kept when the value is changed by
+/// hand, or when the project no longer has the input, but then the input is not calibrated.
 [[nodiscard]] bool hasCalibratedValue(const Project& project, const Calibration& calibration);
 
-/// Whether an input rests on a calibration: every record of it still holds. A compliance that is
-/// computed rests on those of what it is computed from.
+/// Whether an input is based on a calibration whose records are all still valid. A computed
+/// compliance depends on the records of its inputs.
 [[nodiscard]] bool isCalibrated(const Project& project, const Field& input);
 
 } // namespace sparkout

@@ -8,11 +8,11 @@
 
 namespace sparkout {
 
-/// A fault of a table: the issue, and the cell it stands in.
+/// A fault of a table: the issue and its cell.
 struct CellFault {
-    std::size_t line = 0;   ///< from 1; 0: of the whole text
-    std::size_t column = 0; ///< from 1; 0: of the whole line
-    Issue issue;            ///< without a path
+    std::size_t line = 0;   ///< counted from 1; 0: the whole text
+    std::size_t column = 0; ///< counted from 1; 0: the whole line
+    Issue issue;            ///< the issue, without a path
     friend bool operator==(const CellFault&, const CellFault&) = default;
 };
 

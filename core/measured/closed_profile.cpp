@@ -18,7 +18,7 @@ struct Point {
     double angle_deg = 0, radius_mm = 0;
 };
 
-/// The points of a table; what cannot be is a fault of it.
+/// The points of a table; invalid ones are its faults.
 std::vector<Point> pointsOf(NumberTable<2>& table, double nominalRadius_mm) {
     const bool isDeviation =
         !table.headings.empty() && matchHeading(table.headings.back()).unit == ColumnUnit::um;
@@ -38,16 +38,16 @@ std::vector<Point> pointsOf(NumberTable<2>& table, double nominalRadius_mm) {
                      Bounds{.range = {.low = least, .high = most}, .unit = "°"});
         } else if (!radii.range.contains(radius)) {
             addFault(table.faults, row.line, 2, IssueCode::outOfRange, Amount{radius, "mm"}, radii);
-        } else if (angle < most || points.empty()) { // else the first point, at the turn's end
+        } else if (angle < most || points.empty()) { // otherwise the first point, at the turn's end
             points.push_back({angle, radius});
         }
     }
     return points;
 }
 
-/// As many radii at even angles, from the first point's angle on.
+/// The same number of radii at even angles, from the first point's angle.
 std::vector<double> placedEvenly(const std::vector<Point>& points) {
-    constexpr double even = 1e-3; // of a step, as rounded in the table
+    constexpr double even = 1e-3; // relative to a step, as rounded in the table
     const auto count = static_cast<double>(points.size());
     const double from = points.front().angle_deg;
     std::vector<double> radii;

@@ -21,7 +21,7 @@ struct Name {
     ColumnQuantity quantity;
 };
 
-/// What headings are compared with, word for word.
+/// The names that headings are compared with, word for word.
 std::span<const Name> headingNames() {
     using enum ColumnQuantity;
     static constexpr auto names = std::to_array<Name>({
@@ -119,7 +119,7 @@ std::span<const Name> headingNames() {
 
 constexpr double perThousand = 1e-3, thousand = 1e3;
 
-/// The units of a quantity, with what makes the section's of them; the first is its own.
+/// The units of a quantity with their factors to the section's unit; its own comes first.
 std::vector<std::pair<ColumnUnit, double>> unitsOf(ColumnQuantity quantity) {
     using enum ColumnQuantity;
     switch (quantity) {
@@ -138,7 +138,7 @@ std::vector<std::pair<ColumnUnit, double>> unitsOf(ColumnQuantity quantity) {
     }
 }
 
-/// A heading as what it calls, the unit it states, and the zone behind it.
+/// The parts of a heading: its quantity, its unit and the zone.
 struct HeadingParts {
     std::string name;
     std::optional<ColumnUnit> unit;
@@ -147,7 +147,7 @@ struct HeadingParts {
 
 constexpr std::string_view aroundName = " \t,;:."; ///< what is no part of a name
 
-/// Takes "[mm]", "(mm)" or ", mm" off the end of a heading.
+/// Removes "[mm]", "(mm)" or ", mm" from the end of a heading.
 std::optional<ColumnUnit> takeUnit(std::string& heading) {
     const bool bracketed = heading.ends_with(']') || heading.ends_with(')');
     const std::size_t at =
@@ -161,7 +161,7 @@ std::optional<ColumnUnit> takeUnit(std::string& heading) {
     }
     const auto unit = unitNamed(trimmed(text, aroundName));
     if (!unit && !bracketed) {
-        return std::nullopt; // it is no unit that stands behind the comma
+        return std::nullopt; // the text after the comma is not a unit
     }
     heading = trimmed(heading.substr(0, at), aroundName);
     return unit                                ? unit
@@ -201,7 +201,7 @@ ColumnMatch matchHeading(std::string_view heading) {
     if (found != names.end()) {
         match.quantity = found->quantity;
     }
-    // P [N] is a force, F [kW] none; d in s is nothing known.
+    // P [N] is a force, F [kW] is nothing; nor is d in s.
     if (match.unit != ColumnUnit::none && match.unit != ColumnUnit::unknown
         && isNumeric(match.quantity) && !factorOf(match.quantity, match.unit)) {
         match.quantity = match.unit == ColumnUnit::n || match.unit == ColumnUnit::kn ? normal_force

@@ -11,20 +11,20 @@
 
 namespace sparkout {
 
-/// What a column of a table of measurements may hold.
+/// The possible quantities of a column of measurements.
 enum class ColumnQuantity {
     ignored,
     part,               ///< number or name of the part
     place,              ///< zone or section
-    diameter,           ///< of a part; several columns: several diameters of it
-    diameter_deviation, ///< the same less the nominal diameter
+    diameter,           ///< diameter of a part; several columns: several diameters
+    diameter_deviation, ///< less the nominal diameter
     roundness,
     radial_runout,
     cylindricity,
     roughness_ra,
-    when, ///< of a part, in words
+    when, ///< time of a part, as text
     note,
-    time, ///< of the samples of traces
+    time, ///< time of the samples of traces
     gauge_size,
     wheel_power,
     spindle_current,
@@ -32,26 +32,26 @@ enum class ColumnQuantity {
     count_
 };
 
-/// How a column is read; proposed by its heading, for the user to change.
+/// The interpretation of a column, proposed by its heading and changeable by the user.
 struct ColumnMatch {
     std::string heading;
     ColumnQuantity quantity = ColumnQuantity::ignored;
     ColumnUnit unit = ColumnUnit::none;
-    std::optional<int> place; ///< zone or section of all its values, where the heading names one
+    std::optional<int> place; ///< zone or section of all its values, if the heading names one
     friend bool operator==(const ColumnMatch&, const ColumnMatch&) = default;
 };
 
-/// What a heading such as "Diameter, mm", "Диаметр [мм]" or "P (kW)" means.
+/// The meaning of a heading such as "Diameter, mm", "Диаметр [мм]" or "P (kW)".
 [[nodiscard]] ColumnMatch matchHeading(std::string_view heading);
 
 /// The columns of a table by the headings in its first row.
 [[nodiscard]] std::vector<ColumnMatch> matchHeadings(std::string_view text, char delimiter);
 
-/// A match as a table needs it: beside a time "diameter" is the size at the gauge.
+/// Adapts the matches to the table: with a time column, "diameter" is the size at the gauge.
 void settleMatches(std::vector<ColumnMatch>& matches);
 
-/// What a value in the unit is to be multiplied by, to be in that of the project's section
-/// `measured`; without a unit 1. Nothing where the quantity has no such unit.
+/// The factor that converts a value in the unit to the unit of the project's section `measured`; 1
+/// without a unit. Empty if the quantity has no such unit.
 [[nodiscard]] std::optional<double> factorOf(ColumnQuantity quantity, ColumnUnit unit);
 
 /// Whether its values are numbers.
@@ -59,13 +59,13 @@ void settleMatches(std::vector<ColumnMatch>& matches);
 /// Whether it is recorded over time.
 [[nodiscard]] bool isTrace(ColumnQuantity quantity);
 
-/// What the values of a quantity may be, in the unit of the section.
+/// The allowed range of a quantity, in the unit of the section.
 [[nodiscard]] Bounds boundsOf(ColumnQuantity quantity);
 
-/// The units that a quantity may be given in, for a message.
+/// The allowed units of a quantity, for a message.
 [[nodiscard]] Keys unitsFor(ColumnQuantity quantity);
 
-/// A zone by its name, or a place by its number; nothing where it is neither.
+/// A zone by its name, or a place by its number; empty if it is neither.
 [[nodiscard]] std::optional<int> zoneNamed(std::string_view text);
 
 } // namespace sparkout

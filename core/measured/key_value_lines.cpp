@@ -17,7 +17,7 @@ namespace {
 
 constexpr char keyDelimiter = '|';
 
-/// A date and time of ISO 8601 in seconds; without a zone as it stands.
+/// An ISO 8601 date and time in seconds; without a zone it is not converted.
 std::optional<double> secondsOfDate(std::string_view text) {
     const auto number = [text](std::size_t from, std::size_t size) {
         int value = -1;
@@ -129,7 +129,7 @@ private:
         }
     }
 
-    /// Dates count from the first one.
+    /// Dates are relative to the first one.
     std::optional<double> timeOf(std::string_view cell) {
         if (const auto seconds = cellNumber(cell, m_table.dialect.decimal)) {
             return seconds;

@@ -6,14 +6,14 @@
 #include <string_view>
 #include <vector>
 
-/// Lines time|key|value, with more keys and values behind them, as adapters of machines write them.
-/// The time is a number of seconds, or a date and time of ISO 8601.
+/// Lines time|key|value, possibly with further keys and values, as written by machine adapters. The
+/// time is a number of seconds, or an ISO 8601 date and time.
 namespace sparkout {
 
-/// The keys of the first lines, in the order in which they come.
+/// The keys of the first lines, in their order.
 [[nodiscard]] std::vector<ColumnMatch> matchKeys(std::string_view text);
 
-/// Reads them into one trace a key. A value UNAVAILABLE is left out.
+/// Reads the lines into one trace for each key. A value UNAVAILABLE is skipped.
 [[nodiscard]] ReadMeasured readKeyValueLines(std::string_view text, const MeasuredTable& table,
                                              const MeasuredContext& context,
                                              const std::stop_token& stop);

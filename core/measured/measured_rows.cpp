@@ -121,7 +121,7 @@ private:
         keepParts(line);
     }
 
-    /// False: the time of the line is before that of the line above.
+    /// False if the time of the line is before that of the previous line.
     bool takeTime(std::size_t line) {
         m_isTimed = false;
         const auto time = m_time ? number(line, *m_time) : std::nullopt;
@@ -138,7 +138,7 @@ private:
         return true;
     }
 
-    /// The value of a cell in the unit of the section; nothing where it is empty or refused.
+    /// The value of a cell in the unit of the section; empty if the cell is empty or refused.
     std::optional<double> number(std::size_t line, std::size_t column) {
         if (column >= m_cells.size() || m_cells[column].empty()) {
             return std::nullopt;
@@ -159,7 +159,7 @@ private:
         return converted;
     }
 
-    /// Deviations are of a diameter that a part may have.
+    /// Deviations refer to an allowed diameter of a part.
     [[nodiscard]] Bounds boundsHere(ColumnQuantity quantity) const {
         if (quantity != ColumnQuantity::diameter_deviation) {
             return boundsOf(quantity);

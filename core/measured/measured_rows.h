@@ -7,7 +7,8 @@
 
 namespace sparkout {
 
-/// Reads the lines of a table with headings; `readMeasured()` without what is common to all forms.
+/// Reads the lines of a table with headings; `readMeasured()` without the steps common to all
+/// forms.
 [[nodiscard]] ReadMeasured readRows(std::string_view text, const MeasuredTable& table,
                                     const MeasuredContext& context, const std::stop_token& stop);
 

@@ -11,7 +11,7 @@ namespace sparkout {
 
 namespace {
 
-/// Counted from 0, if one of the first parts names the place 0.
+/// Counts from 0 if one of the first parts has the place 0.
 int firstPlaceIn(std::string_view text, const MeasuredTable& table) {
     const auto column =
         std::ranges::find(table.columns, ColumnQuantity::place, &ColumnMatch::quantity);

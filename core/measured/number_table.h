@@ -11,7 +11,7 @@
 
 namespace sparkout {
 
-/// A table of numbers alone, in either dialect, its first line headings or not.
+/// A table of numbers only, in either dialect, with or without headings.
 template <std::size_t columns>
 struct NumberTable {
     struct Row {
@@ -20,17 +20,17 @@ struct NumberTable {
     };
     std::vector<std::string> headings; ///< none, or one a column
     std::vector<Row> rows;
-    CellFaults faults; ///< cells that are no numbers, and rows with too few
+    CellFaults faults; ///< cells that are not numbers, and rows with too few
 };
 
-/// Further columns and empty lines are left out.
+/// Further columns and empty lines are ignored.
 template <std::size_t columns>
 [[nodiscard]] NumberTable<columns> readNumbers(const TableText& text);
 
 extern template NumberTable<2> readNumbers<2>(const TableText& text);
 extern template NumberTable<3> readNumbers<3>(const TableText& text);
 
-/// Adds a fault unless there are as many as are listed.
+/// Adds a fault unless the list is full.
 void addFault(CellFaults& faults, std::size_t line, std::size_t column, IssueCode code,
               Detail value, Detail limit);
 

@@ -19,12 +19,12 @@ inline constexpr Range readingDeflection_um{-1e5, 1e5};
 struct StiffnessReading {
     double position_mm = 0;   ///< from the headstock end of the shaft [mm]
     double load_n = 0;        ///< radial, > 0 [N]
-    double deflection_um = 0; ///< under this load, from none [µm]
+    double deflection_um = 0; ///< from the unloaded state to this load [µm]
 };
 
 struct StiffnessTable {
     std::vector<StiffnessReading> readings;
-    CellFaults faults; ///< with any there are no readings
+    CellFaults faults; ///< if there are any, there are no readings
 };
 
 /// Reads a table of three columns, place [mm], load [N] and deflection [µm], in either dialect,

@@ -14,7 +14,7 @@ thinOut(std::vector<double> times, std::vector<double> values, std::size_t most)
     std::pair<std::vector<double>, std::vector<double>> thinned;
     for (std::size_t i = 0; i < most; ++i) {
         const std::size_t begin = count * i / most, end = count * (i + 1) / most;
-        // From the first on: sums of long times would lose digits.
+        // Relative to the first, since sums of long times would lose digits.
         double time = 0, value = 0;
         for (std::size_t k = begin; k < end; ++k) {
             time += times[k] - times[begin];

@@ -7,9 +7,9 @@
 
 namespace sparkout {
 
-/// A trace of at most `most` samples: the means of time and value of as many stretches of equal
-/// length. A record of many thousand values a second has noise whose least and greatest values are
-/// far from its mean, and a fit is about the mean. All of them where they are no more than that.
+/// Thins a trace to at most `most` samples: the means of time and value over that many sections of
+/// equal length. A record of many thousand values per second has noise whose extremes are far from
+/// its mean, which a fit needs. Shorter traces are unchanged.
 [[nodiscard]] std::pair<std::vector<double>, std::vector<double>>
 thinOut(std::vector<double> times, std::vector<double> values, std::size_t most);
 

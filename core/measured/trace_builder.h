@@ -8,7 +8,7 @@
 
 namespace sparkout {
 
-/// The samples of one column while they are read.
+/// Collects the samples of one column during reading.
 class TraceBuilder {
 public:
     explicit TraceBuilder(const ColumnMatch& match) : m_match(&match) {}
@@ -18,7 +18,7 @@ public:
         m_values.push_back(value);
     }
     [[nodiscard]] bool empty() const { return m_times.empty(); }
-    /// Thinned out to what a project keeps; leaves nothing behind.
+    /// Thinned to the limit of a project; leaves nothing behind.
     [[nodiscard]] MeasuredTrace take(const MeasuredContext& context);
 
 private:

@@ -23,7 +23,7 @@ bool differInOneFeed(const StageSetting& a, const StageSetting& b) {
     return a.sparkOut == b.sparkOut && differInInfeed != (a.axialFeed_mm_min != b.axialFeed_mm_min);
 }
 
-/// Other feeds in one stage.
+/// Adds cycles with other feeds in one stage.
 void addFeeds(const Grid& grid, const GridCycle& best, std::vector<GridCycle>& found) {
     for (std::size_t z = 0; z < best.size(); ++z) {
         for (std::size_t s = 0; s < grid.settings().size(); ++s) {
@@ -37,7 +37,8 @@ void addFeeds(const Grid& grid, const GridCycle& best, std::vector<GridCycle>& f
     }
 }
 
-/// Other shares of two neighbours' stock; of the last stage's at least what the grid leaves it.
+/// Adds cycles with other shares of two neighbours' stock, the last stage having at least its lower
+/// limit.
 void addShares(const Grid& grid, const GridCycle& best, std::vector<GridCycle>& found) {
     int taken = 0;
     for (std::size_t z = 0; z + 1 < best.size(); ++z) {
@@ -56,7 +57,7 @@ void addShares(const Grid& grid, const GridCycle& best, std::vector<GridCycle>& 
     }
 }
 
-/// A cycle and what it is run with.
+/// A cycle and its machine settings.
 using Neighbour = std::pair<Cycle, MachineSettings>;
 
 std::vector<Neighbour> neighbours(const Variants& variants, const FeasibleCycle& best,
@@ -132,7 +133,8 @@ private:
     std::vector<Neighbour> m_found;
 };
 
-/// Without what no single part needs and may be long: variants and neighbours are many copies.
+/// Removes long lists that a single part does not need, since variants and neighbours are many
+/// copies.
 Project withoutLists(Project project) {
     project.runs.clear();
     project.notes.clear();
@@ -203,7 +205,7 @@ std::optional<std::vector<ConstraintKind>> brokenIn(const std::vector<Neighbour>
                                                     const std::vector<Project>& scenarios,
                                                     const std::stop_token& stop) {
     if (stop.stop_requested()) {
-        return std::nullopt; // perhaps not all of them are there
+        return std::nullopt; // possibly incomplete
     }
     std::vector<Project> parts{project};
     for (const Project& scenario : scenarios) {

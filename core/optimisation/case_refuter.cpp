@@ -18,8 +18,8 @@ namespace sparkout {
 namespace {
 
 constexpr double mostFormChange_mm = 2e-5;
-constexpr double roundings_mm = 2e-9; ///< of depths and written stocks, generously
-constexpr double nearest_mm = 1e-5;   ///< what the deviation of a diameter is left in doubt
+constexpr double roundings_mm = 2e-9; ///< rounding of depths and written stocks, generously
+constexpr double nearest_mm = 1e-5;   ///< tolerance of the deviation of a diameter
 
 bool isLate(const Project& project) {
     return project.gauge->delay_s.value_or(0) > 0
@@ -96,7 +96,7 @@ void CaseRefuter::keepRefuted(const GridCycle& beforeLast, std::vector<std::size
     if (std::ranges::any_of(m_ends, &End::isTooDeep)) {
         return;
     }
-    std::ranges::sort(m_ends, std::greater(), &End::stocks_mm); // which shows most
+    std::ranges::sort(m_ends, std::greater(), &End::stocks_mm); // the longest refutes most
     std::erase_if(settings, [&](std::size_t setting) {
         return m_grid.settings()[setting].sparkOut > 0
                || std::ranges::none_of(m_ends,
@@ -104,8 +104,8 @@ void CaseRefuter::keepRefuted(const GridCycle& beforeLast, std::vector<std::size
     });
 }
 
-/// Range of the stocks for which a cycle of these stages must hold, counted from the least stock of
-/// all [mm].
+/// Range of the stocks for which a cycle of these stages must be fit, counted from the least stock
+/// of all [mm].
 StockRange CaseRefuter::stocksOf(const GridCycle& cycle) const {
     double infeed_mm = 0;
     for (const GridStage& stage : cycle) {
@@ -130,7 +130,7 @@ CaseRefuter::Stage& CaseRefuter::first(std::size_t stages, std::size_t setting) 
                : m_first.emplace(key, begin(m_runner.begin(stages))).first->second;
 }
 
-/// Goes through the steps at which stocks of the range end a stage before the last.
+/// Visits the steps at which stocks of the range end a stage before the last.
 bool CaseRefuter::visitLast(Stage& stage, std::span<const GridStage> before, std::size_t place,
                             int taken, StockRange range, const AtLast& atLast) {
     const int behind = taken + before[place].steps;
@@ -192,7 +192,7 @@ const CaseRefuter::State* CaseRefuter::stateAt(Stage& stage, std::size_t count, 
     return &stage.states[count];
 }
 
-/// The next stage of the cycle after so many steps; nothing: it was stopped.
+/// The next stage of the cycle after so many steps; null after a stop.
 CaseRefuter::Stage* CaseRefuter::follower(Stage& stage, std::size_t count,
                                           std::span<const GridStage> before, std::size_t place) {
     const std::size_t setting = before[place].setting;
@@ -273,7 +273,7 @@ bool CaseRefuter::isFedTooFar(const End& end, std::size_t setting) const {
     const double infeed_mm = m_infeeds_mm[setting];
     const double least_mm = std::min(end.gauged_mm, end.least_mm[setting]);
     const double beyond_mm = std::min(infeed_mm, end.stocks_mm) + least_mm - m_excess_mm;
-    double steady_mm = 0, more_mm = 0, slope = 0; // of both
+    double steady_mm = 0, more_mm = 0, slope = 0; // for both radii
     for (const Deep& each : end.deep) {
         const SteadyLags::Most& most = each.most[setting];
         const double lag_mm = most.lag_mm - infeed_mm * each.share;
@@ -284,16 +284,17 @@ bool CaseRefuter::isFedTooFar(const End& end, std::size_t setting) const {
     if (steady_mm + more_mm < 2 * beyond_mm || steady_mm >= 2 * beyond_mm) {
         return steady_mm + more_mm < 2 * beyond_mm;
     }
-    const double steps = (end.infeed_mm + least_mm) / infeed_mm; // at least, up to the end
+    const double steps = (end.infeed_mm + least_mm) / infeed_mm; // lower bound, up to the end
     return steps > 0 && steady_mm + more_mm * std::pow(slope, std::ceil(steps)) < 2 * beyond_mm;
 }
 
-/// By what a diameter is larger at most for a stock greater by so much than that of the shared run.
+/// The greatest increase of a diameter for a stock greater by `more_mm` than that of the shared
+/// run.
 double CaseRefuter::larger_mm(double more_mm) const {
     return 2 * more_mm + nearest_mm + 4 * m_tolerance_mm;
 }
 
-/// Of a stock greater by so much than that of the shared run.
+/// Decides for a stock greater by `more_mm` than that of the shared run.
 bool CaseRefuter::isTooDeep(const FollowedRadii& radii, double more_mm) const {
     const double deviation_mm =
         m_blank->run().diameterDeviation(radii.radii[1].depth_mm, radii.radii[2].depth_mm);

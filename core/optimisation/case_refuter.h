@@ -74,19 +74,19 @@ private:
     /// One of the two deepest radii.
     struct Deep {
         double lag_mm = 0;
-        double share = 0; ///< share of the infeed by which its lag is less in each step
+        double share = 0; ///< share of the infeed by which its lag decreases in each step
         const SteadyLags::Most* most = nullptr; ///< by setting
     };
     /// End of the stages before the last, for the stocks in a range.
     struct End {
-        double infeed_mm = 0;             ///< infeed before the least of the stocks may be at size
+        double infeed_mm = 0;             ///< infeed before the least of the stocks can be at size
         double stocks_mm = 0;             ///< length of the range
         double gauged_mm = 0;             ///< lag of the deepest gauged radius
         const double* least_mm = nullptr; ///< least steady lags there, by setting
         std::array<Deep, 2> deep{};
         bool isTooDeep = false; ///< a diameter of the least stock is already too deep
     };
-    /// A stage that begins at a state, as far as it was run.
+    /// A stage that begins at a state, as far as it has been run.
     struct Stage {
         std::map<std::size_t, std::shared_ptr<const CycleSteps>> kept; ///< by steps made
         std::unique_ptr<CycleSteps> steps; ///< steps up to the last state
@@ -123,8 +123,8 @@ private:
     double m_tolerance_mm = 0;         ///< tolerance of a stock at which a step ends a stage
     std::vector<double> m_infeeds_mm;  ///< by setting
     std::vector<FollowedFeed> m_feeds; ///< by setting; empty: no cycle can be refuted
-    std::optional<SteadyLags> m_lags;  ///< of these feeds
-    std::vector<End> m_ends;           ///< of the last stages asked for
+    std::optional<SteadyLags> m_lags;  ///< lags of these feeds
+    std::vector<End> m_ends;           ///< ends of the requested last stages
     double m_leastDepth_mm =
         0; ///< less than the final depth of any gauged radius, for the least stock
     double m_excess_mm =

@@ -22,13 +22,13 @@ inline constexpr std::int64_t noTime_us = std::numeric_limits<std::int64_t>::max
     return static_cast<double>(time_us) * 1e-6;
 }
 
-/// Returns whether a stage made no step because its stock was gone before it began.
+/// Returns whether a stage made no step because its stock was removed before it began.
 [[nodiscard]] inline bool hasIdleStage(const SimulationResult& result) {
     return std::find(result.countsByStage.begin(), result.countsByStage.end(), 0)
            != result.countsByStage.end();
 }
 
-/// Returns what a full step of a stage with this setting feeds.
+/// Returns the infeed of a full step of a stage with this setting.
 [[nodiscard]] StepFeed stepFeedOf(const Project& project, const StageSetting& setting,
                                   std::size_t stage);
 
@@ -44,11 +44,11 @@ struct SearchCounts {
 class CycleRunner {
 public:
     /// The project is that of the grid or another state of its part. A stop ends a run, within one
-    /// radius where sections deflect each other; the result then decides nothing.
+    /// radius where sections deflect each other; the result must then be discarded.
     CycleRunner(const Project& project, const Grid& grid, const std::stop_token& stop);
 
-    /// Runs a cycle to its end with the result of simulate(). Returns nothing where the run was
-    /// cut: it was slower than `slowest_us`, or its passes or diameters broke a requirement, which
+    /// Runs a cycle to its end with the result of simulate(). Returns nullopt if the run was cut:
+    /// it was slower than `slowest_us`, or its passes or diameters violated a requirement, which
     /// then counts as cut.
     [[nodiscard]] std::optional<SimulationResult>
     run(const GridCycle& cycle, std::int64_t slowest_us, SearchCounts& counts);

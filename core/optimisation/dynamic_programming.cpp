@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    /// Stage by stage, all states from all states before. False: stopped.
+    /// Stage by stage, all states from all previous states. False after a stop.
     bool search(std::size_t stages) {
         StageStates states;
         Label blank;
@@ -76,7 +76,7 @@ private:
         return true;
     }
 
-    /// The quickest first: what they reach is seldom reached more quickly later.
+    /// The quickest first: states they reach are seldom reached more quickly later.
     static std::vector<const Label*> byTime(const StageStates& states) {
         std::vector<const Label*> all;
         for (const auto& [key, labels] : states) {
@@ -110,9 +110,9 @@ private:
         }
     }
 
-    /// What takes longer than the best so far cannot beat it, nor keep from a state what can. What
-    /// only will take longer, by a proven bound, might do the latter before the last stage: there
-    /// the published rule is left to it.
+    /// Drops labels that take longer than the best, which can neither beat it nor exclude a better
+    /// one. Labels dropped by a proven bound might do the latter before the last stage: these are
+    /// left to the published rule.
     [[nodiscard]] bool isDropped(const CyclePrefix& from, const Run& run, std::size_t setting,
                                  int taken) const {
         const double least_s = m_rule == LabelRule::quickest && !from.isBeforeLast()
@@ -153,7 +153,7 @@ private:
                             [&](const Label& other) { return isBeaten(label, other); });
     }
 
-    /// Whether b leaves no room for a.
+    /// Whether b dominates a.
     [[nodiscard]] bool isBeaten(const Label& a, const Label& b) const {
         return b.time_s <= a.time_s
                && (m_rule == LabelRule::quickest || b.deflection_mm <= a.deflection_mm);

@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-/// Hands out the cycles of the grid in portions, and gathers what came of them.
+/// Hands out the cycles of the grid in portions, and collects their results.
 class FullSearch {
 public:
     FullSearch(const Project& project, const Grid& grid, const SearchOptions& options)
@@ -55,10 +55,10 @@ private:
 
     /// Cycles that follow each other in the grid.
     struct Portion {
-        long long number = 0; ///< in the order they were handed out
+        long long number = 0; ///< in the order of the portions
         std::vector<GridCycle> cycles;
-        std::size_t done = 0; ///< of the cycles: fewer when it was stopped
-        SearchCounts counts;  ///< of these
+        std::size_t done = 0; ///< number of decided cycles: fewer after a stop
+        SearchCounts counts;  ///< counts of these cycles
         [[nodiscard]] bool isDone() const { return done == cycles.size(); }
     };
 
@@ -86,8 +86,7 @@ private:
     }
 
     /// Decided cycles are counted in grid order up to the first undecided one: a resumed search
-    /// begins behind the last one counted, and decides again on those that other threads decided
-    /// beyond it.
+    /// begins after the last counted cycle, and repeats those that other threads decided beyond it.
     void giveBack(Portion portion, const Judge& judge) {
         const std::scoped_lock lock(m_mutex);
         if (judge.best()) {
@@ -108,7 +107,7 @@ private:
         }
     }
 
-    /// Hands out the next cycles; none: all were, or it is stopped.
+    /// Returns the next cycles; empty at the end or after a stop.
     Portion take(Judge& judge) {
         const std::scoped_lock lock(m_mutex);
         if (m_best.best()) {
@@ -133,11 +132,11 @@ private:
     const Project& m_project;
     const Grid& m_grid;
     const SearchOptions& m_options;
-    std::mutex m_mutex; ///< of what follows
+    std::mutex m_mutex; ///< guards the following members
     Judge m_best;
     GridCycle m_handed;                  ///< the last handed out
     GridCycle m_last;                    ///< the last counted
-    std::map<long long, Portion> m_done; ///< given back, but not counted yet
+    std::map<long long, Portion> m_done; ///< returned, but not counted yet
     long long m_portions = 0, m_counted = 0;
     bool m_exhausted = false, m_cutShort = false;
 };

@@ -146,7 +146,7 @@ bool Grid::readShape(const Optimisation& asked, std::size_t stages) {
     return possible;
 }
 
-// The bounds of the last stage are those of the steps taken before it.
+// The bounds of the last stage limit the steps taken before it.
 void Grid::readStocks(const Optimisation& asked, Shape& shape) const {
     constexpr double slack = 1e-6;
     const std::size_t stages = shape.least.size();
@@ -252,7 +252,7 @@ bool Grid::mayFollow(std::size_t first, std::size_t second) const {
                && b.continuousFeed_mm_min <= a.continuousFeed_mm_min);
 }
 
-/// Ways to share the steps among all stages but the last.
+/// Ways to divide the steps among all stages but the last.
 long double Grid::splits(const Shape& shape) const {
     if (shape.least.size() == 1) {
         return 1;
@@ -260,7 +260,7 @@ long double Grid::splits(const Shape& shape) const {
     std::vector<long double> ways(static_cast<std::size_t>(m_steps) + 1, 0.0L); // by steps taken
     ways[0] = 1;
     for (std::size_t z = 0; z + 1 < shape.least.size(); ++z) {
-        std::vector<long double> sums(ways.size() + 1, 0.0L); // of the ways before
+        std::vector<long double> sums(ways.size() + 1, 0.0L); // of the earlier ways
         std::partial_sum(ways.begin(), ways.end(), sums.begin() + 1);
         for (int taken = 0; taken <= m_steps; ++taken) {
             const auto to = static_cast<std::size_t>(std::max(taken - shape.least[z] + 1, 0));
@@ -274,7 +274,7 @@ long double Grid::splits(const Shape& shape) const {
 
 // From the last stage to the first: number of extensions of a setting of this stage.
 std::int64_t Grid::size() const {
-    constexpr long double beyond = 9.3e18L; // a whole number of 63 bits: the rest does not matter
+    constexpr long double beyond = 9.3e18L; // exceeds 63 bits: the exact number does not matter
     long double total = 0;
     for (const std::size_t stages : m_stageCounts) {
         if (total > beyond) {
@@ -308,8 +308,8 @@ int stepsTaken(const GridCycle& cycle) {
 
 } // namespace
 
-// A setting that a stage may have leaves one for the next, and what leastTaken() and mostTaken()
-// leave can be shared, so what is begun can always be completed.
+// An allowed setting leaves one for the next stage, and the stock left by leastTaken() and
+// mostTaken() can be divided, so that a begun cycle can always be completed.
 void Grid::complete(GridCycle& cycle, std::size_t stages) const {
     while (cycle.size() < stages) {
         std::size_t setting = 0;
@@ -369,7 +369,7 @@ GridCycle Grid::uniform(std::size_t stages, std::size_t setting) const {
         std::size_t own = setting;
         while (last && m_sparkOut > 0 && own < m_settings.size()
                && !mayExtend(cycle, stages, own)) {
-            ++own; // the spark-outs stand behind the feeds
+            ++own; // the spark-outs follow the feeds
         }
         if (own == m_settings.size() || !mayExtend(cycle, stages, own)) {
             return {};

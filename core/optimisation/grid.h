@@ -39,12 +39,12 @@ enum class GridFault {
 };
 inline constexpr double mostSettings = 5000, mostStockSteps = 10'000, mostVariants = 500;
 
-/// Cycles that a project's optimisation allows with the machine as it is set and the first of its
-/// spark-out counts (see Variants). Every stage takes any listed feeds within its bounds: a radial
-/// or a continuous one, and an axial one. Stage stocks are positive multiples of the stock step
-/// that sum to the part's stock; the last stage takes the remainder, however small, which in cycles
-/// of several stages lies within last_stock_mm. With non_increasing no feed rises from stage to
-/// stage; a feed that a stage does not have counts as 0. A spark-out is an additional last stage
+/// Cycles that a project's optimisation allows with the current machine settings and the first of
+/// its spark-out counts (see Variants). Every stage takes any listed feeds within its bounds: a
+/// radial or a continuous one, and an axial one. Stage stocks are positive multiples of the stock
+/// step that sum to the part's stock; the last stage takes the remainder, however small, which in
+/// cycles of several stages lies within last_stock_mm. With non_increasing no feed rises from stage
+/// to stage; a feed that a stage does not have counts as 0. A spark-out is an additional last stage
 /// with any listed axial feed and a remainder that may be zero; then the stage before it takes the
 /// rest of a step.
 ///
@@ -60,7 +60,7 @@ public:
     /// Numbers of stages, the spark-out included.
     [[nodiscard]] const std::vector<std::size_t>& stageCounts() const { return m_stageCounts; }
     [[nodiscard]] int sparkOut() const { return m_sparkOut; }
-    /// Returns whether single stages have bounds of their own.
+    /// Returns whether single stages have their own bounds.
     [[nodiscard]] bool hasStageBounds() const { return m_bounded; }
     /// Least and greatest number of stock steps taken by the end of stage z, which is not the last
     /// of `stages`, when `taken` were taken by the end of the stage before: the later stages can
@@ -101,7 +101,7 @@ public:
     /// false after the last.
     [[nodiscard]] bool next(GridCycle& cycle) const;
     /// Returns the first cycle of this number of stages in which all feeding stages have one
-    /// setting; empty: there is none.
+    /// setting; empty if there is none.
     [[nodiscard]] GridCycle uniform(std::size_t stages, std::size_t setting) const;
     /// Returns whether a comes before b in grid order.
     [[nodiscard]] bool before(const GridCycle& a, const GridCycle& b) const;
@@ -147,7 +147,7 @@ private:
 
 // A setting may be followed by those that are not above it in any feed: sums over a corner of a
 // table of infeed and axial feed, row by row and then column by column. Continuous feeds continue
-// from the row of those that have neither.
+// from the row of settings without either.
 template <class Value, class Combine>
 std::vector<Value> Grid::overFollowers(const std::vector<Value>& each, Value first,
                                        Combine combine) const {

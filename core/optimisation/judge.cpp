@@ -25,7 +25,7 @@ Judge::Judge(const Grid& grid, const SearchOptions& options)
     m_scenarios.reserve(scenarios.size());
     for (const Project& scenario : scenarios) {
         if (options.stop.stop_requested()) {
-            break; // nor will a cycle be run to its end
+            break; // and a cycle will not be run to its end
         }
         m_scenarios.push_back(runner(scenario, scenarios.size()));
     }
@@ -42,7 +42,7 @@ double Judge::demandedMargin() const {
     return std::max(best, m_options.beyondMargin.value_or(none));
 }
 
-/// The full search, as the reference, cuts nothing by its margin.
+/// The full search, as the reference, does not cut by margin.
 void Judge::demandMargin() {
     if (m_options.method != SearchMethod::full) {
         for (const auto& scenario : m_scenarios) {
@@ -107,7 +107,7 @@ bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int me
     const std::optional<double> margin = leastMargin(result);
     const int all = m_scenarios.empty() && !m_options.challenge && !m_options.wholeMargin
                         ? 0
-                        : merged; // the first comes first in grid order
+                        : merged; // in grid order the first precedes the others
     const bool waits = m_options.challenge && m_options.method == SearchMethod::pruned;
     bool best = false;
     for (int more = 0; margin && more <= all; ++more) {
@@ -136,11 +136,11 @@ bool Judge::holdsOnAll(FeasibleCycle& found) {
         return true;
     }
     if (m_best && !isBetter(found, *m_best, m_grid, m_options.aim())) {
-        return false; // its margin is no greater on all
+        return false; // its margin is at most that
     }
     const WholeMargin whole = m_options.wholeMargin(found, demandedMargin());
     if (!whole.margin || m_options.stop.stop_requested()) {
-        return false; // a test that is stopped shows nothing
+        return false; // a stopped test proves nothing
     }
     found.leastRelativeMargin = std::min(found.leastRelativeMargin, *whole.margin);
     return !m_options.beyondMargin || found.leastRelativeMargin > *m_options.beyondMargin;
@@ -158,15 +158,15 @@ void Judge::challengeWaiting(double time_s) {
         FeasibleCycle found = *first;
         const bool holds = holdsOnScenarios(found);
         if (m_options.stop.stop_requested()) {
-            return; // it waits on, and its time is a bound
+            return; // it remains waiting, and its time is a bound
         }
         if (holds && found.leastRelativeMargin < first->leastRelativeMargin) {
-            *first = found; // another may be better now
+            *first = found; // another may be the best now
             continue;
         }
         const bool challenged = holds && isChallenged(found);
         if (challenged && m_options.stop.stop_requested()) {
-            return; // it waits on too
+            return; // it remains waiting
         }
         m_waiting.erase(first);
         if (holds && !challenged) {
@@ -183,7 +183,7 @@ double Judge::leastWaiting_s() const {
     return least_s;
 }
 
-/// Replaces the best cycle, which is kept waiting where its time is equal.
+/// Replaces the best cycle, which keeps waiting if its time is equal.
 void Judge::put(const FeasibleCycle& found) {
     const bool tie = m_best && m_best->time_us == found.time_us;
     if (tie && m_best->variant == found.variant) {
@@ -216,7 +216,7 @@ void Judge::keepRefuted(GridCycle beforeLast, int merged, std::vector<std::size_
     }
 }
 
-/// The case that refuted the last cycle is asked first.
+/// Tries the case that refuted the last cycle first.
 bool Judge::isRefutedByCase(const GridCycle& cycle) {
     const auto deep = std::find_if(m_cases.begin(), m_cases.end(),
                                    [&](const auto& each) { return each->refutes(cycle); });
@@ -228,7 +228,7 @@ bool Judge::isRefutedByCase(const GridCycle& cycle) {
     return true;
 }
 
-/// The scenario that failed last is asked first.
+/// Tries the scenario that failed last first.
 bool Judge::isCycleRefuted(const GridCycle& cycle) {
     if (isRefutedByCase(cycle)) {
         return true;
@@ -250,7 +250,7 @@ bool Judge::decide(const GridCycle& cycle, CycleRunner& runner) {
     if (!result) {
         ++counts.evaluations;
     }
-    if (m_options.stop.stop_requested() && !best) { // perhaps within a run: nothing is decided
+    if (m_options.stop.stop_requested() && !best) { // possibly within a run: nothing is decided
         counts = before;
     }
     return best;
@@ -263,7 +263,7 @@ void Judge::decideDone(const CyclePrefix& whole, CycleSteps& steps, CycleRunner&
         return;
     }
     if (m_options.method == SearchMethod::pruned && time_us < m_options.quickest_us) {
-        ++counts.evaluations; // was judged before
+        ++counts.evaluations; // judged earlier
     } else if (!runner.isGauged()) {
         decide(whole.cycle, runner);
     } else if (const auto broken = runner.cuts().brokenAtEnd(steps.run())) {
@@ -273,12 +273,12 @@ void Judge::decideDone(const CyclePrefix& whole, CycleSteps& steps, CycleRunner&
     }
 }
 
-/// Returns whether the challenge finds a part on which the cycle fails; the best cycle so far must
-/// hold on that part, too.
+/// Returns whether the challenge finds a part on which the cycle fails; the best cycle must be fit
+/// for that part, too.
 bool Judge::isChallenged(const FeasibleCycle& found) {
     auto failing = m_options.challenge(found);
     if (m_options.stop.stop_requested()) {
-        return true; // a test that is stopped shows nothing
+        return true; // a stopped test proves nothing
     }
     if (!failing) {
         return false;
@@ -288,7 +288,7 @@ bool Judge::isChallenged(const FeasibleCycle& found) {
     if (m_best && m_best->variant == m_options.variant) {
         result = further->run(m_best->cycle, counts);
         if (m_options.stop.stop_requested()) {
-            return true; // whether the best holds there, too, is not known: it is left out
+            return true; // whether the best is fit for it is unknown: it is dropped
         }
     }
     m_scenarios.insert(m_scenarios.begin(), std::move(further));

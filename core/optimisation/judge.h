@@ -51,7 +51,7 @@ public:
     [[nodiscard]] std::int64_t mostTime_us() const {
         return m_options.marginWithin_us.value_or(bestTime_us());
     }
-    /// Least relative margin of a cycle that can be better than the best one; −∞: any that holds
+    /// Least relative margin of a cycle that can be better than the best one; −∞: any feasible one
     /// may be.
     [[nodiscard]] double demandedMargin() const;
     /// Scenarios and cases that challenges added, and whether the best cycle failed in one of them.
@@ -66,14 +66,14 @@ private:
     void add(const PhaseCase& of);
     bool isRefutedByCase(const GridCycle& cycle);
     bool isCycleRefuted(const GridCycle& cycle);
-    /// Returns whether a cycle holds on the scenarios, and sets its margin to the least one.
+    /// Returns whether a cycle is feasible in the scenarios, and sets its margin to the least one.
     bool holdsOnScenarios(FeasibleCycle& found);
-    /// Returns whether a cycle that would be the best holds on the further parts.
+    /// Returns whether a cycle that would be the best is fit for the further parts.
     bool holdsOnAll(FeasibleCycle& found);
     void demandMargin();
     bool isChallenged(const FeasibleCycle& found);
     void put(const FeasibleCycle& found);
-    /// Returns the least relative margin; nothing: a requirement is not met.
+    /// Returns the least relative margin; nullopt if a requirement is not met.
     std::optional<double> leastMargin(const SimulationResult& result);
     /// Returns the least margin over the part, which is given, and the scenarios.
     std::optional<double> leastMargin(const GridCycle& cycle, double margin);

@@ -4,7 +4,7 @@
 namespace sparkout {
 
 namespace {
-constexpr double followedRounding_mm = 1e-9; ///< of depths, generously
+constexpr double followedRounding_mm = 1e-9; ///< rounding of depths, generously
 }
 
 FollowedRadii criticalRadii(const CycleSteps& steps) {

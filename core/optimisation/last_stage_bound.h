@@ -30,17 +30,17 @@ struct LastStageBound {
 /// Bounds the last stage under gauge control from a state in which all feeding stages but the last
 /// are done. Feeds of the grid are above 0: no stage retracts.
 ///
-/// The gauge stands in НЗ, or in a section, which is cut in strokes alone. The cycle ends when
-/// Π_rem ≤ slack, and Π_rem is |R_first − R_t| less the mean depth of two opposite radii there, or
-/// of all of them: not before the deepest of these radii is at the size. They have one γ, and depth
-/// + a(t_П − depth) rises with t_П and with depth, as a rises by no more than its infeed does: so
+/// The gauge is in НЗ, or in a section, which is cut in strokes alone. The cycle ends when Π_rem ≤
+/// slack, and Π_rem is |R_first − R_t| less the mean depth of two opposite radii there, or of all
+/// of them: not before the deepest of these radii is at the size. They have one γ, and depth +
+/// a(t_П − depth) rises with t_П and with depth, as a rises by no more than its infeed does: so
 /// none becomes deeper than one that is now as deep as the deepest and is visited at the end of the
 /// revolution, where the infeed is greatest; that one alone gives a number of steps before which
 /// the stage does not end. Radii only grow deeper: a diameter of two others beyond the field after
 /// that many steps is beyond it at the end. The two that are deepest now are taken. For the same
 /// reason the strokes alone make no radius deeper than all passes do: mostly they already show that
 /// a diameter is too deep, and the other passes are followed only where they do not. Where radii
-/// depend on each other, or the gauge stands elsewhere, there is no bound.
+/// depend on each other, or the gauge is elsewhere, there is no bound.
 ///
 /// @param part  any steps of the part, with a follower
 [[nodiscard]] LastStageBound lastStageBound(const CycleSteps& part, const FollowedRadii& critical,

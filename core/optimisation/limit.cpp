@@ -34,9 +34,9 @@ namespace sparkout {
 namespace {
 
 constexpr int stockCells = 100, feedCells = 120;
-constexpr double slowestShare = 1e-3; ///< of the fastest axial feed: the cells' first upper end
+constexpr double slowestShare = 1e-3; ///< relative to the fastest axial feed
 
-/// The greatest a feed can be: of the machine's range, or of what is set and searched.
+/// The greatest possible feed: of the machine's range, or of the project and the search.
 double greatest(const Project& project, const StageFeed& feed) {
     const auto& range = project.machine->limits.*feed.range;
     if (range && range->size() == 3) {
@@ -54,13 +54,13 @@ double greatest(const Project& project, const StageFeed& feed) {
     return most;
 }
 
-/// The greatest continuous infeed likewise [mm/min]; 0: there is none.
+/// The greatest continuous infeed [mm/min]; 0 if there is none.
 double greatestContinuous(const Project& project) {
     const StageFeed* const feed = project.operation->continuous;
     return feed ? greatest(project, *feed) : 0;
 }
 
-/// The greatest cut, and what keeps it from being greater.
+/// The greatest cut and its bound.
 struct BoundCut {
     double depth_mm = 0;
     LimitBound bound = LimitBound::stock;
@@ -70,7 +70,7 @@ struct BoundCut {
     }
 };
 
-/// Least of the depths allowed at every pass [mm], and no more than what counts: the stock.
+/// Least of the depths allowed at every pass [mm], at most the stock.
 BoundCut leastLimit(const Project& project, double b, double stock_mm) {
     BoundCut least{project.part->stock_mm};
     for (const DepthLimit& limit : depthLimits(project, b, stock_mm)) {
@@ -81,7 +81,7 @@ BoundCut leastLimit(const Project& project, double b, double stock_mm) {
     return least;
 }
 
-/// The pieces as they are met, from the deepest stock on.
+/// Collects the pieces, from the deepest stock on.
 class Pieces {
 public:
     void add(double from_mm, double to_mm, const BoundCut& cut, double time_s) {
@@ -99,7 +99,7 @@ private:
     std::vector<LimitPiece> m_pieces;
 };
 
-/// The steps of a cycle as far as their time goes.
+/// The times of a cycle's steps.
 class StepTimes {
 public:
     StepTimes(const Project& project, double continuousFeed_mm_min)
@@ -121,23 +121,23 @@ public:
 
     double infeed_mm = 0; ///< the greatest of a step
 
-    /// Least time of a step beside that of plunging in [s].
+    /// Least time of a step, without plunging in [s].
     [[nodiscard]] double least_s() const { return travels() ? step_s(m_fastest) : m_revolution_s; }
 
-    /// Least time of so much infeed by steps alone, and of `further` ones without any [s].
+    /// Least time of this infeed by steps alone, and of `further` steps without infeed [s].
     [[nodiscard]] double feeding_s(double fed_mm, int further) const {
         const double steps_s = least_s(), rest_s = further * steps_s;
         if (!(m_continuous_mm_s > 0)) {
             const double steps = std::max(std::ceil(fed_mm / infeed_mm - 1e-9), 1.0);
             return withPlungeIn_s(steps * steps_s, fed_mm) + rest_s;
         }
-        // the least over N, of which more take longer and leave less to the continuous infeed
+        // the least over N: more steps take longer and leave less to the continuous infeed
         const auto by = [&](double steps) { return withPlungeIn_s(steps * steps_s, fed_mm); };
         const auto continuous_s = [&](double steps) {
             return (fed_mm - steps * infeed_mm) / m_continuous_mm_s;
         };
         double low = 0, high = infeed_mm > 0 ? std::ceil(std::max(fed_mm / infeed_mm, 1.0)) : 1;
-        while (high - low > 1) { // by(high) ≥ continuous_s(high), but not those of low
+        while (high - low > 1) { // by(high) ≥ continuous_s(high), but by(low) < continuous_s(low)
             const double middle = std::floor((low + high) / 2);
             (by(middle) >= continuous_s(middle) ? high : low) = middle;
         }
@@ -145,7 +145,7 @@ public:
         return (low > 0 ? std::min(there_s, continuous_s(low)) : there_s) + rest_s;
     }
 
-    /// The same of what the passes of strokes and dwells take at least, with all plunging in.
+    /// Adds all plunging in to the least time of strokes and dwells.
     [[nodiscard]] double withPlungeIn_s(double passes_s, double fed_mm) const {
         if (!travels()) {
             return passes_s;
@@ -162,7 +162,7 @@ public:
         return passes_s + std::max(std::ceil(turns - rounding), 0.0) * m_revolution_s;
     }
 
-    /// ρ(s), or more [mm/s], with the cut that it is by.
+    /// Upper bound of ρ(s) [mm/s], with its cut.
     [[nodiscard]] std::pair<double, BoundCut> rate(double stock_mm) const {
         if (!travels()) {
             const double slices = isCoupled(m_project) ? m_project.sections : 1;
@@ -171,7 +171,7 @@ public:
             return {cut.depth_mm / m_revolution_s, cut};
         }
         std::pair<double, BoundCut> most{-1, {}};
-        double low = 0; // the first cell extends down to a standstill, where no drive is needed
+        double low = 0; // the first cell extends to standstill, where no drive is needed
         for (int i = 0; i <= feedCells; ++i) {
             const double high =
                 m_fastest * std::pow(slowestShare, 1 - static_cast<double>(i) / feedCells);
@@ -199,7 +199,7 @@ private:
     double m_fastest = 0; ///< S_ax [mm/min]
 };
 
-/// What may be left to target where the drawing is held [mm per side].
+/// The greatest stock left that the drawing allows [mm per side].
 double leftByField_mm(const Part& part) {
     const double shaft = part.surface == Surface::external ? 1 : -1;
     const double edge_um = shaft > 0 ? part.upper_deviation_um : part.lower_deviation_um;
@@ -207,15 +207,15 @@ double leftByField_mm(const Part& part) {
     return std::max(shaft * (edge_mm - targetRadius(part)), 0.0) + diameterSlack_mm;
 }
 
-/// A radius of a section that is sure to lose this stock, and may stop so far above the target.
+/// A radius of a section that certainly loses this stock, and may end this far above the target.
 struct Loss {
     double stock_mm = 0, left_mm = 0;
     std::size_t section = 0;
-    SpreadOf spread = SpreadOf::eachRadius; ///< from other sections
+    SpreadOf spread = SpreadOf::eachRadius; ///< relative to other sections
 };
 
-/// The radii of a section: the deepest of the blank, and of the diameters that are whole the one
-/// whose deeper end is the shallowest.
+/// The radii of a section: the deepest of the blank, and of the complete diameters the one whose
+/// deeper end is the shallowest.
 struct BlankOfSection {
     double deepest_mm = 0, shallowPair_mm = std::numeric_limits<double>::infinity();
     BlankOfSection(const Blank& blank, std::size_t section) {
@@ -233,8 +233,8 @@ struct BlankOfSection {
     }
 };
 
-/// Points (1) to (4) of the header, of a cycle that leaves no more than `left_mm` where it is
-/// gauged, or in the mean of two opposite radii.
+/// Points (1) to (4) of the header, for a cycle that leaves at most `left_mm` at the gauge, or in
+/// the mean of two opposite radii.
 std::vector<Loss> lossesOf(const Project& project, const Blank& blank, double left_mm) {
     const double all_mm = blank.totalInfeed_mm;
     const auto gauged = static_cast<std::size_t>(gaugeSection(project));
@@ -284,7 +284,7 @@ public:
             while (next != release.end() && next->stock_mm < upper_mm) {
                 ++next;
             }
-            const bool known = next != release.end(); // it rises: its value further on is no less
+            const bool known = next != release.end(); // it rises: later values are no less
             BoundCut most = leastLimit(project, m_b, m_left_mm + upper_mm);
             if (known && next->depth_mm < most.depth_mm) {
                 most = {next->depth_mm, LimitBound::accuracy};
@@ -299,7 +299,7 @@ public:
         }
     }
 
-    /// None where it cannot be lost in so many. Adds what bounds each pass, of so much time; the
+    /// Empty if it cannot be lost in so many passes. Adds the bound of each pass with its time; the
     /// last ones that count together are one piece.
     [[nodiscard]] std::optional<int> count(const std::stop_token& stop, double pass_s,
                                            Pieces& pieces, int& together) const {
@@ -309,7 +309,7 @@ public:
         }
         std::size_t before = passes.size(), last = 0;
         for (std::size_t m = 0; m < m_lastCuts_mm.size(); ++m) {
-            std::size_t n = 0; // the last ones take no more than is left here
+            std::size_t n = 0; // the last ones take at most the stock left here
             while (n < passes.size() && passes[n].from_mm > m_lastCuts_mm[m]) {
                 ++n;
             }
@@ -320,7 +320,7 @@ public:
         }
         const std::size_t all = before + last;
         if (last > 0 && before == passes.size()) {
-            --before; // the pass that may take all that is left is one of those together
+            --before; // the pass that may take all the rest is one of those together
         }
         for (std::size_t n = 0; n < before; ++n) {
             pieces.add(m_left_mm + passes[n].from_mm, m_left_mm + passes[n].to_mm, passes[n].cut,
@@ -336,11 +336,11 @@ public:
 
 private:
     struct Pass {
-        double from_mm = 0, to_mm = 0; ///< still lost before it and after it, at the least
+        double from_mm = 0, to_mm = 0; ///< least stock still to lose before and after it
         BoundCut cut;
     };
 
-    /// Pass by pass the greatest cuts, until all is lost or none is.
+    /// The greatest cuts pass by pass, until all is lost or no cut is possible.
     [[nodiscard]] std::vector<Pass> allPasses(const std::stop_token& stop) const {
         constexpr std::size_t most = 1'000'000;
         constexpr double lastBits = 1e-9;
@@ -349,7 +349,7 @@ private:
         std::size_t cell = cells - 1;
         while (left_mm > 0 && passes.size() < most && !stop.stop_requested()) {
             reached_mm = depthAfter(m_law, m_b, m_gamma, reached_mm, m_infeed_mm);
-            const auto lowest = [&](std::size_t i) { // that is left after a pass that ends in i
+            const auto lowest = [&](std::size_t i) { // stock left after a pass that ends in i
                 return left_mm - std::min(reached_mm, m_most[i].depth_mm) * (1 + lastBits);
             };
             while (cell > 0 && lowest(cell - 1) <= static_cast<double>(cell) * m_cell_mm) {
@@ -359,7 +359,7 @@ private:
             if (after_mm >= left_mm) {
                 break;
             }
-            // at the lower end of its cell it is what allows no cut into the next
+            // at the lower end of its cell it allows no cut into the next
             const bool isEnd = cell > 0 && after_mm > lowest(cell);
             const BoundCut& allowed = m_most[isEnd ? cell - 1 : cell];
             const BoundCut feed{reached_mm, LimitBound::feed};
@@ -370,8 +370,8 @@ private:
         return passes;
     }
 
-    /// What the last two and three cuts take together, where the radii of the stiffest section may
-    /// stand so far away.
+    /// Bounds the sums of the last two and three cuts, where the radii of the stiffest section may
+    /// be this far apart.
     void boundLastCuts(double stiffest, double spread_mm, const std::stop_token& stop) {
         constexpr double lastBits = 1e-9;
         const auto most = [&](double after_mm) {
@@ -392,8 +392,8 @@ private:
     static constexpr std::size_t fewestTogether = 2, mostTogether = 3;
     ForceLaw m_law;
     double m_b, m_gamma = 0, m_infeed_mm, m_left_mm, m_cell_mm;
-    std::vector<BoundCut> m_most;      ///< of a pass that leaves up to the upper end of a cell
-    std::vector<double> m_lastCuts_mm; ///< that the last two, three … take together at most
+    std::vector<BoundCut> m_most;      ///< cuts of a pass that leaves up to a cell's upper end
+    std::vector<double> m_lastCuts_mm; ///< greatest sums of the last two, three … cuts
 };
 
 /// Whether passes of a radius follow one another as the release and the build-up suppose.
@@ -402,7 +402,7 @@ bool countsPasses(const Project& project) {
            && !hasThreshold(project);
 }
 
-/// Puts a bound in the place of a smaller one.
+/// Replaces a smaller bound.
 void takeGreater(SteplessLimit& limit, double time_s, LimitBy by, const Pieces& pieces,
                  const CountedRadius& counted = {}) {
     if (time_s > limit.time_s) {
@@ -410,7 +410,7 @@ void takeGreater(SteplessLimit& limit, double time_s, LimitBy by, const Pieces& 
     }
 }
 
-/// Of one variant, whose cycles spark out by count in the end or do not.
+/// The limit of one variant, whose cycles end with a counted spark-out or do not.
 SteplessLimit limitOf(const Project& project, const LimitedCycles& cycles, bool sparksOut,
                       const std::stop_token& stop) {
     const Blank blank = makeBlank(*project.part);
@@ -419,17 +419,17 @@ SteplessLimit limitOf(const Project& project, const LimitedCycles& cycles, bool 
     if (times.infeed_mm <= 0 && cycles.continuousFeed_mm_min <= 0) {
         return limit;
     }
-    // where the gauge ends the cycle, and reads too small, more is left
+    // where the gauge ends the cycle and reads too small, more stock is left
     const double all_mm = blank.totalInfeed_mm;
     const double short_mm = std::max(all_mm - depthAtEnd_mm(project, all_mm), 0.0);
     const double left = sparksOut ? leftByField_mm(*project.part) : short_mm;
-    const double end = left + 2 * stageSlack_mm + mostOfDiameters_mm(project); ///< stock left there
+    const double end = left + 2 * stageSlack_mm + mostOfDiameters_mm(project); ///< stock left
     const double all = blank.totalInfeed_mm - end;
-    // a datum of the position control may be nearer than the first touch; the wear of the wheel
-    // moves the first and the last of the feed alike
+    // a datum of the position control may be nearer than the first touch; wear of the wheel shifts
+    // the beginning and the end of the feed alike
     const double datum = firstFeed(project, blank.totalInfeed_mm) + standsBack_mm(project);
     const double fed = all - std::max(datum, 0.0);
-    // a last step cut short still takes its dwells and strokes
+    // a shortened last step takes its full dwells and strokes
     const double steps_s = times.feeding_s(fed, sparksOut ? 1 : 0);
     const double most_mm =
         times.infeed_mm + cycles.continuousFeed_mm_min / units::secondsPerMinute * times.least_s();
@@ -444,7 +444,7 @@ SteplessLimit limitOf(const Project& project, const LimitedCycles& cycles, bool 
         std::vector<std::pair<double, BoundCut>> rates; ///< from the size on
         for (int i = 1; i <= stockCells && cell > 0 && !stop.stop_requested(); ++i) {
             rates.push_back(times.rate(end + i * cell));
-            sum_s += cell / rates.back().first; // each cell adds to it
+            sum_s += cell / rates.back().first; // contribution of each cell
         }
         const double rates_s = times.withPlungeIn_s(sum_s, fed);
         Pieces byRates;

@@ -22,7 +22,7 @@ struct LimitPiece {
     double time_s = 0;                          ///< its share of the limit
 };
 
-/// The bound that is the greatest of those described below.
+/// The decisive one of the bounds described below.
 enum class LimitBy {
     steps,  ///< |R_first − R_t| by the greatest infeed
     rates,  ///< the integral of ds/ρ
@@ -39,14 +39,14 @@ struct CountedRadius {
 /// Cycles to which a limit applies.
 struct LimitedCycles {
     double continuousFeed_mm_min = 0; ///< greatest S_c of these cycles; 0: they have none
-    bool drawBack = false;            ///< cycles that draw the wheel head back are included
+    bool drawBack = false;            ///< includes cycles that retract the wheel head
     bool sparkOut = false; ///< cycles that end after a number of steps without feed are included
 };
 
 struct SteplessLimit {
     double time_s = 0; ///< steplessLimit_s()
     LimitBy by = LimitBy::steps;
-    CountedRadius counted{}; ///< by passes
+    CountedRadius counted{}; ///< counted passes of the radius
     /// Pieces in the order of falling stock, adjacent, each with another bound than its neighbour;
     /// their times add up to the limit. Empty where the limit is 0 or a stop cut the computation
     /// short.
@@ -75,27 +75,27 @@ struct SteplessLimit {
 ///
 /// * a continuous infeed S_c goes up to the end of the machine's range, without one up to the
 ///   greatest of the grid and of the project's cycle, which may have none;
-/// * the wheel head draws back where the project's cycle does: its grid never does;
+/// * the wheel head retracts only if the project's cycle does: its grid never does;
 /// * work speed, dwells and a spark-out by count are those of the grid or of the project's cycle.
 ///
 /// When the gauge ends the cycle, Π_rem ≤ slack. Π_rem is |R_first − R_t| less a mean of depths of
-/// the gauged section, so one of its radii stands within the slack of target or beyond. It started
-/// from a stock of at least Π, the least of the blank. Let s be its remaining stock. A pass of the
-/// width b takes a ≤ L_b(s after it), the least of the depths that the requirements allow; L rises
-/// with s (burn) or does not depend on it. The time between two passes is at least τ(v): 1/n in
-/// plunge; in traverse the gauged zone sees two passes in a double stroke, whose dwells and two
-/// strokes at the axial feed v, b = min(v/n, B), are charged in halves. With
+/// the gauged section, so one of its radii is within the slack of target or beyond. It started from
+/// a stock of at least Π, the least of the blank. Let s be its remaining stock. A pass of the width
+/// b takes a ≤ L_b(s after it), the least of the depths that the requirements allow; L rises with s
+/// (burn) or does not depend on it. The time between two passes is at least τ(v): 1/n in plunge; in
+/// traverse the gauged zone sees two passes in a double stroke, whose dwells and two strokes at the
+/// axial feed v, b = min(v/n, B), are charged in halves. With
 ///
-///     ρ(s) = max over v of L_b(s)/τ(v),
+/// ρ(s) = max over v of L_b(s)/τ(v),
 ///
 /// which does not fall with s, a pass from s₁ to s₂ < s₁ has
 ///
-///     ∫_{s₂}^{s₁} ds/ρ(s) ≤ (s₁ − s₂)/ρ(s₂) = a/ρ(s₂) ≤ τ(v),
+/// ∫_{s₂}^{s₁} ds/ρ(s) ≤ (s₁ − s₂)/ρ(s₂) = a/ρ(s₂) ≤ τ(v),
 ///
 /// and the sum over all passes is T_lim = ∫₀^Π ds/ρ(s) ≤ T. The integral is taken as its lower sum,
 /// with ρ at the upper end of each cell; over a cell of v, L_b at its lower and τ at its upper end
-/// is not less than L_b/τ within. So the returned value is itself a bound. At most Π of a pass
-/// counts, so L_b = Π where nothing limits it.
+/// is not less than L_b/τ within. So the returned value is itself a bound. A pass counts with at
+/// most Π, so L_b = Π where nothing limits it.
 ///
 /// Feeds are free up to the machine's range, without one up to the greatest of the grid and of the
 /// project's cycle. With the greatest infeed f of a step also T ≥ ⌈|R_first − R_t|/f⌉ steps, since
@@ -107,7 +107,7 @@ struct SteplessLimit {
 /// reversal or at both. The total infeed is at least |R_first − R_t|, so plunging in adds to either
 /// bound
 ///
-///     Σ⌈n·x_i/S_rad⌉ ≥ ⌈n·Σx_i/S_rad⌉ ≥ ⌈n·|R_first − R_t|/S_rad⌉
+/// Σ⌈n·x_i/S_rad⌉ ≥ ⌈n·Σx_i/S_rad⌉ ≥ ⌈n·|R_first − R_t|/S_rad⌉
 ///
 /// revolutions.
 ///
@@ -116,8 +116,8 @@ struct SteplessLimit {
 /// the reversals: S_rad·τ_p at most, and N·f in N double strokes, of which each takes c. So a time
 /// T = τ + τ_p has
 ///
-///     T ≥ τ,   S_c·T + S_rad·(T − τ) ≥ |R_first − R_t|,   S_c·T + N·f ≥ |R_first − R_t|,   τ ≥
-///     N·c.
+/// T ≥ τ,   S_c·T + S_rad·(T − τ) ≥ |R_first − R_t|,   S_c·T + N·f ≥ |R_first − R_t|,   τ ≥
+/// N·c.
 ///
 /// The first two add to the bound of the integral, which is one of τ; all four are the second
 /// bound, the least over N. Its third side falls with N, the others rise, so the least T is at the
@@ -129,12 +129,11 @@ struct SteplessLimit {
 /// stop κ above the target:
 ///
 /// (1) in the gauged section one that ends within the slack of target, its stock at least that of
-///     the blank's deepest radius;
-/// (2) in every section, on the diameter of which the deeper end of the blank is the shallowest,
-///     one of the two opposite radii stands at most δ before target, κ = δ;
-/// (3) in the gauged section each of these two, κ = r plus the slack: all radii are that near to
-///     (1);
-/// (4) in every section each of these two, κ = δ + r/2, as their mean is δ at the most.
+/// the blank's deepest radius; (2) in every section, on the diameter of which the deeper end of the
+/// blank is the shallowest,
+/// one of the two opposite radii stands at most δ before target, κ = δ; (3) in the gauged section
+/// each of these two, κ = r plus the slack: all radii are that near to
+/// (1); (4) in every section each of these two, κ = δ + r/2, as their mean is δ at the most.
 ///
 /// For (2) and (4) the gauged and the most compliant section are taken. Each pass of such a radius
 /// keeps a + γ·P(a) = γ·P(a_before) + Δt, Δt ≤ f, starting from zero deflection, or it cuts
@@ -142,9 +141,9 @@ struct SteplessLimit {
 ///
 /// * build-up: the i-th cut is A_i at most, A_i + γ·P(A_i) = γ·P(A_{i−1}) + f, A_0 = 0;
 /// * release, where the wheel head never draws back and so 0 ≤ Δt: a cut after which S is still
-/// lost is at most the release curve of
-///   core/quality/accuracy_limit.h at S, for the last cut that is proved there: of (1) and (2) for
-///   every radius, of (3) and (4), which two opposite radii share, for one of two;
+///   lost is at most the release curve of core/quality/accuracy_limit.h at S, for the last cut that
+///   is proved there: of (1) and (2) for every radius, of (3) and (4), which two opposite radii
+///   share, for one of two;
 /// * burn, power and self-sharpening: at most L(S + κ).
 ///
 /// The least of the last two, M(S), does not fall with S. From S a pass leads to the least S' with
@@ -181,13 +180,13 @@ struct SteplessLimit {
 [[nodiscard]] double steplessLimit_s(const Project& project, const std::stop_token& stop = {});
 
 /// Returns whether a limit is known and can be met: 0 is an unknown limit, an infinite one means
-/// that no cycle holds.
+/// that no cycle is feasible.
 [[nodiscard]] inline bool isKnownLimit(double limit_s) {
     return limit_s > 0 && std::isfinite(limit_s);
 }
 
 /// Returns the greatest share of a cycle's time that a stepless cycle might save, 1 − T_lim/T;
-/// nothing: no limit is known.
+/// empty without a known limit.
 [[nodiscard]] inline std::optional<double> gapToLimit(double time_s, double limit_s) {
     return time_s > 0 && isKnownLimit(limit_s) ? std::optional(1 - limit_s / time_s) : std::nullopt;
 }

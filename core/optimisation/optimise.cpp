@@ -30,7 +30,7 @@ SearchSummary search(const Project& project, const Grid& grid, const SearchOptio
     return prunedSearch(project, grid, options);
 }
 
-/// Searches variant by variant and adds up what comes of them.
+/// Searches variant by variant and combines the results.
 class VariantSearch {
 public:
     VariantSearch(const Project& project, const SearchOptions& options)
@@ -46,7 +46,7 @@ public:
                 m_order.emplace_back(leastTime_s(m_variants.project(v), m_variants.grid(v)), v);
             }
         }
-        if (options.method != SearchMethod::full) { // which is resumed where it was stopped
+        if (options.method != SearchMethod::full) { // a resumed search continues there
             std::sort(m_order.begin(), m_order.end());
         }
         if (options.resume) {
@@ -79,7 +79,7 @@ public:
     }
 
 private:
-    /// Least time of a cycle of the variants behind the one that is searched.
+    /// Least time of a cycle of the variants after the current one.
     [[nodiscard]] double restBound_s() const {
         double least_s = std::numeric_limits<double>::infinity();
         for (std::size_t i = m_at + 1; i < m_order.size(); ++i) {
@@ -101,7 +101,7 @@ private:
         m_options.onProgress(all);
     }
 
-    /// What was counted in the variants before.
+    /// Adds the counts of the earlier variants.
     void addBefore(SearchCheckpoint& checkpoint) const {
         checkpoint.evaluations += m_sum.evaluations;
         checkpoint.visits += m_sum.visits;
@@ -165,7 +165,7 @@ private:
     const Project& m_project;
     Variants m_variants;
     const SearchOptions& m_options;
-    SearchOptions m_own;                                 ///< for the variants
+    SearchOptions m_own;                                 ///< options for the variants
     std::vector<std::pair<double, std::size_t>> m_order; ///< least time [s] and variant
     bool m_unprepared = false;                           ///< stopped before the search
     std::size_t m_at = 0;
@@ -178,7 +178,7 @@ SearchSummary searchOnce(const Project& project, const SearchOptions& options) {
                            : searchVariants(project, options);
 }
 
-/// The quickest cycle whose margin is equal to that of the one found, which is the greatest.
+/// The quickest cycle whose margin equals the greatest one, which was found.
 SearchSummary quickestOfMargin(const Project& project, const SearchOptions& options,
                                const SearchSummary& widest) {
     SearchOptions search = options;

@@ -24,7 +24,7 @@
 ///   and their state; branch: all cycles with one prefix and next setting;
 /// * lag: infeed that a radius has not cut yet, t_П − depth; critical radii: the three by which a
 ///   last stage is bounded;
-/// * bound: a proved least time or number of steps; cut: to end a run that has broken a
+/// * bound: a proved least time or number of steps; cut: to end a run that has violated a
 ///   requirement; refute: to prove that a cycle fails before its last stage is run;
 /// * merge: to run one of several cycles with the same passes; label: time and deflection of a
 ///   state in dynamic programming;
@@ -45,9 +45,9 @@
 /// could be better is left out.
 ///
 /// Where a greatest time is given (`marginWithin_us`), the answer is instead the cycle with the
-/// greatest least relative margin among those that hold and take no longer. Margins that differ by
-/// no more than equalMargins are equal for a machine setter, and rounding decides which of them is
-/// greater. The answer is therefore the quickest, then as above, of the cycles whose margin is
+/// greatest least relative margin among the feasible ones that take no longer. Margins that differ
+/// by no more than equalMargins are equal for a machine setter, and rounding decides which of them
+/// is greater. The answer is therefore the quickest, then as above, of the cycles whose margin is
 /// within equalMargins of the greatest. It is found in a second search once the greatest margin is
 /// proved, because equality in this sense is not transitive and pairwise comparison would not find
 /// it. A longer time never gives a margin smaller by more than equalMargins, and with the least
@@ -58,9 +58,9 @@ namespace sparkout {
 inline constexpr double equalMargins = 1e-9;
 
 enum class SearchMethod {
-    full,      ///< runs every cycle of the grid from the blank, until it is decided
+    full,      ///< runs every cycle of the grid from the blank until it is decided
     pruned,    ///< the same proven answer from fewer simulations
-    published, ///< heuristic for plunge: dynamic programming as the thesis has it
+    published, ///< heuristic for plunge: dynamic programming by the thesis
     labels,    ///< heuristic for plunge: labels by time and deflection
 };
 
@@ -86,13 +86,13 @@ enum class SearchAim {
 
 /// Margin of a cycle on further parts.
 struct WholeMargin {
-    std::optional<double> margin; ///< least relative margin; nothing: the cycle fails on a part or
-                                  ///< has less than asked for
+    std::optional<double> margin; ///< least relative margin; empty: the cycle fails on a part or
+                                  ///< has less than required
 };
 
 /// Point at which a full search was stopped and can be resumed.
 struct SearchCheckpoint {
-    GridCycle last; ///< last judged cycle, after all those before it; empty: none was judged
+    GridCycle last; ///< last judged cycle, after all those before it; empty if none was judged
     std::optional<FeasibleCycle> best;
     std::size_t variant = 0; ///< the variant being searched
     /// Counts up to this point, as in the summary.
@@ -100,10 +100,10 @@ struct SearchCheckpoint {
     std::array<long long, constraintKinds> cuts{};
 };
 
-/// A part for which a cycle must hold with any stock from the least of `stocks` to the greatest,
-/// and half the largest infeed of the cycle beyond either.
+/// A part for which a cycle must be fit with any stock from the least to the greatest of `stocks`,
+/// extended on both sides by half the largest infeed of the cycle.
 struct PhaseCase {
-    std::int64_t corner = -1; ///< number of the corner; −1: the part as it stands
+    std::int64_t corner = -1; ///< number of the corner; −1: the nominal part
     Project part;
     StockRange stocks; ///< per side
 };
@@ -115,7 +115,7 @@ struct FailingPart {
 };
 
 struct SearchProgress {
-    std::optional<FeasibleCycle> best; ///< so far
+    std::optional<FeasibleCycle> best; ///< the best found
     double bound_s = 0;                ///< no feasible cycle is quicker than both this and the best
     long long evaluations = 0;         ///< cycles decided on one by one
     double share = 0; ///< full search: finished share of the grid; search for the greatest margin:
@@ -127,36 +127,36 @@ class SearchJournal; // core/optimisation/search_journal.h
 
 struct SearchOptions {
     SearchMethod method = SearchMethod::pruned;
-    unsigned threads = 0; ///< threads of the full search; 0: one a processor
+    unsigned threads = 0; ///< threads of the full search; 0: one for each processor
     /// Approximate memory of the pruned search; with less, more is computed twice, and the order of
     /// the branches changes, but never the answer.
     std::size_t memory_bytes = std::size_t{1} << 28;
-    /// Other states of the part in which the cycle must hold, as projects whose cycles are
+    /// Other states of the part in which the cycle must be fit, as projects whose cycles are
     /// replaced.
     std::vector<Project> scenarios;
     std::optional<SearchCheckpoint> resume;                ///< full search
     std::function<void(const SearchProgress&)> onProgress; ///< called by one thread at a time
     std::stop_token stop;
-    /// Least relative margin that a cycle must exceed; not given: every cycle that holds is
-    /// accepted.
+    /// Least relative margin that a cycle must exceed; not given: every feasible cycle is accepted.
     std::optional<double> beyondMargin;
-    std::optional<FeasibleCycle> incumbent; ///< a cycle that holds, to be beaten
+    std::optional<FeasibleCycle> incumbent; ///< a feasible cycle to be beaten
     std::size_t variant = 0;                ///< set by optimise(): the variant being searched
-    /// Parts for which the cycle must hold with any stock. The pruned search drops the cycles that
-    /// CaseRefuter refutes; the others are not tried on these parts.
+    /// Parts for which the cycle must be fit with any stock. The pruned search drops the cycles
+    /// that CaseRefuter refutes; the others are not tried on these parts.
     std::vector<PhaseCase> cases;
     /// Pruned search: returns a further part on which a cycle that would be the best fails, or
-    /// nothing. The part joins the scenarios, its case the cases.
+    /// nullopt. The part joins the scenarios, its case the cases.
     std::function<std::optional<FailingPart>(const FeasibleCycle&)> challenge;
-    std::int64_t quickest_us = 0; ///< proved earlier: no cycle that holds is quicker
-    /// A cycle with a stage that makes no step on the part, because size is reached before, is not
-    /// accepted: it is one with fewer stages.
+    std::int64_t quickest_us = 0; ///< proved earlier: no feasible cycle is quicker
+    /// Rejects a cycle with a stage that makes no step on the part since size is reached before it:
+    /// it is one with fewer stages.
     bool everyStageSteps = false;
     /// Time within which the greatest margin is searched for; only with proving methods and without
     /// a challenge.
     std::optional<std::int64_t> marginWithin_us;
     /// Returns the margin on further parts of a cycle that would be the best, which must be at
-    /// least `least`. The result must not depend on other cycles. Only without a challenge.
+    /// least `least`. The result must not depend on other cycles. Requires that there is no
+    /// challenge.
     std::function<WholeMargin(const FeasibleCycle&, double least)> wholeMargin;
     /// Full search: records the progress and supplies that of earlier runs.
     SearchJournal* journal = nullptr;
@@ -170,8 +170,8 @@ enum class SearchStatus {
     proved,     ///< the best cycle of the grid
     infeasible, ///< no cycle of the grid is feasible
     stopped,    ///< stopped on request: best so far and bound
-    found,      ///< found by a heuristic: it holds, but a quicker one may hold too
-    notFound,   ///< not found by a heuristic: there may be one
+    found,      ///< found by a heuristic: feasible, but a quicker one may exist
+    notFound,   ///< no cycle found by a heuristic: one may exist
 };
 
 struct SearchSummary {
@@ -179,14 +179,15 @@ struct SearchSummary {
     std::optional<FeasibleCycle> best;
     Cycle cycle;             ///< the best cycle in the form of a project
     MachineSettings machine; ///< machine settings of that cycle
-    /// No cycle of the grid that holds is quicker; 0: unknown, as for heuristics and in a search
-    /// for the greatest margin.
+    /// No feasible cycle of the grid is quicker; 0: unknown, as for heuristics and in a search for
+    /// the greatest margin.
     double bound_s = 0;
     std::int64_t gridSize = 0; ///< cycles in the grid
     long long evaluations = 0; ///< cycles decided on one by one
     long long visits = 0;      ///< radii under the wheel in all runs
-    /// Number of cuts by each kind of requirement: a cycle counts for each that it breaks, but only
-    /// for its diameters where they miss the field; a branch dropped at a pass counts once.
+    /// Number of cuts by each kind of requirement: a cycle counts for each that it violates, but
+    /// only for its diameters where they miss the tolerance; a branch dropped at a pass counts
+    /// once.
     std::array<long long, constraintKinds> cuts{};
     SearchCheckpoint checkpoint;       ///< full search
     std::vector<Project> added;        ///< scenarios that challenges added
@@ -197,14 +198,14 @@ struct SearchSummary {
 };
 
 /// Returns the greatest time that the project's search for the greatest margin allows, in whole
-/// microseconds; nothing: it searches for the least time.
+/// microseconds; nullopt if it searches for the least time.
 [[nodiscard]] std::optional<std::int64_t> marginWithinOf(const Project& project);
 
 /// Searches the grid of a valid project; an empty grid is infeasible. The options determine the aim
 /// of the search, not the project.
 [[nodiscard]] SearchSummary optimise(const Project& project, const SearchOptions& options = {});
 
-/// Makes one of the searches of optimise(), for the greatest margin the first of its two, without a
+/// Makes one of the searches of optimise(), for the greatest margin the first of the two, without a
 /// journal.
 [[nodiscard]] SearchSummary searchVariants(const Project& project, const SearchOptions& options);
 

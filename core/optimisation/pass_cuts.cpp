@@ -29,7 +29,7 @@ PassCuts::PassCuts(const Project& project)
     }
 }
 
-// The depth of cut is not what self-sharpening is held against, so its share says nothing.
+// Self-sharpening does not limit the depth of cut itself, so its share is unknown here.
 void PassCuts::demandMargin(double least) {
     constexpr double lastBits = 1e-9;
     const double demanded = std::max(least - lastBits, 0.0);

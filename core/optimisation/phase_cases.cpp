@@ -27,14 +27,14 @@ OptimisationScenarios scenariosOf(const Project& project) {
                : OptimisationScenarios::nominal;
 }
 
-/// The stock of the whole part among them; none: the end.
+/// Finds the stock of the whole part; the end if there is none.
 auto stockAmong(const std::vector<GivenFactor>& factors) {
     return std::ranges::find_if(factors, [](const GivenFactor& factor) {
         return factor.kind == FactorKind::stock && factor.place < 0;
     });
 }
 
-/// Places of the corners that differ in more than the stock, in the order of the factors.
+/// Indices of the corners that differ in more than the stock, in the order of the factors.
 std::vector<std::int64_t> cornersOf(const std::vector<GivenFactor>& factors) {
     const auto stock = stockAmong(factors);
     const std::int64_t bit =
@@ -47,12 +47,12 @@ std::vector<std::int64_t> cornersOf(const std::vector<GivenFactor>& factors) {
         }
     }
     if (corners.size() == 1) {
-        corners.clear(); // the part as it stands
+        corners.clear(); // only the nominal part is left
     }
     return corners;
 }
 
-/// The stated stock, and the least and the greatest of a batch that counts.
+/// The stated stock, extended to the least and the greatest of a batch that counts.
 StockRange wholeStocks(const Project& project) {
     const double stock_mm = project.part->stock_mm;
     StockRange stocks{stock_mm, stock_mm};
@@ -78,7 +78,7 @@ std::optional<Project> failingOf(Project project, const StockRange& stocks,
     return project;
 }
 
-/// The part as it stands, as −1, and corners of its batch, each with all stocks of the range.
+/// The nominal part, as −1, and corners of its batch, each with all stocks of the range.
 class Cases {
 public:
     explicit Cases(const Project& best) : m_part(best), m_cases(phaseCases(best)) {
@@ -90,8 +90,8 @@ public:
         }
     }
 
-    /// All of them, the corners with the most factors at their upper ends first: more compliance,
-    /// dullness, runout or flow stress makes a cycle worse, mostly.
+    /// All cases, the corners with the most factors at their upper ends first, since more
+    /// compliance, dullness, runout or flow stress usually makes a cycle worse.
     [[nodiscard]] std::vector<std::int64_t> worstFirst() const {
         std::vector<std::int64_t> order{-1};
         if (m_source) {
@@ -120,8 +120,8 @@ private:
     std::optional<ScenarioSource> m_source;
 };
 
-/// Puts the worst of the stocks of the range in the place of one that is better; false: the cycle
-/// fails for one of them, or has less there.
+/// Replaces the worst result by a worse one of the stocks of the range; false if the cycle fails
+/// for one of them, or has a smaller margin there than required.
 bool takeWorst(const Project& project, const StockRange& stocks, double least,
                const std::stop_token& stop, std::optional<ConstraintResult>& worst) {
     const bool all = visitPhasePieces(

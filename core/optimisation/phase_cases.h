@@ -13,7 +13,7 @@
 namespace sparkout {
 
 /// Cases for which a robust answer under gauge control is decided: every stock of a range, for the
-/// part as it stands and for each corner of the batch's other factors.
+/// nominal part and for each corner of the batch's other factors.
 struct PhaseCases {
     StockRange stocks; ///< per side
     /// With the scenarios `corners` the number of corners of all factors but the stock; otherwise
@@ -22,12 +22,12 @@ struct PhaseCases {
 };
 
 /// Returns the cases of the project's optimisation. The range is usualPhases(); where the answer
-/// must hold for a batch whose stock scatters, it extends as far beyond the batch's least and
+/// must be fit for a batch whose stock scatters, it extends as far beyond the batch's least and
 /// greatest stock. The project's batch, if it counts, must pass checkBatch().
 [[nodiscard]] PhaseCases phaseCases(const Project& project);
 
-/// Returns a case for which the project's cycle fails, with a stock near the worst one; nothing:
-/// the cycle holds for all cases, or the check was stopped. The project's phases must be decidable.
+/// Returns a case for which the project's cycle fails, with a stock near the worst one; nullopt if
+/// the cycle is fit for all cases, or after a stop. The project's phases must be decidable.
 [[nodiscard]] std::optional<Project> failingCase(const Project& best,
                                                  const std::stop_token& stop = {});
 
@@ -35,22 +35,22 @@ struct PhaseCases {
 /// failed: a failing cycle mostly fails in one of these.
 class CaseOrder {
 public:
-    /// Returns a failing part among the cases in which earlier cycles failed; nothing: the cycle
-    /// holds for these.
+    /// Returns a failing part among the cases in which earlier cycles failed; nullopt if the cycle
+    /// is fit for these.
     [[nodiscard]] std::optional<FailingPart> failingInKnownCase(const Project& best,
                                                                 const std::stop_token& stop = {});
     /// Returns a failing part among the other cases. After failingInKnownCase() of the same cycle
-    /// the answer is that of failingCase().
+    /// the answer equals that of failingCase().
     [[nodiscard]] std::optional<FailingPart> failingInOtherCase(const Project& best,
                                                                 const std::stop_token& stop = {});
 
 private:
-    /// Corners of ScenarioSource; −1: the part as it stands. The last one with a failure is first.
+    /// Corners of ScenarioSource; −1: the nominal part. The last failing one is first.
     std::vector<std::int64_t> m_failed;
 };
 
-/// Returns the requirement with the least relative margin over all of these cases; nothing: the
-/// project's cycle fails for one of them or has less than `least` there, or the check was stopped.
+/// Returns the requirement with the least relative margin over all of these cases; nullopt if the
+/// project's cycle fails for one of them or has less than `least` there, or after a stop.
 [[nodiscard]] std::optional<ConstraintResult> worstOfCases(const Project& best, double least,
                                                            const std::stop_token& stop = {});
 

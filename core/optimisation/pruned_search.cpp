@@ -50,7 +50,7 @@ struct TooWide {
     std::optional<ConstraintKind> before, last;
 };
 
-/// The least relative margin that any cycle has to its machine's ranges with this setting.
+/// The least relative margin of any cycle to its machine's ranges with this setting.
 double rangeMargin(const Project& project, const StageSetting& setting) {
     double least = std::numeric_limits<double>::infinity();
     for (const StageFeed* feed : project.operation->searchedFeeds()) {
@@ -131,7 +131,7 @@ public:
             summary.bound_s = summary.best->time_s;
         }
         if (m_options.marginWithin_us) {
-            summary.bound_s = 0; // quicker ones may hold, with less of a margin
+            summary.bound_s = 0; // quicker ones may be feasible with a smaller margin
         }
         summary.evaluations = m_judge.counts.evaluations;
         summary.visits = m_judge.counts.visits;
@@ -143,9 +143,9 @@ public:
     }
 
 private:
-    /// A branch whose prefix has neither steps nor settings, about.
+    /// Approximate size of a branch whose prefix has neither steps nor settings.
     static constexpr std::size_t leftOutBytes = sizeof(Branch) + sizeof(Prefix) + 192;
-    /// With more of them than so many a whole one, most of the time would go into making them anew.
+    /// Beyond this ratio, most of the time would be spent on repeating steps.
     static constexpr std::size_t mostPerWhole = 5;
     static std::size_t wholeBytes(const Project& project, const Grid& grid) {
         return prefixBytes(project)
@@ -157,7 +157,7 @@ private:
                > static_cast<double>(m_judge.mostTime_us());
     }
 
-    /// For a margin the times up to the most are gone through.
+    /// The search for a margin goes through the times up to the greatest.
     [[nodiscard]] SearchProgress progress() const {
         SearchProgress now{m_judge.best(), m_least_s, m_judge.counts.evaluations, 0};
         if (m_options.marginWithin_us) {
@@ -182,10 +182,10 @@ private:
         return m_demanded > 0 && m_rangeMargins[setting] < m_demanded - lastBits;
     }
 
-    /// A challenge is expensive, so cycles wait for theirs until no branch can be quicker, or some
-    /// work was done since: often a better one is found meanwhile. The first waits are short, as
-    /// what a challenge adds shows most that follows to fail. Where there is no more room for
-    /// branches a best cycle is needed, to drop some.
+    /// A challenge is expensive, so cycles wait until no branch can be quicker, or until some work
+    /// has been done, in which a better one is often found. The first waits are short, as a part
+    /// added by a challenge refutes many later cycles. When there is no memory for more branches, a
+    /// best cycle is needed to drop some.
     void challengeWaitingBefore(double bound_s) {
         constexpr long long mostPatience = 1 << 12; // branches: some challenges' worth of work
         const bool isFull = !m_newest.empty();
@@ -223,7 +223,7 @@ private:
         }
     }
 
-    /// A first answer to prune by: the quickest feasible cycle with the same feeds in all stages.
+    /// A first answer for pruning: the quickest feasible cycle with the same feeds in all stages.
     void seed(std::size_t stages) {
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
@@ -247,7 +247,7 @@ private:
     }
 
     /// The setting that, as the next one, would make the passes of a shorter cycle of the grid:
-    /// point 5 of the header. Empty: there is none.
+    /// point 5 of the header. Empty if there is none.
     [[nodiscard]] std::optional<std::size_t> shorterEquivalent(const CyclePrefix& prefix) const {
         const std::vector<std::size_t>& counts = m_grid.stageCounts();
         const auto own = std::find(counts.begin(), counts.end(), prefix.stages);
@@ -258,7 +258,7 @@ private:
     }
 
     /// Finds the settings of a branch's next stage, from its first one on; those before the first
-    /// of a reopened branch are done. Returns false where other branches come first, no setting is
+    /// of a reopened branch are done. Returns false if other branches come first, no setting is
     /// left or the search was stopped.
     bool open(Branch& branch) {
         Prefix& prefix = *branch.prefix;
@@ -347,7 +347,7 @@ private:
         return place->second;
     }
 
-    /// Finds those of the settings that are refuted as a last stage: point 4 of the header.
+    /// Finds the settings that are refuted as a last stage: point 4 of the header.
     void findRefuted(const Prefix& prefix) {
         const CyclePrefix& done = prefix.done;
         m_refuted.clear();
@@ -385,7 +385,8 @@ private:
         }
     }
 
-    /// Of the branches that come last in their order, until half of those allowed are whole.
+    /// Removes steps of the branches that are last in order, until half of the allowed number have
+    /// steps.
     void leaveOut() {
         std::size_t from = m_branches.size();
         while (m_withSteps > m_mostWithSteps / 2 && from > 0) {
@@ -410,8 +411,8 @@ private:
         std::make_heap(m_branches.begin(), m_branches.end());
     }
 
-    /// In the place of the first branch of the heap, which was taken: mostly the one that takes its
-    /// place is its prefix's next, and stays there or near.
+    /// Replaces the first branch of the heap, which was taken: its successor is mostly the next
+    /// setting of the same prefix, with a similar bound.
     void putFirst(Branch branch) {
         m_isFirstTaken = false;
         std::size_t at = 0;
@@ -457,7 +458,7 @@ private:
         if ((done.isBeforeLast() && isRefuted(done, setting, from.merged)) || !makeSteps(done)) {
             return;
         }
-        std::shared_ptr<const CycleSteps> kept = done.steps; // of a stage that is run once
+        std::shared_ptr<const CycleSteps> kept = done.steps; // for a stage that is run once
         int keptAt = 0;
         const bool single = !m_mayMerge && done.cycle.size() + 2 != done.stages;
         m_runs.run(
@@ -528,25 +529,25 @@ private:
     Judge m_judge;
     CycleRunner m_runner;
     StageRuns m_runs;
-    std::vector<TooWide> m_tooWide;     ///< of the settings, whatever the cycle
-    std::vector<double> m_rangeMargins; ///< likewise
-    double m_demanded = 0;              ///< margin
-    bool m_freeLast;                    ///< no bounds of the last stage's stock
+    std::vector<TooWide> m_tooWide;     ///< for the settings, independent of the cycle
+    std::vector<double> m_rangeMargins; ///< for the settings, independent of the cycle
+    double m_demanded = 0;              ///< margin to reach
+    bool m_freeLast;                    ///< the last stage's stock has no bounds
     bool m_mayMerge;                    ///< ends of stages before the one before the last
-    int m_leastSteps;                   ///< of a stage; all before the last have stock and feed
-    int m_mostSince; ///< steps to be made again, where they take no longer than to keep more
-    /// Of the grid, by stages, those before and the last of these.
+    int m_leastSteps;                   ///< for each stage; all before the last have stock and feed
+    int m_mostSince; ///< number of steps that are repeated as quickly as more are kept
+    /// Settings by the number of stages, the previous stage and its setting.
     std::map<std::array<std::size_t, 3>, std::vector<std::size_t>> m_followers;
-    std::vector<std::size_t> m_settings, m_refuted; ///< of the branch that is opened
+    std::vector<std::size_t> m_settings, m_refuted; ///< for the branch being opened
     std::vector<Branch> m_branches;                 ///< a heap
-    bool m_isFirstTaken = false;                    ///< the first of the heap is to be replaced
-    std::vector<Branch> m_newest;                   ///< beyond the most branches in order
+    bool m_isFirstTaken = false;                    ///< the first of the heap has to be replaced
+    std::vector<Branch> m_newest;                   ///< branches beyond the greatest ordered number
     std::size_t m_mostWithSteps, m_most;            ///< in order
     std::size_t m_withSteps = 0;                    ///< branches in order whose prefix is whole
     long long m_order = 0;
     long long m_patience = 1 << 8, m_waited = 0; ///< branches
     bool m_seeded = false;
-    double m_least_s = 0; ///< no cycle that is left is quicker
+    double m_least_s = 0; ///< no remaining cycle is quicker
 };
 
 } // namespace

@@ -21,13 +21,13 @@ namespace sparkout {
 
 namespace {
 
-/// What came of a cycle on all parts.
+/// The results of a cycle on all parts.
 struct Tried {
-    double value = 0; ///< what is made small
+    double value = 0; ///< the minimised value
     bool holds = false;
     std::int64_t time_us = 0;
     double time_s = 0;
-    double margin = 0; ///< least relative
+    double margin = 0; ///< least relative margin
     bool isStopped = false;
 };
 
@@ -45,11 +45,11 @@ public:
             setMachine(part, machineSettings(project));
         }
         m_best.runs = runs;
-        const GraceStop grace(options.stop);                // enough for most
-        const Tried given = tryCycle(cycle, grace.token()); // what the answer is compared with
+        const GraceStop grace(options.stop);                // sufficient for most
+        const Tried given = tryCycle(cycle, grace.token()); // reference for the answer
         m_best.cycle = cycle;
         if (given.isStopped) {
-            return; // nothing is known of it
+            return; // its result is unknown
         }
         m_best.time_us = given.time_us;
         m_best.time_s = given.time_s;
@@ -64,8 +64,8 @@ public:
             return m_best;
         }
         const std::vector<double> given = m_space.valuesOf(m_best.cycle);
-        for (const bool again : {false, true}) { // from the given cycle, then from the best so far
-            for (const double firstStep : {0.1, 0.3, 0.03}) { // each finds what others miss
+        for (const bool again : {false, true}) { // from the given cycle, then the best found
+            for (const double firstStep : {0.1, 0.3, 0.03}) { // each finds minima that others miss
                 const auto from = again ? m_space.valuesOf(m_best.cycle) : given;
                 descend(m_space.rounded(offTheSteps(from, firstStep)));
             }
@@ -96,12 +96,12 @@ private:
             }
             broken = std::max(broken, brokenBy(result, tried));
         }
-        constexpr double leastCost = 0.05, cost = 2; // of the first cycle's time
+        constexpr double leastCost = 0.05, cost = 2; // relative to the first cycle's time
         tried.value += tried.holds ? 0 : m_scale_s * (leastCost + cost * broken);
         return tried;
     }
 
-    /// By how much of their limits requirements break, together.
+    /// The sum of the violations, relative to the limits.
     static double brokenBy(const SimulationResult& result, Tried& tried) {
         constexpr double mostEach = 5;
         if (result.status != RunStatus::completed) {
@@ -118,7 +118,7 @@ private:
         return broken;
     }
 
-    /// What the settings are worth; `counts`: the cycle can be set, and may be the answer.
+    /// Evaluates settings; `counts`: the cycle can be set, and may be the answer.
     double worth(const std::vector<double>& values, bool counts) {
         const auto known = m_known.find(values);
         if (known != m_known.end()) {
@@ -147,7 +147,7 @@ private:
         return value;
     }
 
-    /// See 1 in the header; each setting as a share of its range.
+    /// See 1 in the header; each setting is a share of its range.
     std::vector<double> offTheSteps(const std::vector<double>& given, double firstStep) {
         const auto& settings = m_space.settings();
         std::vector<double> shares;
@@ -164,7 +164,7 @@ private:
         nlopt_set_maxeval(m_nlopt, m_options.mostRuns / 8);
         nlopt_set_min_objective(m_nlopt, &Refinement::objective, this);
         double value = 0;
-        nlopt_optimize(m_nlopt, shares.data(), &value); // whatever ends it, the best so far stays
+        nlopt_optimize(m_nlopt, shares.data(), &value); // the best found is kept, whatever ends it
         m_nlopt = nullptr;
         return valuesAt(shares.data());
     }
@@ -206,7 +206,7 @@ private:
         }
     }
 
-    /// One setting by so many steps, and a feed with a stock.
+    /// Changes one setting by some steps, and a feed together with a stock.
     std::pair<std::vector<double>, double> bestNeighbour(const std::vector<double>& at,
                                                          double value, int stride) {
         std::vector<double> best = at;
@@ -254,9 +254,9 @@ private:
     nlopt_opt m_nlopt = nullptr;
 };
 
-/// Of what is drawn the first in which the cycle does not hold, then a stock for which it fails, or
-/// one of the fresh phases; nothing: none, or it was stopped before. Counts those that come to
-/// that.
+/// Returns the first drawn scenario in which the cycle fails, then a stock for which it fails, or
+/// one of the fresh phases; nullopt if there is none, or after a stop. Counts the cycles tested on
+/// fresh phases.
 std::optional<Project> failing(const Project& project, const Cycle& cycle,
                                const RefineOptions& options, int round, int& candidates) {
     Project best = project;
@@ -304,7 +304,7 @@ RefineSummary refine(const Project& project, const Cycle& cycle, const RefineOpt
         }
         std::optional<Project> fails = failing(project, summary.cycle, options, round, candidates);
         if (options.stop.stop_requested()) {
-            break; // a test that is stopped shows nothing
+            break; // a stopped test proves nothing
         }
         if (!fails) {
             summary.candidate = candidates;

@@ -10,35 +10,35 @@
 /// Refinement of a cycle of the grid to a quicker one between its levels.
 ///
 /// 1. A search without derivatives (NLopt's Subplex) varies the feeds of all stages and the stocks
-///    of all but the last, from the given cycle and then from the best so far, between the least
-///    and the greatest level of the grid and within the machine's ranges. It minimises the time,
-///    less a little for the depth that the last step cuts below size, plus a penalty for every
-///    broken requirement, so that there is a slope where the time, a number of steps, has none.
-/// 2. The result is rounded to values that can be set: the steps of the machine's ranges, or else
-///    three significant digits of a feed; 0.0001 mm of stock. From there, and from the best so far,
-///    single settings, or a setting and a stock, are changed by such steps as long as that helps.
+/// of all but the last, from the given cycle and then from the best so far, between the least
+/// and the greatest level of the grid and within the machine's ranges. It minimises the time,
+/// less a little for the depth that the last step cuts below size, plus a penalty for every
+/// violated requirement, so that there is a slope where the time, a number of steps, has none. 2.
+/// The result is rounded to values that can be set: the steps of the machine's ranges, or else
+/// three significant digits of a feed; 0.0001 mm of stock. From there, and from the best so far,
+/// single settings, or a setting and a stock, are changed by such steps as long as that helps.
 ///
 /// Every trial is a full run by simulateUnchecked(), on the part and in every scenario, decided by
-/// evaluateConstraints(): the answer holds, and it is the given cycle where no quicker one was
-/// found. Nothing is proved: off the grid a still quicker cycle may hold.
+/// evaluateConstraints(): the answer is feasible, and it is the given cycle if no quicker one was
+/// found. Nothing is proved: off the grid a still quicker cycle may be feasible.
 namespace sparkout {
 
 struct RefineOptions {
-    std::vector<Project> scenarios; ///< scenarios in which the cycle must hold, too
-    FreshScenarios source; ///< where given, the cycle must also hold in the scenarios it draws and
+    std::vector<Project> scenarios; ///< further scenarios in which the cycle must be fit
+    FreshScenarios source; ///< if given, the cycle must also be fit in the scenarios it draws and
                            ///< for every stock, or in fresh phases
     int mostRuns =
         4000; ///< greatest number of cycles run, in each of at most ten rounds with a source
     bool everyStageSteps = false; ///< as in SearchOptions
     int candidates = 0;           ///< number of cycles that the search tried on fresh phases
-    std::stop_token stop; ///< after a stop the best so far is the answer; with a source the given
+    std::stop_token stop; ///< after a stop the best found is the answer; with a source the given
                           ///< cycle, unless all its scenarios were tried
 };
 
 struct RefineSummary {
     Cycle cycle;
     std::int64_t time_us = 0; ///< rounded for comparison; 0: stopped before the given cycle was run
-    double time_s = 0;        ///< unrounded, from simulate(); 0: likewise
+    double time_s = 0;        ///< unrounded, from simulate(); 0: not run
     double leastRelativeMargin = 0;
     long long runs = 0;     ///< cycles that were run
     bool isQuicker = false; ///< quicker than the given cycle
@@ -46,7 +46,7 @@ struct RefineSummary {
                        ///< the search included; 0: it is the given cycle, or no source was given
 };
 
-/// Refines a cycle that holds, of a project with a grid. The machine settings stay those of the
+/// Refines a feasible cycle of a project with a grid. The machine settings are those of the
 /// project, in the scenarios too, and a spark-out keeps its count.
 [[nodiscard]] RefineSummary refine(const Project& project, const Cycle& cycle,
                                    const RefineOptions& options = {});

@@ -14,7 +14,7 @@
 namespace sparkout {
 
 namespace {
-constexpr double refineSlack = 1e-9; ///< share by which a rounded value may miss its range
+constexpr double refineSlack = 1e-9; ///< relative tolerance at the ends of a range
 }
 
 double RefineSpace::Setting::stepAt(double value) const {
@@ -74,7 +74,8 @@ void RefineSpace::addStocks(const Optimisation& asked) {
     }
 }
 
-/// Between the levels of the grid, within the machine's range. What cannot be set otherwise stays.
+/// Adds feeds between the levels of the grid, within the machine's range. A feed with a single
+/// value is fixed.
 void RefineSpace::addFeeds(const StageFeed& feed, const Optimisation& asked,
                            const MachineLimits& limits) {
     const auto& range = limits.*feed.range;

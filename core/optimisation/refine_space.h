@@ -30,7 +30,7 @@ public:
 
     [[nodiscard]] std::vector<double> valuesOf(const Cycle& cycle) const;
     /// Returns the cycle with these settings; its last stage takes the remaining stock. Returns
-    /// nothing where that is too little or too much, or a feed rises that must not.
+    /// nullopt if that is too little or too much, or if a feed rises that must not.
     [[nodiscard]] std::optional<Cycle> cycleOf(const std::vector<double>& values) const;
     [[nodiscard]] std::vector<double> rounded(std::vector<double> values) const;
 

@@ -20,11 +20,11 @@ namespace sparkout {
 
 namespace {
 
-/// Tries cycles on scenarios that correspond from draw to draw: those first that were the worst for
-/// the last cycle that was tried on all. So one that fails does so soon, where it fails by most.
+/// Tries cycles on scenarios that correspond from draw to draw: first those that were the worst for
+/// the last cycle tried on all, since a failing cycle mostly fails there.
 class Trials {
 public:
-    /// A scenario in which the project's cycle fails; nothing: none, or it was stopped before.
+    /// A scenario in which the project's cycle fails; nullopt if there is none, or after a stop.
     std::optional<Project> failing(const Project& best, std::vector<Project> scenarios,
                                    const std::stop_token& stop) {
         const bool known = m_order.size() == scenarios.size();
@@ -56,7 +56,8 @@ private:
     std::vector<std::size_t> m_order;
 };
 
-/// Of a draw: all corners of the project's batch, or its parts with another seed each round.
+/// The scenarios of a draw: all corners of the project's batch, or its parts with another seed each
+/// round.
 std::vector<Project> partsOfBatch(Project sampled, OptimisationScenarios asked, int round,
                                   const std::stop_token& stop) {
     if (asked == OptimisationScenarios::corners) {
@@ -75,7 +76,8 @@ std::vector<Project> partsOfBatch(Project sampled, OptimisationScenarios asked, 
     return parts;
 }
 
-/// From 1, of the last of the candidates that is this cycle; the last of all if none were.
+/// The number, from 1, of the last candidate that is this cycle; that of the last of all if there
+/// is none.
 int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candidates) {
     const auto last =
         std::find_if(candidates.rbegin(), candidates.rend(), [&cycle](const FeasibleCycle& each) {
@@ -87,9 +89,9 @@ int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candid
     return std::max(static_cast<int>(place), 1);
 }
 
-/// One of the parts of the batch, whose verdict is shown beside the answer, or of those drawn
-/// afresh for the cycle, in which it fails; nothing: none, or it was stopped, or no answer for
-/// corners of a batch is asked for.
+/// A part in which the cycle fails: of the batch, whose verdict is shown beside the answer, or of
+/// those drawn for the cycle; nullopt if there is none, after a stop, or if the answer is not for
+/// corners of a batch.
 std::optional<Project> failingFreshPart(const Project& best, int draw,
                                         const std::stop_token& stop) {
     if (!best.batch || best.optimisation->scenarios != OptimisationScenarios::corners) {
@@ -109,12 +111,12 @@ std::optional<Project> failingFreshPart(const Project& best, int draw,
     return std::nullopt;
 }
 
-/// A part that is none of a case.
+/// Converts a part that does not belong to a case.
 std::optional<FailingPart> failingPart(std::optional<Project> part) {
     return part ? std::optional(FailingPart{std::move(*part), {}}) : std::nullopt;
 }
 
-/// The margins of cycles on all that a robust answer must hold for.
+/// The margins of cycles on all parts for which a robust answer must be fit.
 class WholeMargins {
 public:
     WholeMargins(const Project& project, const Variants& variants, const FreshScenarios& source,
@@ -122,7 +124,7 @@ public:
         : m_project(project), m_variants(variants), m_source(source), m_stop(std::move(stop)) {}
 
     WholeMargin of(const FeasibleCycle& found, double least) {
-        const std::scoped_lock lock(m_mutex); // of the threads of a full search
+        const std::scoped_lock lock(m_mutex); // called on the threads of a full search
         Project best = m_variants.project(found.variant);
         best.optimisation = m_project.optimisation;
         *best.cycle = m_variants.grid(found.variant).cycle(found.cycle);
@@ -147,7 +149,7 @@ public:
     std::vector<FeasibleCycle> candidates; ///< in the order of their tests on fresh phases
 
 private:
-    /// The one first in which the last cycle failed or had too little.
+    /// Begins with the scenario in which the last cycle failed or had too small a margin.
     std::optional<double> onScenarios(const Project& best, double least) {
         const std::vector<Project> scenarios = m_source(best, 0);
         double margin = std::numeric_limits<double>::infinity();
@@ -204,7 +206,7 @@ RobustSummary greatestMargin(const Project& project, const FreshScenarios& sourc
 
 RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& source,
                                const RobustOptions& options) {
-    Project project = asked; // of which each scenario is a copy
+    Project project = asked; // copied for each scenario
     project.runs.clear();
     project.notes.clear();
     if (options.search.marginWithin_us) {
@@ -220,7 +222,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
     Trials trials;
     CaseOrder cases;
     std::vector<FeasibleCycle> candidates; // in the order of their tests on fresh phases
-    std::vector<FeasibleCycle> held;       // that came through all of their tests
+    std::vector<FeasibleCycle> held;       // passed all of their tests
     const auto challenge = [&](const FeasibleCycle& found) {
         Project best = variants.project(found.variant);
         best.optimisation = project.optimisation;
@@ -320,16 +322,16 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
                               return each.variant == summary.search.best->variant
                                      && each.cycle == summary.search.best->cycle;
                           })) {
-                takeBest(); // the best so far, stopped
+                takeBest(); // the best found before the stop
             }
             return summary;
         }
         auto failing = search.challenge ? std::nullopt : challenge(*summary.search.best);
         if (options.search.stop.stop_requested() && !search.challenge) {
-            summary.search.status = SearchStatus::stopped; // within its test
+            summary.search.status = SearchStatus::stopped; // during its test
             return summary;
         }
-        if (!failing) { // a challenge was drawn for this cycle
+        if (!failing) { // its own challenge was drawn
             takeBest();
             return summary;
         }
@@ -387,7 +389,7 @@ FreshScenarios undecidedScenarios(const Project& project, const std::stop_token&
     };
 }
 
-// Multiples of the golden section, without their whole part, fill the unit evenly.
+// Multiples of the golden section modulo 1 fill the unit interval evenly.
 std::vector<Project> freshStockPhases(const Project& best, int round) {
     const double turns = (std::numbers::phi - 1) * round;
     return stockPhases(best, 16, turns - std::floor(turns));

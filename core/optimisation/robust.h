@@ -31,14 +31,14 @@ struct RobustSummary {
     long long visits = 0;       ///< in all rounds, without the tests
     bool holdsInSample =
         false; ///< the answer failed in no scenario and no fresh phase of the last round
-    std::optional<PhaseCases> decided; ///< cases for each of which the answer holds
+    std::optional<PhaseCases> decided; ///< cases for each of which the answer is fit
     int freshPhases =
-        0; ///< otherwise the number of fresh phases of its last trial, in all of which it held
-    int freshParts = 0;       ///< likewise, parts of a batch whose corners are searched
+        0; ///< otherwise the number of fresh phases of its last trial, in all of which it was fit
+    int freshParts = 0;       ///< number of fresh parts of a batch whose corners are searched
     int freshFailures = 0;    ///< number of cycles that failed in one of theirs, which was added
     int candidates = 0;       ///< number of cycles tried on fresh phases, each on phases of its own
-    int candidate = 0;        ///< number of the answer among them, from 1; 0: none
-    double nominalTime_s = 0; ///< time of the first round's best; 0: none
+    int candidate = 0;        ///< number of the answer among them, from 1; 0: not tried
+    double nominalTime_s = 0; ///< time of the first round's best; 0: none found
 };
 
 /// Optimises, tests the best cycle on the source's scenarios, adds one in which it fails to the set
@@ -80,8 +80,8 @@ struct RobustSummary {
                                              const RobustOptions& options = {});
 
 /// Computes time against margin of a robust search under gauge control: tradeOff() from the
-/// quickest cycle that holds, with the margin over all parts for which an answer for the greatest
-/// margin must hold. The result is empty where that cycle is not proved or phases are not decided.
+/// quickest feasible cycle, with the margin over all parts for which an answer for the greatest
+/// margin must be fit. The result is empty if that cycle is not proved or phases are not decided.
 [[nodiscard]] TradeOff tradeOffRobustly(const Project& asked, const FreshScenarios& source,
                                         SearchOptions search, std::size_t most);
 

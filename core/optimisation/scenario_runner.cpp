@@ -63,7 +63,7 @@ std::optional<SimulationResult> ScenarioRunner::run(const GridCycle& cycle, Sear
     return m_runner.finish(cycle, *steps, m_runs->after(*done, setting, *end, 0).counts);
 }
 
-/// The first stages of the cycle, run now unless they were before.
+/// The first stages of the cycle, run on the first request.
 const CyclePrefix& ScenarioRunner::prefix(const GridCycle& cycle, std::size_t stages,
                                           SearchCounts& counts) {
     const GridCycle first(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(stages));
@@ -83,7 +83,7 @@ const CyclePrefix& ScenarioRunner::prefix(const GridCycle& cycle, std::size_t st
     return known.emplace(first, std::move(done)).first->second;
 }
 
-/// Its last stage from the furthest end on that it was run to before the one that is wanted.
+/// Extends a run of its last stage from the furthest end before the requested one.
 CyclePrefix ScenarioRunner::extend(const CyclePrefix& before, const GridCycle& wanted,
                                    const Prefixes& known, SearchCounts& counts) const {
     const GridStage stage = wanted.back();
@@ -93,7 +93,7 @@ CyclePrefix ScenarioRunner::extend(const CyclePrefix& before, const GridCycle& w
         GridCycle same = wanted;
         same.back().steps = cycle.back().steps;
         if (cycle == same && !done.steps) {
-            return {}; // what was cut there is cut further on
+            return {}; // a cut run stays cut
         }
         if (cycle == same) {
             from.keep(done.steps);

@@ -22,23 +22,23 @@ public:
     ScenarioRunner(const ScenarioRunner&) = delete; // the runs refer to the runner's cuts
     ScenarioRunner& operator=(const ScenarioRunner&) = delete;
 
-    /// From now on cycles with a smaller relative margin may be cut; `least` must not fall.
+    /// Allows cutting cycles with a smaller relative margin from now on; `least` must not fall.
     void demandMargin(double least) { m_runner.demandMargin(least); }
 
     /// Returns whether a cycle is shown to break a requirement before its last stage is run.
     [[nodiscard]] bool refutes(const GridCycle& cycle, SearchCounts& counts);
-    /// Returns the result of simulate() for a cycle; nothing: its passes or diameters break a
-    /// requirement, which then counts as cut, or it does not end.
+    /// Returns the result of simulate() for a cycle; nullopt if its passes or diameters violate a
+    /// requirement, which then counts as cut, or if it does not end.
     [[nodiscard]] std::optional<SimulationResult> run(const GridCycle& cycle, SearchCounts& counts);
 
 private:
     struct Before {
         bool operator()(const GridCycle& a, const GridCycle& b) const;
     };
-    /// Prefixes of cycles; one without steps does not end or breaks a requirement.
+    /// Prefixes of cycles; one without steps does not end or violates a requirement.
     using Prefixes = std::map<GridCycle, CyclePrefix, Before>;
 
-    /// Returns the prefix of a cycle before its last stage; null: the cycle is refuted.
+    /// Returns the prefix of a cycle before its last stage; null if the cycle is refuted.
     const CyclePrefix* unrefutedPrefix(const GridCycle& cycle, SearchCounts& counts);
     const CyclePrefix& prefix(const GridCycle& cycle, std::size_t stages, SearchCounts& counts);
     [[nodiscard]] CyclePrefix extend(const CyclePrefix& before, const GridCycle& wanted,

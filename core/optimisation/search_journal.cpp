@@ -22,7 +22,7 @@ bool isOf(const Variants& variants, const SearchCheckpoint& at) {
 
 enum class Trust { given, refused, stopped };
 
-/// Whether the best cycle holds, and comes out as it was kept.
+/// Whether the best cycle is feasible, with the same result as recorded.
 Trust trustIn(const Variants& variants, const SearchCheckpoint& at, const SearchOptions& options) {
     if (!isOf(variants, at)) {
         return Trust::refused;
@@ -35,7 +35,7 @@ Trust trustIn(const Variants& variants, const SearchCheckpoint& at, const Search
     const Grid& grid = variants.grid(kept.variant);
     SearchOptions alone = options;
     alone.incumbent.reset();
-    alone.wholeMargin = nullptr; // which counts the cycles that it is asked for
+    alone.wholeMargin = nullptr; // it would count the cycles
     alone.variant = kept.variant;
     for (Project& scenario : alone.scenarios) {
         setMachine(scenario, machineSettings(project));
@@ -63,7 +63,7 @@ SearchCheckpoint sumOf(SearchCheckpoint at, const SearchCheckpoint& before) {
     return at;
 }
 
-/// What a finished search gave.
+/// The result of a finished search.
 SearchSummary summaryOf(const Variants& variants, const SearchCheckpoint& found,
                         const SearchOptions& options) {
     SearchSummary summary;
@@ -138,7 +138,7 @@ SearchSummary SearchJournal::search(const Project& project, const SearchOptions&
     if (found.status != SearchStatus::stopped) {
         m_record.finished.push_back(whole);
         m_record.begun.reset();
-    } else if (found.checkpoint.evaluations > 0) { // else it is where it began
+    } else if (found.checkpoint.evaluations > 0) { // otherwise it is still at its beginning
         m_record.begun = whole;
     }
     found.checkpoint = whole;

@@ -22,8 +22,8 @@ struct SearchRecord {
 /// Records the full searches for one answer, and supplies the results of recorded ones: the same
 /// project and options give the answer that they would have given without a stop, from where the
 /// search was stopped. A record with a cycle that is not in the grid is discarded and the search
-/// made anew. So is a record whose best cycle does not hold or differs from it in time or margin:
-/// it is run once before it counts.
+/// repeated, as is a record whose best cycle, run once to check it, is not feasible or differs in
+/// time or margin.
 class SearchJournal {
 public:
     explicit SearchJournal(SearchRecord record = {}) : m_record(std::move(record)) {}
@@ -33,7 +33,7 @@ public:
 
     [[nodiscard]] const SearchRecord& record() const {
         return m_record;
-    } ///< only while no search runs
+    } ///< only while no search is running
     /// Returns whether a part of the record was discarded and searched anew.
     [[nodiscard]] bool hasRefused() const { return m_hasRefused; }
     /// Called by optimise().

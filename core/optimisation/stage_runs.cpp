@@ -70,7 +70,7 @@ int StageRuns::mostTaken(const CyclePrefix& prefix) const {
 
 double StageRuns::bound_s(const CyclePrefix& prefix, double time_s, double fed_mm,
                           std::size_t setting, int taken) const {
-    const double cut_mm = fed_mm - leastLag_mm(prefix, setting); // at most
+    const double cut_mm = fed_mm - leastLag_mm(prefix, setting); // upper bound
     double rest_s =
         m_bound->rest_s(setting, cut_mm, m_grid.remainder(taken), prefix.isBeforeLast());
     if (const double sparkOut_s = m_bound->sparkOut_s(setting); sparkOut_s > 0) {
@@ -79,7 +79,7 @@ double StageRuns::bound_s(const CyclePrefix& prefix, double time_s, double fed_m
     return time_s * (1 - 1e-12) + rest_s;
 }
 
-/// How far the gauge's deepest radius stays behind in a last stage, whatever its steps.
+/// The least lag of the gauge's deepest radius in a last stage, for any number of steps.
 double StageRuns::leastLag_mm(const CyclePrefix& prefix, std::size_t setting) const {
     if (!m_lags || !prefix.isBeforeLast()) {
         return 0;

@@ -21,7 +21,7 @@ struct CyclePrefix {
     std::shared_ptr<const CycleSteps> steps; ///< kept state to extend
     int since = 0;                 ///< number of last steps that must be repeated from that state
     double time_s = 0, fed_mm = 0; ///< after all its steps
-    FollowedRadii critical;        ///< likewise; critical radii of a last stage
+    FollowedRadii critical;        ///< also after all its steps; critical radii of a last stage
     std::size_t stages = 0;        ///< number of stages of the whole cycle
     GridCycle cycle;               ///< the finished stages
     std::vector<int> counts;       ///< steps of each stage
@@ -61,11 +61,11 @@ public:
     using DropCheck = std::function<bool(const Run& run, int taken)>;
     using AtEnd = std::function<void(const End& end)>;
     /// Runs a stage: under gauge control once, under position control once for each end. A run that
-    /// breaks a requirement counts as cut and ends.
+    /// violates a requirement counts as cut and ends.
     void run(const CyclePrefix& from, std::size_t setting, const DropCheck& isDropped,
              const AtEnd& atEnd, SearchCounts& counts) const;
     /// Runs a stage to the end with this number of stock steps taken, with a copy of the prefix's
-    /// steps; nothing: the end is not reached.
+    /// steps; nullopt if the end is not reached.
     [[nodiscard]] std::optional<End> runTo(int taken, const CyclePrefix& from, CycleSteps& steps,
                                            std::size_t setting, SearchCounts& counts) const;
     /// Returns whether last stages can be bounded by the critical radii: under gauge control, where
@@ -75,7 +75,7 @@ public:
     [[nodiscard]] LastStageBound
     lastStageBound(const CyclePrefix& from, std::size_t setting,
                    int mostSteps = std::numeric_limits<int>::max()) const;
-    /// Returns whether a diameter is beyond the field before the last stage begins.
+    /// Returns whether a diameter is beyond the tolerance before the last stage begins.
     [[nodiscard]] bool isTooDeep(const CyclePrefix& beforeLast) const;
     /// Returns the prefix after the stage, without its state.
     [[nodiscard]] CyclePrefix after(const CyclePrefix& from, std::size_t setting, const End& end,
@@ -84,7 +84,7 @@ public:
     /// Least and greatest number of stock steps taken by the end of a prefix's next stage.
     [[nodiscard]] int leastTaken(const CyclePrefix& prefix) const;
     [[nodiscard]] int mostTaken(const CyclePrefix& prefix) const;
-    /// Repeats the last `count` steps of a prefix on those before them; returns false when stopped.
+    /// Repeats the last `count` steps of a prefix on those before them; returns false after a stop.
     [[nodiscard]] bool repeatSteps(const CyclePrefix& prefix, CycleSteps& steps, int count) const;
 
     /// Returns the least time [s] of all cycles that extend the prefix with this setting, from its

@@ -7,18 +7,18 @@ namespace sparkout {
 
 namespace {
 
-constexpr double rounding_mm = 1e-9; ///< of lags, generously
+constexpr double rounding_mm = 1e-9; ///< rounding of lags, generously
 constexpr double nearEnough_mm = 1e-6;
-constexpr double slopeWidth_mm = 1e-4; ///< over which it is taken
+constexpr double slopeWidth_mm = 1e-4; ///< interval of the slope
 constexpr int mostTries = 50;
 constexpr double mostLag_mm = 1e3;
 
-/// A lag, and what a step makes of it.
+/// A lag before and after a step.
 struct LagStep {
     double lag_mm = 0, after_mm = 0;
 };
 
-/// From the steady lag on, next to it, of the steps that W makes; ∞: none is found.
+/// Searches near the steady lag for a lag that steps W do not cross; ∞ if none is found.
 template <class Next>
 LagStep above(double infeed_mm, const Next& next) {
     constexpr double further = 4;
@@ -27,7 +27,7 @@ LagStep above(double infeed_mm, const Next& next) {
         at.lag_mm *= further;
         at.after_mm = next(at.lag_mm);
     }
-    // Beyond two lags a line through both is above W(w) − w, as that is concave.
+    // Beyond two lags the line through both is above W(w) − w, which is concave.
     for (int i = 0; i < mostTries && at.lag_mm - at.after_mm > nearEnough_mm; ++i) {
         const LagStep then{at.after_mm, next(at.after_mm)};
         const double fall_mm = at.lag_mm - at.after_mm;
@@ -44,7 +44,7 @@ LagStep above(double infeed_mm, const Next& next) {
     return at.after_mm <= at.lag_mm ? at : LagStep{infinity, infinity};
 }
 
-/// A lag up to the steady one, next to it.
+/// A lag not above the steady one, and near it.
 template <class Next>
 double below(double above_mm, const Next& next) {
     for (double less_mm = nearEnough_mm; less_mm < above_mm; less_mm *= 2) {

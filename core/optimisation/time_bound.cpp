@@ -24,7 +24,7 @@ namespace {
 /// Rounding of t_П, Σa and times, generously [mm, share].
 constexpr double boundRounding_mm = 1e-9, boundRounding = 1e-9;
 
-/// The infeed that the bound counts on, where the machine prints no form.
+/// The infeed that the bound assumes without a machine form.
 double blankInfeed_mm(const Project& project, double total_mm) {
     const std::vector<ZoneBlank> zones = zoneBlanks(*project.part);
     const auto gauged = static_cast<std::size_t>(gaugeSection(project));
@@ -35,7 +35,7 @@ double blankInfeed_mm(const Project& project, double total_mm) {
     return std::min(total_mm, project.part->stock_mm + zones[gauged].stock_mm);
 }
 
-/// The gauge may read the size that much before the machine's frame has it.
+/// The gauge may read the size this much before it is reached in the machine's frame.
 double sureInfeed_mm(const Project& project, double total_mm) {
     const double before_mm =
         project.gauge->control == Control::gauge ? mostOfDiameters_mm(project) : 0;
@@ -101,7 +101,7 @@ void TimeBound::readSparkOuts(const Grid& grid) {
 
 double TimeBound::rest_s(std::size_t setting, double fed_mm, double later_mm, bool last) const {
     const Rate& rate = m_rates[setting];
-    const double left = last ? 0 : std::min(later_mm, m_mostLast_mm); // to the spark-out
+    const double left = last ? 0 : std::min(later_mm, m_mostLast_mm); // fed up to the spark-out
     const double all = m_total - left - fed_mm;
     if (rate.sparkOut_s > 0) {
         return 0;

@@ -11,7 +11,7 @@ TradeOff tradeOff(const Project& project, const SearchSummary& quickest, SearchO
     while (found.cycles.size() < most) {
         const FeasibleCycle& last = *found.cycles.back().best;
         options.beyondMargin = last.leastRelativeMargin + equalMargins;
-        options.quickest_us = last.time_us + 1; // of equal times it has the greatest margin
+        options.quickest_us = last.time_us + 1; // it has the greatest margin of all with that time
         SearchSummary next = optimise(project, options);
         if (next.status != SearchStatus::proved) {
             found.isComplete = next.status == SearchStatus::infeasible;

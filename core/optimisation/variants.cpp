@@ -25,7 +25,7 @@ Levels only(double value) {
     return std::vector<double>{value};
 }
 
-/// Work speeds, dwells at the reversals and counts of spark-outs: how many of each to choose from.
+/// Number of work speeds, dwells at the reversals and counts of spark-outs.
 double combinations(const Project& project) {
     const Optimisation& asked = *project.optimisation;
     const auto number = [](const Levels& levels) { return std::max(levelCount(levels), 1.0); };
@@ -40,7 +40,8 @@ Grid gridWith(Project project, double sparkOut) {
     return Grid(project);
 }
 
-/// One for each count: two are read, with and without a spark-out, the others differ in the count.
+/// A grid for each count: two are read, with and without a spark-out; the others differ only in the
+/// count.
 std::vector<std::shared_ptr<const Grid>> gridsOf(const Project& project,
                                                  const std::vector<double>& sparkOuts) {
     std::vector<std::shared_ptr<const Grid>> grids;
@@ -128,7 +129,7 @@ bool Variants::differInOne(std::size_t a, std::size_t b) const {
     return differences == 1;
 }
 
-// Of the cycles of a variant only whether they spark out counts for their number.
+// The number of cycles of a variant depends only on whether they spark out.
 std::int64_t Variants::size() const {
     constexpr auto most = std::numeric_limits<std::int64_t>::max();
     std::array<std::optional<std::int64_t>, 2> sizes;

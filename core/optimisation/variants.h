@@ -24,7 +24,7 @@ void setMachine(Project& project, const MachineSettings& settings);
 /// All grids of a project's optimisation: one for each combination of work speed, entry dwell, exit
 /// dwell and spark-out count as listed. In the order of the variants the spark-outs change first
 /// and the work speed last; the order of variants precedes the grid order of the cycles of one
-/// variant. A setting that is not listed is that of the machine, and there is then no spark-out.
+/// variant. An unlisted setting has the machine's value, an unlisted spark-out count means none.
 class Variants {
 public:
     /// With a fault there are no variants. A stop may leave some out.

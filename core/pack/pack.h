@@ -10,13 +10,13 @@
 #include <string_view>
 #include <vector>
 
-/// What a shop or a class hands on in one file: entries of the catalogues, the heads of documents
-/// and lessons. Nothing in it is run.
+/// Data that a shop or a class passes on in one file: entries of the catalogues, the heads of
+/// documents and lessons. Nothing in it is run.
 namespace sparkout {
 
 /// A lesson and the file it came from.
 struct PackedLesson {
-    std::string file; ///< its name alone, see isLessonFileName()
+    std::string file; ///< file name without a folder, see isLessonFileName()
     Lesson lesson;
 };
 
@@ -29,12 +29,12 @@ struct Pack {
     std::string logo;                           ///< a PNG or JPEG file in base64
     std::vector<PackedLesson> lessons;
 
-    /// Entries, lessons, and the company's data as one.
+    /// Number of entries, lessons, and the company's data, which count as one.
     [[nodiscard]] std::size_t count() const;
 };
 
-/// Whether a text is the plain name of a lesson's file on every system: no folder, no character
-/// that Windows refuses, `.sparkout-lesson` at its end, at most 120 bytes.
+/// Whether a text is a plain lesson file name on every system: no folder, no character that Windows
+/// refuses, suffix `.sparkout-lesson`, at most 120 bytes.
 [[nodiscard]] bool isLessonFileName(std::string_view name);
 
 } // namespace sparkout

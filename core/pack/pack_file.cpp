@@ -26,7 +26,7 @@ void refuse(Issues& issues, IssueCode code, const std::string& path, Detail valu
     addIssue(issues, {code, Severity::error, path, std::move(value), std::move(limit)});
 }
 
-/// A text of at most so many bytes; what is not there is empty.
+/// Reads a text of at most so many bytes; empty if missing.
 std::string readText(const json& object, const char* key, std::size_t most, const std::string& path,
                      Issues& issues) {
     const auto found = object.find(key);
@@ -46,7 +46,7 @@ std::string readText(const json& object, const char* key, std::size_t most, cons
     return text;
 }
 
-/// What stands under a key, when it is of a kind; a fault when it is of another.
+/// The value of a key, if it has the right kind; otherwise reports a fault.
 const json* memberOf(const json& root, const char* key, json::value_t type, Phrase expected,
                      Issues& issues) {
     const auto found = root.find(key);
@@ -60,7 +60,7 @@ const json* memberOf(const json& root, const char* key, json::value_t type, Phra
     return &*found;
 }
 
-/// A catalogue below its key, as it would be read from its own file.
+/// Reads a catalogue below its key like its own file.
 template <class Entry>
 std::vector<Entry> readEntries(const json& root, const char* key, Issues& issues) {
     const json* object = memberOf(root, key, json::value_t::object, Phrase::object, issues);
@@ -155,7 +155,7 @@ void readLessons(const json& root, Pack& pack, Issues& issues) {
                    Phrase::nameOfLessonFile);
             continue;
         }
-        // One for a class has no right answers in it, which a teacher's must have.
+        // A lesson for a class lacks the right answers, which a teacher's must have.
         ReadLesson read = readLessonJson(object, LessonOf::teacher, {}, {});
         if (!read.lesson) {
             ReadLesson students = readLessonJson(object, LessonOf::student, {}, {});

@@ -24,15 +24,15 @@ inline constexpr std::size_t logoText = 1'400'000; ///< letters of base64: of a 
 } // namespace limits
 
 struct ReadPack {
-    std::optional<Pack> pack; ///< given when there is no error
+    std::optional<Pack> pack; ///< given without errors
     Issues issues;
 };
 
-/// Reads a pack strictly: every part as its own file would be, two entries or lessons of one name
-/// and names of lessons that are no plain names of files are faults. All faults at once.
+/// Reads a pack strictly: every part like its own file; two entries or lessons with one name and
+/// lesson names that are not plain file names are faults. Returns all faults at once.
 [[nodiscard]] ReadPack readPack(std::string_view text);
 
-/// The text of a pack: the same pack, the same bytes; parts that are empty are left out.
+/// The text of a pack: equal packs give equal bytes; empty parts are omitted.
 [[nodiscard]] std::string writePack(const Pack& pack);
 
 } // namespace sparkout

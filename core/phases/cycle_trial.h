@@ -17,7 +17,7 @@ struct CycleTrial {
     double removed_mm3 = 0;                       ///< removed volume, if the cycle ends
 };
 
-/// Tries the cycle of a valid project; returns nothing when stopped.
+/// Tries the cycle of a valid project; returns nullopt after a stop.
 [[nodiscard]] std::optional<CycleTrial> tried(const Project& project, const std::stop_token& stop);
 
 } // namespace sparkout

@@ -18,16 +18,16 @@ namespace sparkout {
 namespace {
 
 constexpr double mostFormChange_mm = 1e-6, nearest_um = 0.01, nearestShare = 0.01;
-constexpr double clear_um = 2 * nearest_um; ///< of what an upper bound is enough
+constexpr double clear_um = 2 * nearest_um; ///< sufficient accuracy of an upper bound
 
 /// Stocks that fail, or may.
 struct Suspect {
     StockRange stocks;
     double leastMargin = 0;   ///< relative
-    bool isOfLargest = false; ///< at the largest of them, else at the least
+    bool isOfLargest = false; ///< at the largest of them, otherwise at the least
 };
 
-/// The least relative margin of a cycle at an end of a piece; ∞: it does not end.
+/// The least relative margin of a cycle at an end of a piece; ∞ if it does not end.
 double leastMargin(const PieceEnd& end) {
     double least = std::numeric_limits<double>::infinity();
     for (const ConstraintResult& each : end.constraints) {
@@ -36,7 +36,7 @@ double leastMargin(const PieceEnd& end) {
     return least;
 }
 
-/// What the shared run says of the requirements of a piece.
+/// The evaluation of a piece's requirements by the shared run.
 class SharedRun {
 public:
     SharedRun(const PhasePiece& piece, const SimulationResult& result)
@@ -56,14 +56,14 @@ public:
         }
     }
 
-    /// Neither, and not for burning alone: it has to be decided on the piece's own ends.
+    /// Whether all requirements are certainly met, so that the piece's own ends need not be run.
     [[nodiscard]] bool holds() const { return !m_fails && !m_isNear && !m_mayBurn; }
     [[nodiscard]] bool fails() const { return m_fails; }
-    /// All but burning holds, which more stock may prevent.
+    /// Whether all but burning is certainly met, which more stock may prevent.
     [[nodiscard]] bool holdsIfNotBurned() const { return !m_fails && !m_isNear; }
     double leastMargin = std::numeric_limits<double>::infinity(); ///< relative, at the worse end
-    StockRange failing; ///< stocks of the piece that the diameter that fails by most fails for
-    bool failsAtLargest = false; ///< by most
+    StockRange failing;          ///< stocks of the piece for which the worst diameter fails
+    bool failsAtLargest = false; ///< by the largest amount
 
 private:
     void take(const ConstraintResult& each) {
@@ -112,11 +112,11 @@ private:
         }
     }
 
-    /// The stocks of the piece where a margin that is affine in the stock is negative; all of them
-    /// where it is so at both ends.
+    /// The stocks of the piece for which a margin that is affine in the stock is negative; all if
+    /// it is negative at both ends.
     [[nodiscard]] StockRange belowZero(double low_um, double high_um) const {
         StockRange range = m_piece;
-        const double share = low_um / (low_um - high_um); // of the piece, where it is zero
+        const double share = low_um / (low_um - high_um); // share of the piece at which it is zero
         const double zero_mm = m_piece.from_mm + share * (m_piece.to_mm - m_piece.from_mm);
         if (low_um < 0 && high_um >= 0) {
             range.to_mm = zero_mm;
@@ -131,11 +131,11 @@ private:
     const SimulationResult& m_result;
     StockRange m_piece;
     double m_worst_um = 0;      ///< margin of a diameter that fails
-    double m_low_um, m_high_um; ///< diameters of the ends of the piece less those of the run
+    double m_low_um, m_high_um; ///< diameters at the ends of the piece less those of the run
     bool m_fails = false, m_isNear = false, m_mayBurn = false;
 };
 
-/// Keeps the worst of those that fail.
+/// Keeps the worst failing stocks.
 class Suspects {
 public:
     void add(Suspect suspect) {
@@ -147,8 +147,8 @@ public:
         }
     }
 
-    /// A stock of the worst for which the project fails by itself, near where it does so by most:
-    /// next to the end of a piece the control may make the steps of its neighbour.
+    /// A stock near the worst for which the project itself fails: next to the end of a piece the
+    /// control may make the steps of its neighbour.
     [[nodiscard]] std::optional<double> stock_mm(const Project& project,
                                                  const std::stop_token& stop) {
         std::ranges::sort(m_worst, {}, &Suspect::leastMargin);
@@ -178,8 +178,8 @@ public:
 
 private:
     static constexpr std::size_t most = 64;
-    static constexpr double nearlyAsMuch = 0.9; ///< of a margin below 0
-    std::vector<Suspect> m_worst;               ///< a heap, the least of them first
+    static constexpr double nearlyAsMuch = 0.9; ///< relative to a negative margin
+    std::vector<Suspect> m_worst;               ///< a heap with the least of them first
 };
 
 /// Whether the piece's steps burn a blank of this stock, or it is stopped.

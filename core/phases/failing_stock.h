@@ -9,8 +9,8 @@
 namespace sparkout {
 
 /// Returns a stock of the range [mm] for which the project's cycle fails, near the worst one;
-/// nothing: the cycle holds for every stock, or the check was stopped. The project must be valid
-/// and its phases decidable.
+/// nullopt if the cycle is fit for every stock, or after a stop. The project must be valid and its
+/// phases decidable.
 ///
 /// The answer is that of decidePhases(), at a fraction of its cost. The pieces share the runs of
 /// visitPhasePieces(), on the blank of the least stock of the range. The result of a shared run
@@ -20,11 +20,11 @@ namespace sparkout {
 /// * formChange_mm() in each radius and depth of cut,
 /// * more stock left below each cut, which never increases the risk of burning.
 ///
-/// So a requirement that holds or fails there by more than a form change below a nanometre can
-/// alter it (10 nm for values stated in µm, 1 % for values that follow from depths of cut) does so
-/// for the whole piece. Burning in the shared run is decided by a run on the piece's own least
-/// stock, which is nearest to it. All requirements nearer to their limits, and all requirements
-/// where the form changes by more, are decided by two runs at the piece's own ends.
+/// So a requirement that is met or violated there by more than a form change below a nanometre can
+/// alter (10 nm for values stated in µm, 1 % for values that follow from depths of cut) is so for
+/// the whole piece. Burning in the shared run is decided by a run on the piece's own least stock,
+/// which is nearest to it. All requirements nearer to their limits, and all requirements where the
+/// form changes by more, are decided by two runs at the piece's own ends.
 [[nodiscard]] std::optional<double> failingStock_mm(const Project& project, StockRange range,
                                                     const std::stop_token& stop = {});
 

@@ -59,7 +59,7 @@ private:
         return end;
     }
 
-    /// Leaves the stocks for which this requirement holds too.
+    /// Restricts the range to stocks for which this requirement is met, too.
     void narrow(StockRange& holds, std::size_t index) {
         const ConstraintResult& low = m_decided.low.constraints[index];
         const ConstraintResult& high = m_decided.high.constraints[index];
@@ -84,7 +84,7 @@ private:
         }
     }
 
-    /// The last stock on the side that holds. Diameters are linear; else by bisection.
+    /// The last stock for which it is met. Diameters are linear; otherwise by bisection.
     double changeBetween(const ConstraintResult& low, const ConstraintResult& high,
                          std::size_t index) {
         const PhasePiece& piece = m_decided.piece;
@@ -141,7 +141,7 @@ bool canDecidePhases(const Project& project) {
 }
 
 StockRange widened(const StockRange& stocks, double largestInfeed_mm) {
-    constexpr double leastShare = 0.01; // of the stock: a blank has some
+    constexpr double leastShare = 0.01; // least share of the stock: a blank has some
     return {std::max(stocks.from_mm - largestInfeed_mm / 2, leastShare * stocks.from_mm),
             stocks.to_mm + largestInfeed_mm / 2};
 }

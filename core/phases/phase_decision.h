@@ -27,19 +27,19 @@ struct PieceEnd {
 ///
 /// Within a piece every depth of cut, and so time, forces, power, roughness and form, are constant;
 /// the diameters grow by 2 µm for each µm of Π; and the stock left below each cut grows with Π, so
-/// that the margin to burning never falls. A requirement that holds at both ends therefore holds
+/// that the margin to burning never falls. A requirement that is met at both ends is therefore met
 /// between them.
 struct DecidedPiece {
     PhasePiece piece;
     double time_s = 0;
     PieceEnd low, high;
-    std::optional<StockRange> holds; ///< stocks for which every requirement holds
+    std::optional<StockRange> holds; ///< stocks for which every requirement is met
     double leastMargin = 0;          ///< relative, at the worse end; −1: the cycle does not end
     std::optional<ConstraintResult> worst; ///< requirement with this margin
     [[nodiscard]] bool holdsWhole() const {
         return holds == StockRange{piece.from_mm, piece.to_mm};
     }
-    /// Returns its failing stocks, one range below those that hold and one above.
+    /// Returns its failing stocks, one range below the good ones and one above.
     [[nodiscard]] std::vector<StockRange> failing() const;
 };
 
@@ -50,17 +50,17 @@ struct FailingStocks {
     std::optional<ConstraintResult> worst; ///< only for cycles that end
 };
 
-/// Greatest number of pieces that are listed. An infeed of an ordinary cycle has 5 to 30; many
-/// small infeeds after a large one may make millions.
+/// Greatest number of listed pieces. An infeed of an ordinary cycle has 5 to 30; many small infeeds
+/// after a large one may make millions.
 inline constexpr std::size_t mostDecidedPieces = 20'000;
 
 struct PhaseDecision {
-    /// False under position control, when stopped or refused, and where there are too many pieces.
+    /// False under position control, when stopped or refused, and if there are too many pieces.
     bool isDecided = false;
     bool hasTooMany = false; ///< there are more pieces than allowed
     StockRange range;
     std::vector<DecidedPiece> pieces;   ///< in rising order, over the whole range
-    std::vector<FailingStocks> failing; ///< in rising order; none: it holds for every stock
+    std::vector<FailingStocks> failing; ///< in rising order; empty: it is fit for every stock
     [[nodiscard]] bool holds() const { return isDecided && failing.empty(); }
     /// Returns the failing ranges, whatever the reason, in rising order and joined where adjacent.
     [[nodiscard]] std::vector<StockRange> failingRanges() const;

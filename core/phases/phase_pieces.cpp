@@ -52,17 +52,17 @@ public:
     }
 
 private:
-    /// Stocks that have made the same steps so far. Where the last step has split them it is to be
-    /// judged again, with the answers given already.
+    /// Stocks with the same steps so far. If the last step has split them it has to be judged
+    /// again, with the answers given already.
     struct Branch {
         std::unique_ptr<CycleSteps> steps;
         CycleLoop loop;
         double low_mm, high_mm;
         StepReading last;
         std::vector<bool> answers;
-        double left_mm = 0; ///< that the run leaves more below its cuts
-        /// Its stocks are larger by more than that, as was answered in the running stage. Where a
-        /// stage comes to rest next to its end, each further step would split them again, for ever.
+        double left_mm = 0; ///< additional stock below its cuts in the run
+        /// The stocks are larger by more than this, as decided in the running stage. If a stage
+        /// comes to rest near its end, each further step would otherwise split them again.
         double denied_mm = -std::numeric_limits<double>::infinity();
     };
 
@@ -92,7 +92,8 @@ private:
                    result);
     }
 
-    /// All stocks of the branch leave so much more below their cuts than the least of the interval.
+    /// Adds the additional stock of the branch, relative to the least of the interval, below its
+    /// cuts.
     static void leaveMore(Branch& branch) {
         if (branch.low_mm > branch.left_mm) {
             branch.steps->run().leaveMore(branch.low_mm - branch.left_mm);
@@ -100,8 +101,8 @@ private:
         }
     }
 
-    /// Goes on with the stocks of which what the loop asks next is true, and leaves the others for
-    /// later.
+    /// Continues with the stocks for which the loop's next question is true, and leaves the others
+    /// for later.
     void judge(Branch& branch) {
         const std::vector<bool> known = std::exchange(branch.answers, {});
         m_before = branch.loop;

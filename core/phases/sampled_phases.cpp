@@ -13,9 +13,9 @@ namespace sparkout {
 
 namespace {
 
-/// Puts the stock at a share of an infeed around what it is.
+/// Changes the stock by a share of an infeed, centred on its value.
 void addPhase(Project& project, double infeed_mm, double share) {
-    constexpr double leastShare = 0.01; // of the stock: a blank has some
+    constexpr double leastShare = 0.01; // least share of the stock: a blank has some
     double& stock_mm = project.part->stock_mm;
     stock_mm = std::max(stock_mm + infeed_mm * (share - 0.5), leastShare * stock_mm);
 }

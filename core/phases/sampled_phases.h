@@ -15,8 +15,8 @@
 namespace sparkout {
 
 /// Returns the project with stocks distributed evenly over one infeed of each stage around its own
-/// stock, `phases` a stage, starting at a share `from` of a phase: the size depends on where the
-/// last step falls, which corners alone do not cover.
+/// stock, `phases` for each stage, starting at a share `from` of a phase: the size depends on where
+/// the last step falls, which corners alone do not cover.
 [[nodiscard]] std::vector<Project> stockPhases(const Project& project, int phases = 16,
                                                double from = 0);
 
@@ -35,10 +35,10 @@ inline constexpr int freshPhaseCount = 500;
     return std::min(std::log(k * (k + 1) / risk) / phases, 1.0);
 }
 
-/// Returns the worst of the failing phases among `count` phases; nothing: none fails. The phases
+/// Returns the worst of the failing phases among `count` phases; nullopt if none fails. The phases
 /// are independent and uniform over one infeed of each stage around the stock, and differ with
-/// `draw`. After a stop it returns the worst found so far; nothing then does not mean that the
-/// cycle holds in all.
+/// `draw`. After a stop it returns the worst found; nullopt then does not mean that the cycle is
+/// fit in all.
 [[nodiscard]] std::optional<Project> failingPhase(const Project& best, std::uint32_t draw,
                                                   const std::stop_token& stop = {},
                                                   int count = freshPhaseCount);

@@ -27,16 +27,16 @@ double simpson(Function f, double a, double b) {
     return b > a ? (b - a) / 6 * (f(a) + 4 * f((a + b) / 2) + f(b)) : 0;
 }
 
-// Of the first numbers of both.
+// The product of the leading numbers of both vectors.
 double product(const std::vector<double>& a, const std::vector<double>& b, std::size_t count) {
     using Numbers = Eigen::Map<const Eigen::VectorXd>;
     const auto n = static_cast<Eigen::Index>(count);
     return Numbers(a.data(), n).dot(Numbers(b.data(), n));
 }
 
-/// Segments times rests up to which each number is summed up for itself.
+/// Limit of segments times rests for separate summation.
 constexpr std::size_t mostSingly = 256;
-/// Places on either side of G up to which the same is done.
+/// Limit of places on either side of G for separate summation.
 constexpr std::size_t fewPlaces = 4;
 
 } // namespace
@@ -103,7 +103,8 @@ private:
             return middle - xi;
         return xi >= m_to ? 0 : (m_to - xi) * (m_to - xi) / (2 * spread);
     }
-    // Up to x in piece i: centres integral of xi M/(E I), chuck of M/(E I), the slope.
+    // Up to x in piece i. Centres: the integral of xi M/(E I); chuck: the integral of M/(E I), the
+    // slope.
     double before(std::size_t i, double x) const {
         const auto work = [&](double xi) { return (m_centres ? xi : 1) * moment(xi); };
         return m_before[i] + simpson(work, m_at[i], x) / m_rigidities[i];
@@ -145,7 +146,7 @@ Compliance::Compliance(ShaftModel model, const std::stop_token& stop)
         double pivot = 1 / spring.stiffness_n_mm + free;
         for (const double term : row)
             pivot -= term * term;
-        if (pivot > 1e-12 * free) // else the point is already held rigidly: the rest adds nothing
+        if (pivot > 1e-12 * free) // otherwise it is rigid: the rest adds nothing
             m_rests.push_back({p, std::sqrt(pivot), std::move(row)});
     }
 }
@@ -167,7 +168,7 @@ std::vector<double> Compliance::rows(const std::vector<double>& at, const std::v
         }
         return all;
     };
-    // Under a load at each place, which bends the shaft at all places beyond.
+    // The bending at each place under a load at each place before it.
     const bool isSymmetric = at == from;
     const bool byLines = isLarge() || std::min(at.size(), from.size()) > fewPlaces;
     const auto linesUnder = [&](const std::vector<double>& places) {
@@ -191,7 +192,7 @@ std::vector<double> Compliance::rows(const std::vector<double>& at, const std::v
     };
     const std::vector<std::vector<double>> atEach = terms(at);
     const std::vector<std::vector<double>> fromEach = terms(from);
-    std::vector<double> G(at.size() * from.size()); // 0: what was stopped
+    std::vector<double> G(at.size() * from.size()); // 0 where stopped
     for (std::size_t i = 0; i < at.size() && !stop.stop_requested(); ++i) {
         for (std::size_t j = 0; j < (isSymmetric ? i + 1 : from.size()); ++j) {
             const double g = with(atEach[i], fromEach[j], bareAt(i, j));
@@ -203,7 +204,7 @@ std::vector<double> Compliance::rows(const std::vector<double>& at, const std::v
     return G;
 }
 
-// The whole of g at two places, with the terms of the rests there.
+// The complete g at two places, including the terms of the rests.
 double Compliance::with(const std::vector<double>& atX, const std::vector<double>& atS,
                         double g) const {
     for (std::size_t i = 0; i < m_rests.size(); ++i)
@@ -239,7 +240,7 @@ double Compliance::mean(double x, double from, double to) const {
 ComplianceParts Compliance::partsAt(double x) const {
     x = onShaft(x);
     const bool centres = m_model.mounting == Mounting::centres;
-    const double share = centres ? x / length() : 0; // of the force that the tailstock carries
+    const double share = centres ? x / length() : 0; // share of the force carried by the tailstock
     ComplianceParts parts;
     parts.wheelHead = 1 / m_model.wheelHead_n_mm;
     parts.headstock = (1 - share) * (1 - share) / m_model.headstock_n_mm;
@@ -250,7 +251,7 @@ ComplianceParts Compliance::partsAt(double x) const {
     return parts;
 }
 
-// Sums of lengths may miss the end of the shaft by rounding; anything more is a bug of the caller.
+// Sums of lengths may miss the end of the shaft by rounding; a larger error is a bug of the caller.
 double Compliance::onShaft(double x) const {
     assert(x >= -1e-9 * length() && x <= (1 + 1e-9) * length());
     return std::clamp(x, 0.0, length());

@@ -9,7 +9,7 @@ namespace sparkout {
 
 enum class Mounting; // core/project/part.h
 
-/// One step of a stepped shaft.
+/// A cylindrical segment of a stepped shaft.
 struct BeamSegment {
     double length_mm = 0;   ///< along the axis, > 0 [mm]
     double diameter_mm = 0; ///< d, > 0 [mm]
@@ -18,22 +18,22 @@ struct BeamSegment {
 /// A steady rest: a spring between a point of the shaft and the ground.
 struct SupportSpring {
     double position_mm = 0;    ///< from the headstock end of the shaft [mm]
-    double stiffness_n_mm = 0; ///< k >= 0; infinity: the rest holds its point rigidly [N/mm]
+    double stiffness_n_mm = 0; ///< k >= 0; infinity: rigid [N/mm]
 };
 
 /// The elastic system: wheel head and shaft on its supports. Stiffnesses are > 0; infinity means
 /// rigid.
 struct ShaftModel {
-    std::vector<BeamSegment> segments; ///< from the headstock end; their sum is L_s
+    std::vector<BeamSegment> segments; ///< from the headstock end; their lengths add up to L_s
     double youngsModulus_n_mm2 = 0;    ///< E; infinity: a rigid shaft [N/mm^2]
     Mounting mounting{};               ///< the first: between centres
     double headstock_n_mm = 0;         ///< j_h [N/mm]
-    double tailstock_n_mm = 0;         ///< j_t, not read for a chuck [N/mm]
+    double tailstock_n_mm = 0;         ///< j_t, unused for a chuck [N/mm]
     double wheelHead_n_mm = 0;         ///< j_w [N/mm]
     std::vector<SupportSpring> rests;  ///< steady rests, in any order
 };
 
-/// What makes up gamma(x) = G(x,x) [mm/N]. `rests` is what the steady rests take away (<= 0).
+/// The parts of gamma(x) = G(x,x) [mm/N]; `rests`, the part of the steady rests, is <= 0.
 struct ComplianceParts {
     double wheelHead = 0;
     double headstock = 0;
@@ -47,28 +47,28 @@ struct ComplianceParts {
 /// headstock end of the shaft (centre or chuck face) and lie on the shaft. With M_x(xi) the bending
 /// moment from a unit force at x and I = pi d^4/64,
 ///
-///     centres: G = 1/j_w + (1-x/L)(1-s/L)/j_h + (x/L)(s/L)/j_t + integral of M_x M_s/(E I) over
-///     the shaft chuck:   G = 1/j_w + 1/j_h                               + the same integral, M_x
-///     = max(0, x - xi)
+/// centres: G = 1/j_w + (1-x/L)(1-s/L)/j_h + (x/L)(s/L)/j_t + integral of M_x M_s/(E I) over
+/// the shaft chuck:   G = 1/j_w + 1/j_h                               + the same integral, M_x
+/// = max(0, x - xi)
 ///
-/// Each rest (stiffness k at p) then changes the part of the shaft, g = G - 1/j_w, to
-/// g(x,s) - g(x,p) g(p,s)/(1/k + g(p,p)). Exact for stepped shafts up to rounding: the integrand is
+/// Each rest (stiffness k at p) then changes the part of the shaft, g = G - 1/j_w, to g(x,s) -
+/// g(x,p) g(p,s)/(1/k + g(p,p)). Exact for stepped shafts up to rounding: the integrand is
 /// piecewise quadratic, G piecewise cubic in s, and Simpson's rule is exact for both. Shear is left
 /// out (slender shafts).
 ///
 /// With many segments or rests the same integrals are taken as running sums along the shaft: with
 /// the moment M_s under a load, unit force or evenly spread, the shaft bends at x by
 ///
-///     centres: (1-x/L) integral_0^x xi M_s/(E I) + (x/L) integral_x^L (L-xi) M_s/(E I)
-///     chuck:   y(x), y' = integral_0^x M_s/(E I)
+/// centres: (1-x/L) integral_0^x xi M_s/(E I) + (x/L) integral_x^L (L-xi) M_s/(E I)
+/// chuck:   y(x), y' = integral_0^x M_s/(E I)
 ///
 /// Every term is positive, so nothing cancels and the sums agree with the integrals to rounding.
-/// The rests stay the Cholesky factor of 1/k + g(p,p'). (A stiffness matrix of the shaft's joints
-/// would be banded, but its condition rises with the fourth power of the number of segments:
-/// 1,000 of them would leave four of sixteen digits.)
+/// The rests remain the Cholesky factor of 1/k + g(p,p'). (A stiffness matrix of the shaft's joints
+/// would be banded, but its condition rises with the fourth power of the number of segments: 1,000
+/// of them would leave four of sixteen digits.)
 class Compliance {
 public:
-    /// A stop leaves out the rests that are not taken in yet: what follows is not to be used.
+    /// A stop leaves out the remaining rests; the object must not be used afterwards.
     explicit Compliance(ShaftModel model, const std::stop_token& stop = {});
 
     /// L_s, the sum of the segments [mm].
@@ -77,7 +77,7 @@ public:
     /// G(x,s) [mm/N]; G(x,s) = G(s,x) to the last bit.
     double between(double x, double s) const;
 
-    /// G(x,s) for each x of `at` (rows) and s of `from` (columns), row by row. A stop leaves zeros.
+    /// G(x,s) for each x of `at` (rows) and s of `from` (columns), row by row. Zeros after a stop.
     std::vector<double> rows(const std::vector<double>& at, const std::vector<double>& from,
                              const std::stop_token& stop = {}) const;
 
@@ -94,8 +94,8 @@ public:
 private:
     struct Rest {
         double position;
-        double pivot;            // square root of 1/k + g(p,p) with the earlier rests in place
-        std::vector<double> row; // the terms at p of the earlier rests
+        double pivot;            // square root of 1/k + g(p,p) with the earlier rests included
+        std::vector<double> row; // terms of the earlier rests at p
     };
 
     class BentLine;

@@ -7,7 +7,7 @@
 
 namespace sparkout {
 
-/// What γ(x) is made of, from below; rests are what steady rests take away again.
+/// The parts of γ(x), from the bottom; the part of the steady rests is subtracted.
 enum class CompliancePart { wheelHead, headstock, tailstock, bending, rests };
 
 inline constexpr std::array allComplianceParts{CompliancePart::wheelHead, CompliancePart::headstock,

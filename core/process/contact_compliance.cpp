@@ -79,8 +79,8 @@ double ContactCompliance::cutWithThreshold(Lanes& lanes, const LaneCoefficients&
     return largest;
 }
 
-// The left side rises with x, v up to 1 or a from there on, and its slope is at least that of the
-// rigid contact: so the root lies between 0 and where the rigid contact has it.
+// The left side rises with x, and v rises up to 1 or a from 0; its slope is at least that of the
+// rigid contact, so the root lies between 0 and that of the rigid contact.
 ThresholdState ContactCompliance::state(const Balance& balance, double h) const {
     const auto& [A, C, bks, bkr] = balance;
     if (h <= 0) {
@@ -124,12 +124,12 @@ double ContactCompliance::root(const Balance& balance, double h, double from) co
         return 0;
     }
     double low = 0;
-    double high = 2 * h / (C + std::sqrt(C * C + 4 * A * h)); // without the contact
+    double high = 2 * h / (C + std::sqrt(C * C + 4 * A * h)); // root without the contact
     double u = from > 0 && from < high ? from : high;
     const double enough = 2 * std::numeric_limits<double>::epsilon() * h;
     constexpr int mostSteps = 200;
-    constexpr int usualSteps = 20; // where a stiffness turns, Newton's may creep to and fro: then
-                                   // every other one halves what is between the bounds
+    constexpr int usualSteps = 20; // where a stiffness changes, Newton's method may oscillate; then
+                                   // every other step bisects
     for (int step = 0; step < mostSteps; ++step) {
         const double force = (bks * u + bkr) * u;
         const double rest = (A * u + C) * u + deflection(force) - h;

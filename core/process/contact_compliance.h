@@ -12,15 +12,15 @@ namespace sparkout {
 
 /// The wheel's contact as a spring in series with the technological system, stiffer the harder it
 /// is pressed; an option beyond the sources, off by default [MODEL-7, HASHIMOTO2020]. Under the
-/// normal force P the wheel's surface gives way by
+/// normal force P the wheel's surface deflects by
 ///
-///     δ_c(P) = ∫₀^P dF/k(F)
+/// δ_c(P) = ∫₀^P dF/k(F)
 ///
 /// with k(F) given at some forces, linear between them and constant before the first and after the
 /// last; δ_c in closed form on each piece, ΔF/k₀·ln(1 + x)/x, x = (k₁ − k₀)/k₀·ΔF/(F₁ − F₀). The
 /// elastic balance [MODEL-3] becomes
 ///
-///     a + γ·P_y(a) + δ_c(P_y(a)) = h
+/// a + γ·P_y(a) + δ_c(P_y(a)) = h
 ///
 /// whose left side rises strictly from 0 with a, so there is one root, between 0 and the root
 /// without the contact.
@@ -35,14 +35,14 @@ public:
     /// 1/k(P) [mm/N].
     [[nodiscard]] double compliance(double force_n) const;
 
-    /// What a PassFunction does, with the contact: cuts the lanes of the range once, returns the
-    /// largest √a [√mm]. Each lane is solved by Newton's method in u = √a, kept between bounds that
-    /// a step may not leave, from the lane's last root on.
+    /// A pass (PassFunction) with the contact: cuts the lanes of the range once and returns the
+    /// largest √a [√mm]. Each lane is solved by Newton's method in u = √a, within bounds, starting
+    /// from the lane's last root.
     double cut(Lanes& lanes, const LaneCoefficients& coefficients, const PassFeed& feed,
                const PassRange& range) const;
 
-    /// The same where the force has a threshold [MODEL-2]: of the states of ThresholdState the one
-    /// with A·a + C·v + δ_c(bks·a + bkr·v) = h.
+    /// The pass with a threshold of the force [MODEL-2]: finds the state of ThresholdState with A·a
+    /// + C·v + δ_c(bks·a + bkr·v) = h.
     double cutWithThreshold(Lanes& lanes, const LaneCoefficients& coefficients,
                             const PassFeed& feed, const PassRange& range) const;
 
@@ -50,7 +50,7 @@ public:
     struct Balance {
         double A = 0, C = 0, bks = 0, bkr = 0;
     };
-    /// Its root √a, sought from a guess on; 0 where h ≤ 0.
+    /// The root √a, iterated from a guess; 0 where h ≤ 0.
     [[nodiscard]] double root(const Balance& balance, double h, double from) const;
     /// The state with a threshold.
     [[nodiscard]] ThresholdState state(const Balance& balance, double h) const;
@@ -68,7 +68,7 @@ private:
     std::vector<Row> m_rows; ///< the first at no force
 };
 
-/// The contact of a project's wheel; nothing where it is rigid.
+/// The contact of a project's wheel; empty where it is rigid.
 [[nodiscard]] std::optional<ContactCompliance> wheelContact(const Project& project);
 
 } // namespace sparkout

@@ -18,7 +18,7 @@ using Row = CoupledRadii::Row;
 using Balance = CoupledRadii::Balance;
 using Step = CoupledRadii::Step;
 
-// The registers of a vector unit, and how many of them hold some thirds of a row.
+// The registers of a vector unit, as many as some thirds of a row need.
 using Two [[gnu::vector_size(16)]] = double;
 using Four [[gnu::vector_size(32)]] = double;
 constexpr std::size_t third = CoupledRadii::third, across = CoupledRadii::sideBySide;
@@ -89,7 +89,7 @@ template <class Register, std::size_t thirds, std::size_t rank>
     }
 }
 
-/// What a sweep over the sections finds out of each radius.
+/// The results of a sweep over the sections for each radius.
 template <class Register, std::size_t thirds>
 struct Found {
     [[gnu::always_inline]] explicit Found(const Step& step) {
@@ -99,11 +99,11 @@ struct Found {
             most[v] = Register{};
         }
     }
-    /// Takes the new u of a section, and how far r is from none there.
+    /// Adds the new u of a section and the size of its residual r.
     [[gnu::always_inline]] void add(double* root, const Register& from, const Register& to,
                                     const Register& off, std::size_t v) {
         const Register u = moving[v] > 0 ? to : from;
-        // What is no number spreads by the sum up to section 0, the last, and so is left here.
+        // The comparison drops NaN here; it spreads through the sum to section 0, the last.
         least[v] = least[v] < u ? least[v] : u;
         most[v] = most[v] > off ? most[v] : off;
         store(root, u, v);
@@ -118,8 +118,8 @@ struct Found {
         most[registers<Register, thirds>];
 };
 
-/// f of a section from what the forward substitution left of it; `sum` is of the sections right of
-/// it, and takes it in.
+/// f of a section from the result of the forward substitution; `sum` covers the sections to its
+/// right and then includes it.
 template <class Register, std::size_t rank>
 [[gnu::always_inline]] inline void substituteBack(Register& f, Register (&sum)[rank],
                                                   const double* gains, const double* row,
@@ -208,7 +208,7 @@ template <class Register, std::size_t thirds, std::size_t rank>
     found.put(step);
 }
 
-// Written once, compiled for each vector unit, as in the pass.
+// One source, compiled for each vector unit, as in the pass.
 template <std::size_t thirds, std::size_t rank>
 void newtonBaseline(Balance& b, Step& step) {
     newtonStep<Two, thirds, rank>(b, step);
@@ -271,7 +271,7 @@ CoupledRadii::Set CoupledRadii::solve(const Row* lag_mm, Row* root, Set asked) {
     Set solved, moving = asked;
     Step step{lag_mm, root};
     const auto take = [&](const Kernel* kernels) {
-        std::size_t first = thirds, last = 0; // of those in which a radius moves
+        std::size_t first = thirds, last = 0; // thirds in which a radius moves
         for (std::size_t k = 0; k < sideBySide; ++k) {
             step.moving.of[k] = moving[k] ? 1 : 0;
             if (moving[k]) {

@@ -58,7 +58,7 @@ public:
     [[nodiscard]] Index count() const { return m_count; }
 
 private:
-    /// A point of the iteration and what belongs to it.
+    /// An iterate and the values derived from it.
     struct Point {
         explicit Point(Index count) : f(count), u(count), w(count), r(count) {}
         VectorXd f;          ///< slice forces [N]
@@ -97,14 +97,14 @@ private:
     double m_wholeWidth;
     SectionInfluence m_influence;
     ArrayXd m_own; ///< G_jj
-    /// Σ_l G_jl·Δx_l; 0 where neighbours push a section towards the wheel, for that is no balance
+    /// Σ_l G_jl·Δx_l; 0 where neighbours push a section towards the wheel, since it has no balance
     /// of its own.
     ArrayXd m_gamma;
     Point m_now, m_next;
     VectorXd m_step, m_reduced;
     ArrayXd m_gap;        ///< z, which becomes r where it is positive [mm]
     VectorXd m_added;     ///< D of a step
-    VectorXd m_direction; ///< of a descent
+    VectorXd m_direction; ///< direction of a descent
     std::vector<Index> m_all, m_free;
 };
 
@@ -117,7 +117,7 @@ CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, do
     const double enough =
         tolerance_mm + 4 * epsilon * static_cast<double>(m_count) * std::max(0.0, h.maxCoeff());
     Outcome outcome;
-    if (!h.allFinite()) { // comparisons below would pass over what is no number
+    if (!h.allFinite()) { // comparisons below would miss NaN
         outcome.residual_mm = std::numeric_limits<double>::infinity();
         return outcome;
     }
@@ -161,7 +161,7 @@ void CoupledSections::Solver::start(const MapConst& h, const double* root) {
     m_now.f = m_width * m_now.u * (m_law.ks * m_now.u + m_law.kr);
 }
 
-// From the last revolution's forces, or each section in its own balance.
+// Starts from the last revolution's forces, or with each section in its own balance.
 void CoupledSections::Solver::startTouching(const MapConst& h, const double* root,
                                             const double* rubbing) {
     const MapConst v(rubbing, m_count);
@@ -194,7 +194,7 @@ void CoupledSections::Solver::rootsOf(Point& point) const {
     } else if (kr > 0) {
         point.u = point.f.array() / m_width;
         point.u = 2 * point.u / (kr + (kr * kr + 4 * ks * point.u).sqrt());
-    } else { // the quotient would be 0/0 at no pressure
+    } else { // avoids 0/0 without pressure
         point.u = (point.f.array() / m_width / ks).sqrt();
     }
 }
@@ -208,7 +208,7 @@ void CoupledSections::Solver::evaluate(Point& point, const MapConst& h) const {
     m_influence.multiply(point.f.data(), point.r.data());
     point.r += point.w - h;
     point.residual = (point.w + m_own * point.f.array()).min(point.r).abs().maxCoeff();
-    if (!point.r.allFinite() || !point.u.allFinite()) { // Eigen's comparisons pass over no number
+    if (!point.r.allFinite() || !point.u.allFinite()) { // Eigen's comparisons ignore NaN
         point.residual = std::numeric_limits<double>::infinity();
     }
 }
@@ -218,8 +218,8 @@ double CoupledSections::Solver::contactForce(Index j, double f) const {
     return f * m_wholeWidth / m_width[j];
 }
 
-// dw/df at u = √a. A section about to touch has none, nor one that touches below the threshold,
-// which a singular G would not survive.
+// dw/df at u = √a; 0 for a section about to touch, and for one that touches below the threshold,
+// which a singular G would not allow.
 double CoupledSections::Solver::slope(Index j, double u, double f) const {
     double dw = 0;
     if (m_law.threshold) {
@@ -233,12 +233,13 @@ double CoupledSections::Solver::slope(Index j, double u, double f) const {
     return std::max(dw / m_width[j], 1e-9 * m_own[j]);
 }
 
-// w + G_jj·f: what a section gives when it lets go.
+// w + G_jj·f: the depth of a section that loses contact.
 double CoupledSections::Solver::ownDepth(const Point& point, Index j) const {
     return point.w[j] + m_own[j] * point.f[j];
 }
 
-// Newton's step on min(w + G_jj·f, r) = 0: where the first is the smaller, the section lets go.
+// Newton's step on min(w + G_jj·f, r) = 0: where the first is the smaller, the section loses
+// contact.
 void CoupledSections::Solver::newtonStep() {
     m_free.clear();
     m_step.setZero();
@@ -257,13 +258,14 @@ void CoupledSections::Solver::newtonStep() {
         m_reduced = -m_now.r.matrix() - m_reduced;
     }
     m_influence.solve(m_added.data(), m_free, m_reduced.data());
-    m_step += m_reduced; // what lets go is none of the solution
+    m_step += m_reduced; // sections that lose contact are not part of the solution
     m_next.f = (m_now.f + m_step).cwiseMax(0);
 }
 
-// Where f·z = μ for all sections, z → r ≥ 0: a path into the solution as μ → 0. Steps are damped
-// so that f and z stay positive; D is taken at the depth a section is yet to reach, for at u = 0 it
-// is none. Ends in m_next, which the next Newton steps make exact. Returns the steps taken.
+// Follows f·z = μ for all sections, z → r ≥ 0, into the solution as μ → 0. Steps are damped so that
+// f and z stay positive; D is taken at the depth a section has yet to reach, since at u = 0 it
+// vanishes. The result, in m_next, is refined by the next Newton steps. Returns the number of
+// steps.
 int CoupledSections::Solver::interiorSteps(const MapConst& h, const std::stop_token& stop) {
     constexpr int mostSteps = 60;
     constexpr double nearEnough_mm = 1e-11;
@@ -315,8 +317,8 @@ double CoupledSections::Solver::interiorStep(double mu) {
     return share;
 }
 
-// From m_now to the minimum of Ψ: sweeps, each followed by Newton's steps over the sections that
-// cut after it until their minimum is found. None of both ever raises Ψ. Returns the steps taken.
+// From m_now to the minimum of Ψ: sweeps, each followed by Newton's steps to the minimum over the
+// sections that then cut. Neither raises Ψ. Returns the number of steps.
 int CoupledSections::Solver::descend(const MapConst& h, double enough, int mostSteps,
                                      const std::stop_token& stop) {
     m_now.f = m_now.f.array().isFinite().select(m_now.f.array(), 0).max(0).matrix();
@@ -335,15 +337,15 @@ int CoupledSections::Solver::descend(const MapConst& h, double enough, int mostS
                 break;
             }
         }
-        if (m_now.residual <= enough) { // which the next sweep might undo by its rounding
+        if (m_now.residual <= enough) { // the next sweep might undo it by rounding
             break;
         }
     }
     return steps;
 }
 
-// Each section in turn comes to its own balance with the forces of the others as they are now: the
-// minimum of Ψ along f_j, f_j ≥ 0, the root of w(f_j) + G_jj·f_j = h_j − Σ_{l≠j} G_jl·f_l.
+// Brings each section in turn into balance with the current forces of the others: the minimum of Ψ
+// along f_j, f_j ≥ 0, the root of w(f_j) + G_jj·f_j = h_j − Σ_{l≠j} G_jl·f_l.
 void CoupledSections::Solver::sweep(const MapConst& h) {
     auto& bent = m_reduced; // G·f
     m_influence.multiply(m_now.f.data(), bent.data());
@@ -354,7 +356,7 @@ void CoupledSections::Solver::sweep(const MapConst& h) {
     }
 }
 
-// f_j of w(f_j) + G_jj·f_j = left, 0 where nothing is left.
+// f_j with w(f_j) + G_jj·f_j = left; 0 where `left` is not positive.
 double CoupledSections::Solver::ownForce(Index j, double left) const {
     const double gamma = m_own[j] * m_width[j];
     const double A = 1 + gamma * m_law.ks;
@@ -386,7 +388,7 @@ void CoupledSections::Solver::descentDirection() {
     m_influence.solve(m_added.data(), m_free, m_direction.data());
 }
 
-// m_next = m_now + share of the way to where the direction leads or the first force is gone.
+// m_next = m_now + share of the way along the direction, up to where the first force vanishes.
 void CoupledSections::Solver::moveTo(double share, double whole, const MapConst& h) {
     for (const Index j : m_free) {
         const double step = m_direction[j] * whole;
@@ -401,7 +403,7 @@ double CoupledSections::Solver::slopeAlong() const {
     return (m_next.r * m_direction.array()).sum();
 }
 
-// Of the sections with a force, those that the step has brought to none among them.
+// The residual of the sections with a force, including those whose force the step has made zero.
 double CoupledSections::Solver::freeResidual() const {
     double largest = 0;
     for (const Index j : m_free) {
@@ -410,9 +412,9 @@ double CoupledSections::Solver::freeResidual() const {
     return largest;
 }
 
-// A step along the direction that lowers Ψ, into m_now. Ψ is convex along it, so its slope rises:
-// up to a point where it falls still, Ψ is lower; and beyond it too, as long as what it may rise
-// there by is less than half of what it fell before by. False: no such point was found.
+// Steps along the direction into m_now so that Ψ falls. Ψ is convex along it, so its slope rises:
+// where it still falls, Ψ is lower; beyond, as long as the possible rise is less than half the fall
+// before. False if no such point was found.
 bool CoupledSections::Solver::searchAlong(const MapConst& h) {
     double whole = 1;
     for (const Index j : m_free) {

@@ -32,7 +32,7 @@ struct ForceLaw {
     double kr = 0;          ///< k_r = η·σ_i·√D_e/3 [N/mm^1.5]; F'_0 [N/mm]
     double kt = 0;          ///< k_t = ε_i·σ_i·V_d/V_k; K_z = K_z0·V_d/V_k [N/mm²]
     double mu = 0;          ///< μ
-    bool threshold = false; ///< which of the laws it is
+    bool threshold = false; ///< the law with a threshold
 
     /// v of a depth of cut of u = √a [√mm]: with a threshold that of a width that cuts or is off.
     [[nodiscard]] double rubbing(double u) const { return !threshold ? u : u > 0 ? 1 : 0; }

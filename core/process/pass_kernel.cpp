@@ -20,10 +20,10 @@ void LaneCoefficients::set(std::size_t first, double gamma, double bks, double b
 namespace {
 
 enum class Root { multiplied, divided };
-enum class Drift { none, some }; ///< of the infeed: few cycles have one, which is not free
+enum class Drift { none, some }; ///< drift of the infeed; it costs time and few cycles have one
 
-// The loop is written once; each wrapper compiles it for its vector unit. Every operation is an
-// IEEE one, contraction is off, so the units differ in speed alone.
+// The loop has one source; each wrapper compiles it for its vector unit. Every operation is an IEEE
+// one without contraction, so the units differ in speed alone.
 template <Root form, Drift drifts>
 [[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
                                                 const PassFeed& feed, const PassRange& range) {
@@ -55,7 +55,7 @@ template <Root form, Drift drifts>
             form == Root::multiplied ? (q - C[i]) * inverse2A[i] : (h + h) / (C[i] + q);
         depth[i] += u * u;
         root[i] = u;
-        rootSum[i] += u; // a sum a lane: the same in every unit
+        rootSum[i] += u; // one sum per lane: the same in every unit
         peakRoot[i] = u > peakRoot[i] ? u : peakRoot[i];
         largest = u > largest ? u : largest;
     }

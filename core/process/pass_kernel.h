@@ -10,43 +10,43 @@
 /// One pass under the wheel for many independent lanes (a lane is one radius of one zone, section
 /// or scenario): the elastic balance [MODEL-3]
 ///
-///     a + γ·P_y(a) = h,    h = t_П − depth,    a = 0 if h ≤ 0
-///     A = 1 + γ·b·k_s,  C = γ·b·k_r
-///     √a = ( √(C² + 4·A·h) − C ) / (2·A)
-///     depth ← depth + a
+/// a + γ·P_y(a) = h,    h = t_П − depth,    a = 0 if h ≤ 0
+/// A = 1 + γ·b·k_s,  C = γ·b·k_r
+/// √a = ( √(C² + 4·A·h) − C ) / (2·A)
+/// depth ← depth + a
 ///
 /// This multiplied form loses at most ε·C/A ≤ ε·k_r/k_s in √a, hence 2ε·√a·k_r/k_s in a: with
-/// k_r/k_s up to `multipliedFormLimit` that is below 1e-13 mm. Beyond (a very dull wheel on very
-/// slow work) the pass takes the form that does not cancel, √a = 2h/(C + √(C² + 4·A·h)).
-/// √(C·C) is C exactly in binary floating point, so h = 0 gives a = 0 exactly in both.
+/// k_r/k_s up to `multipliedFormLimit` that is below 1e-13 mm. Beyond it (a very dull wheel on very
+/// slow work) the pass takes the form that does not cancel, √a = 2h/(C + √(C² + 4·A·h)). √(C·C) is
+/// C exactly in binary floating point, so h = 0 gives a = 0 exactly in both.
 namespace sparkout {
 
-/// Largest k_r/k_s [1/√mm] at which a pass takes the multiplied form; usual cuts have below 1.
+/// Largest k_r/k_s [1/√mm] at which a pass takes the multiplied form; usual cuts are below 1.
 inline constexpr double multipliedFormLimit = 500;
 
 /// The lanes' state.
 struct Lanes {
     explicit Lanes(std::size_t count)
         : depth_mm(count), root(count), rootSum(count), peakRoot(count), share(count) {}
-    /// From now on each pass also keeps every lane's rubbing share, for a force with a threshold.
+    /// Makes each later pass keep every lane's rubbing share, for a force with a threshold.
     void keepRubbing() {
         rubbing.assign(root.size(), 0.0);
         peakRubbing.assign(root.size(), 0.0);
     }
-    std::vector<double> depth_mm; ///< how far the radius stands below first touch
+    std::vector<double> depth_mm; ///< depth of the radius below first touch
     std::vector<double> root;     ///< u = √a of the last pass [√mm]
     std::vector<double> rootSum; ///< Σ√a since the owner last cleared it [√mm]; Σv with rubbing
     std::vector<double> peakRoot;    ///< largest √a since the owner last cleared it [√mm]
-    std::vector<double> rubbing;     ///< v of the last pass; empty: the force has no threshold
-    std::vector<double> peakRubbing; ///< largest v likewise
-    std::vector<double> share;       ///< (k+1)/K, share of the revolution at which it is visited
+    std::vector<double> rubbing;     ///< v of the last pass; empty without a threshold of the force
+    std::vector<double> peakRubbing; ///< largest v
+    std::vector<double> share; ///< (k+1)/K, share of the revolution at which the radius is visited
 };
 
 /// The balance's coefficients for each lane at one width of cut.
 struct LaneCoefficients {
     explicit LaneCoefficients(std::size_t count)
         : C(count), C2(count), A4(count), inverse2A(count) {}
-    /// Sets `count` lanes alike, one by default: γ [mm/N], b·k_s [N/mm], b·k_r [N/√mm].
+    /// Sets `count` equal lanes, one by default: γ [mm/N], b·k_s [N/mm], b·k_r [N/√mm].
     void set(std::size_t first, double gamma, double bks, double bkr, std::size_t count = 1);
 
     std::vector<double> C, C2, A4, inverse2A;
@@ -57,12 +57,12 @@ struct LaneCoefficients {
 struct PassFeed {
     double base = 0, offset = 0, rate = 0, cap = 0;
     double drift = 0; ///< ≥ 0: of a continuous infeed, in the whole pass
-    double most = std::numeric_limits<double>::infinity(); ///< where that stops, ≥ base
+    double most = std::numeric_limits<double>::infinity(); ///< upper limit of the infeed, ≥ base
 
     [[nodiscard]] double at(double share) const {
         return std::min(std::min(base + offset + rate * share, base + cap) + drift * share, most);
     }
-    /// No share has more.
+    /// The greatest infeed over all shares.
     [[nodiscard]] double greatest() const { return std::min(base + cap + drift, most); }
 };
 
@@ -70,7 +70,7 @@ struct PassFeed {
 struct LaneBalance {
     double C = 0, C2 = 0, A4 = 0, inverse2A = 0;
     bool multiplied = true;
-    bool threshold = false; ///< of the force: b·k_s is b·K, b·k_r is b·F'_0
+    bool threshold = false; ///< force with a threshold: b·k_s is b·K, b·k_r is b·F'_0
     LaneBalance() = default;
     /// γ [mm/N], b·k_s [N/mm], b·k_r [N/√mm].
     LaneBalance(double gamma, double bks, double bkr, bool hasThreshold = false)
@@ -80,7 +80,7 @@ struct LaneBalance {
         , inverse2A(1 / (2 * (1 + gamma * bks)))
         , multiplied(bkr <= multipliedFormLimit * bks && !hasThreshold)
         , threshold(hasThreshold) {}
-    /// √a [√mm] where the infeed is h [mm] beyond the radius, as a pass has it but for rounding.
+    /// √a [√mm] for an infeed of h [mm] beyond the radius, as in a pass up to rounding.
     [[nodiscard]] double root(double h) const {
         const double infeed = h > 0 ? h : 0;
         const double q = std::sqrt(C2 + A4 * infeed);
@@ -98,35 +98,35 @@ private:
 /// A range of lanes in one pass.
 struct PassRange {
     std::size_t first = 0, count = 0;
-    double bks = 0, bkr = 0; ///< of the force P_y = bks·a + bkr·√a
+    double bks = 0, bkr = 0; ///< coefficients of the force P_y = bks·a + bkr·√a
 };
 
 /// Cuts the lanes of the range once; returns the largest √a [√mm].
 using PassFunction = double (*)(Lanes& lanes, const LaneCoefficients& coefficients,
                                 const PassFeed& feed, const PassRange& range);
 
-/// AVX-512 is left out: √ takes as long a lane, and its wide stores cross cache lines (a pass over
-/// 36 radii took 65 ns for AVX2's 47).
+/// AVX-512 is left out: √ takes as long per lane, and its wide stores cross cache lines (a pass
+/// over 36 radii took 65 ns against 47 ns with AVX2).
 enum class VectorUnit { baseline, avx2 };
 
 [[nodiscard]] bool isSupported(VectorUnit unit);
-/// The widest of this processor.
+/// The widest unit of this processor.
 [[nodiscard]] VectorUnit widestUnit();
 [[nodiscard]] PassFunction passFunction(VectorUnit unit);
 
-/// That of widestUnit(). All give bit-identical results.
+/// The pass for widestUnit(). All units give bit-identical results.
 [[nodiscard]] PassFunction widestPassFunction();
 
 /// The largest P_y of each zone or section so far [N].
 ///
 /// P_y rises with √a, and so do its rounded products and their sum: of the passes at one width the
 /// largest √a bears the largest force, to the last bit. So a pass keeps that alone, and the force
-/// is taken where a section goes on at another width, and in the end. With a threshold the force
-/// rises with the rubbing share, too, and both are largest at once.
+/// is computed where a section's width changes, and at the end. With a threshold the force rises
+/// with the rubbing share, too, and both peak together.
 class PeakForces {
 public:
     PeakForces(std::size_t sections, std::size_t radii) : m_radii(radii), m_sections(sections) {}
-    /// Before a pass over `count` sections from `first` on.
+    /// Called before a pass over `count` sections from `first` on.
     void passBegins(Lanes& lanes, const PassRange& range, std::size_t first, std::size_t count) {
         for (std::size_t section = first; section < first + count; ++section) {
             const Section& before = m_sections[section];
@@ -139,8 +139,8 @@ public:
 
 private:
     struct Section {
-        double bks = 0, bkr = 0; ///< of the passes whose force is not taken yet
-        double peak_n = 0;       ///< of those before
+        double bks = 0, bkr = 0; ///< coefficients of the passes whose force is not computed yet
+        double peak_n = 0;       ///< peak of the earlier passes
     };
     void turnTo(Lanes& lanes, const PassRange& range, std::size_t section);
 

@@ -21,7 +21,7 @@ double valueOfPlace(const std::optional<std::vector<double>>& values_um, std::si
     return values_um && place < values_um->size() ? (*values_um)[place] / units::umPerMm : 0;
 }
 
-/// The curves cos φ, sin φ and cos jφ at even angles, of which all forms with j lobes are made.
+/// The curves cos φ, sin φ and cos jφ at even angles, the components of all forms with j lobes.
 class Waves {
 public:
     explicit Waves(int lobes)
@@ -52,7 +52,8 @@ public:
         return extremeNear(most) - extremeNear(least);
     }
 
-    /// Over all φ_1: it repeats with each lobe, mirrored within one, and where j is even once more.
+    /// The mean over all φ_1: the runout repeats with each lobe, is symmetric within one, and for
+    /// even j repeats once more.
     double mean_mm(PrintedForm form) {
         constexpr int directions = 12;
         double sum = 0;
@@ -63,13 +64,13 @@ public:
         return sum / directions;
     }
 
-    /// The φ_1 after which the runout only repeats.
+    /// The period of the runout over φ_1.
     [[nodiscard]] double reach() const { return pi / m_lobes / (m_lobes % 2 == 0 ? 2 : 1); }
 
 private:
     static constexpr int fewestPoints = 72, pointsOfLobe = 24;
 
-    /// Of the parabola through a point and those beside it.
+    /// The extreme of the parabola through a point and its neighbours.
     [[nodiscard]] double extremeNear(std::size_t i) const {
         const double at = m_c[i];
         const double before = m_c[(i + m_points - 1) % m_points], after = m_c[(i + 1) % m_points];
@@ -82,7 +83,7 @@ private:
     std::vector<double> m_cos, m_sin, m_lobe, m_c;
 };
 
-/// Where a function that rises from below 0 to above it is 0, by the secant that keeps it between.
+/// The zero of a function that rises from negative to positive, by a bracketed secant method.
 template <class Value>
 double between(double low, double high, const Value& value) {
     constexpr int mostTries = 40;
@@ -110,7 +111,7 @@ double between(double low, double high, const Value& value) {
     return middle;
 }
 
-/// Gives A_1, and φ_1 where it is not stated, of a runout that is the mean over all φ_1.
+/// Determines A_1, and φ_1 if not given, from a runout that is the mean over all φ_1.
 void fitEccentricity(PrintedForm& form, double runout_mm, bool isDirected) {
     Waves waves(form.lobes);
     form.eccentricity_mm = between(0, runout_mm / 2, [&](double a) {
@@ -121,8 +122,8 @@ void fitEccentricity(PrintedForm& form, double runout_mm, bool isDirected) {
     if (isDirected) {
         return;
     }
-    // From φ_1 = 0, where lobe and eccentricity are deepest together, the runout rises where j is
-    // even, and falls where it is odd.
+    // From φ_1 = 0, where lobe and eccentricity are deepest together, the runout rises for even j
+    // and falls for odd j.
     const double sign = form.lobes % 2 == 0 ? 1 : -1;
     form.at = between(0, waves.reach(), [&](double angle) {
         PrintedForm tried = form;

@@ -65,7 +65,7 @@ std::vector<double> radiiOf(const Part& part, double largestRadius_mm, double dR
     return radii;
 }
 
-/// Depths below the first touch of a blank or zone whose first touch is so deep itself.
+/// Depths below the first touch of a blank or zone that is itself touched at this depth.
 std::vector<double> depthsOf(const Part& part, const Blank& blank, double touch_mm, double dR) {
     const bool external = part.surface == Surface::external;
     const double largest =

@@ -8,21 +8,21 @@ namespace sparkout {
 
 struct Part;
 
-/// A depth that no wheel is fed to: of the radii in the gaps of an interrupted surface.
+/// A depth beyond any infeed: the radii in the gaps of an interrupted surface.
 inline constexpr double beyondReach_mm = 1000;
 
 /// The blank's geometry [MODEL-4]. Radii are followed as depths below first touch: external
 /// R_k = R_first − depth_k, internal R_k = R_first + depth_k, with R_first the largest radius
 /// (external) or the smallest (internal).
 struct Blank {
-    double targetRadius_mm = 0;     ///< R_t, middle of the field unless set
+    double targetRadius_mm = 0;     ///< R_t, middle of the tolerance unless set
     double firstTouchRadius_mm = 0; ///< R_max0 external, R_min0 internal
-    double totalInfeed_mm = 0;      ///< |R_first − R_t| = Π + ΔR, the most of all zones
-    /// Whether a radius stands in a gap: nothing is there to grind.
+    double totalInfeed_mm = 0;      ///< |R_first − R_t| = Π + ΔR, the greatest of all zones
+    /// Whether a radius lies in a gap and is not ground.
     [[nodiscard]] bool isGap(std::size_t k) const { return depth_mm[k] >= beyondReach_mm; }
 
-    std::vector<double> depth_mm; ///< of the K radii, ≥ 0, K values; beyondReach_mm in a gap
-    /// The same of each zone or section, where they have a stock or runout of their own.
+    std::vector<double> depth_mm; ///< depths of the K radii, ≥ 0; beyondReach_mm in a gap
+    /// Depths of each zone or section, where they have a stock or runout of their own.
     std::vector<std::vector<double>> placeDepth_mm;
     [[nodiscard]] const std::vector<double>& depthAt(std::size_t place) const {
         return place < placeDepth_mm.size() ? placeDepth_mm[place] : depth_mm;

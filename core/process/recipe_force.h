@@ -5,13 +5,13 @@ namespace sparkout {
 
 struct Wheel; // core/project/wheel.h
 
-/// η of a wheel: its dullness, or what the wear flats of its recipe come to.
+/// η of a wheel: its dullness, or the value that follows from the wear flats of its recipe.
 [[nodiscard]] double dullnessOf(const Wheel& wheel);
 
-/// Gives a wheel this η, by the input that has a say in it.
+/// Gives a wheel this η through the input that determines it.
 void setDullness(Wheel& wheel, double dullness);
 
-/// That input: its path in a project.
+/// The path of that input in a project.
 [[nodiscard]] const char* dullnessPath(const Wheel& wheel);
 
 } // namespace sparkout

@@ -5,8 +5,8 @@
 
 namespace sparkout {
 
-/// Multiplies every elastic deflection under a given force by the factor: γ where it is given, else
-/// it divides what γ is computed from (units of the machine, shaft, steady rests); and the wheel
+/// Multiplies every elastic deflection under a given force by the factor: scales a given γ, or
+/// divides the stiffnesses from which γ is computed (machine, shaft, steady rests), and the wheel
 /// contact.
 void scaleCompliance(Project& project, double factor);
 

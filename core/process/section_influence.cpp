@@ -46,9 +46,9 @@ SectionInfluence::SectionInfluence(std::vector<double> influence_mm_n, std::size
     }
 }
 
-// From the block below the middle and left of it: what its rows and columns are there, orthonormal,
-// gives the columns left of it, and these the rows above. A column right of the middle follows from
-// the rows below it.
+// Finds the factors from the block below the middle and left of it: an orthonormal basis of its
+// rows and columns gives the columns to its left, and these the rows above. A column right of the
+// middle follows from the rows below it.
 void SectionInfluence::findFactors() {
     constexpr double cutOff = 1e-13;
     const auto G = square(m_matrix, m_size);
@@ -63,11 +63,11 @@ void SectionInfluence::findFactors() {
     if (rank > static_cast<Index>(mostRank)) {
         return;
     }
-    m_rank = rank <= 3 ? 3 : rank <= 4 ? 4 : mostRank; // for these it is compiled
+    m_rank = rank <= 3 ? 3 : rank <= 4 ? 4 : mostRank; // the ranks that are compiled
     const auto kept = static_cast<Index>(m_rank);
     m_rows.assign(m_rank * m_size, 0.0);
     m_columns.assign(m_rank * m_size, 0.0);
-    if (rank == 0) { // each gives way by itself, or nothing does
+    if (rank == 0) { // no coupling: each section deflects alone, or not at all
         m_rank = isExact() ? m_rank : 0;
         return;
     }
@@ -90,7 +90,8 @@ void SectionInfluence::findFactors() {
     m_rank = isExact() ? m_rank : 0;
 }
 
-// As good as the usual product, for forces that are alike and for some that are not.
+// Whether products are as exact as the usual ones, for forces that are alike and for some that are
+// not.
 bool SectionInfluence::isExact() const {
     const auto G = square(m_matrix, m_size);
     VectorXd forces = VectorXd::Ones(G.rows());
@@ -133,8 +134,8 @@ void SectionInfluence::solve(const double* added, const std::vector<std::ptrdiff
 
 template <int rank>
 void SectionInfluence::multiplyShort(const double* f, double* product) const {
-    Few<rank> left = Few<rank>::Zero();  // of the forces left of a section
-    Few<rank> right = Few<rank>::Zero(); // and of those right of it, for the mirrored block
+    Few<rank> left = Few<rank>::Zero();  // sum of the forces left of a section
+    Few<rank> right = Few<rank>::Zero(); // sum of those right of it, for the mirrored block
     for (std::size_t j = 0; j < m_size; ++j) {
         product[j] = own(j) * f[j];
     }
@@ -147,7 +148,7 @@ void SectionInfluence::multiplyShort(const double* f, double* product) const {
     }
 }
 
-// As L·Δ·Lᵀ, L of the same form: L_jl = row_j·gain_l.
+// Factors the matrix as L·Δ·Lᵀ with L of the same form: L_jl = row_j·gain_l.
 template <int rank>
 void SectionInfluence::solveShort(const double* added, const std::vector<std::ptrdiff_t>& free,
                                   double* x) {

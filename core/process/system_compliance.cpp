@@ -86,11 +86,11 @@ std::vector<double> computedGammas(const Project& project, const std::vector<dou
                              ? system.at(from + position)
                              : system.mean(from + position, from, from + project.part->length_mm));
     }
-    gammas.resize(at.size()); // what was stopped
+    gammas.resize(at.size()); // 0 where stopped
     return gammas;
 }
 
-/// What each zone or section stands for of the ground length.
+/// The lengths of the ground length that the zones or sections represent.
 std::vector<double> lengths(const Project& project) {
     if (!project.operation->hasZones) {
         const auto sections = static_cast<std::size_t>(project.sections);
@@ -100,7 +100,7 @@ std::vector<double> lengths(const Project& project) {
     return {plungeWidth(project, zones.rz1), zones.nz, plungeWidth(project, zones.rz2)};
 }
 
-/// What the compliance of a zone or section is multiplied by.
+/// The factor on the compliance of a zone or section.
 double zoneFactor(const Project& project, std::size_t place) {
     const auto& factors = project.machine->zone_compliance;
     return factors && place < factors->size() ? (*factors)[place] : 1;

@@ -16,35 +16,35 @@ struct ZoneLengths {
 };
 [[nodiscard]] ZoneLengths zoneLengths(const Project& project);
 
-/// Width of cut while the wheel stands at a reversal [mm]: the zone, but at most B before the wall
-/// of a blind bore [MODEL-5].
+/// Width of cut while the wheel dwells at a reversal [mm]: the zone, at most B before the wall of a
+/// blind bore [MODEL-5].
 [[nodiscard]] double plungeWidth(const Project& project, double zoneLength_mm);
 
-/// What the wheel does not reach of a reversal zone [mm]: the relief before the wall of a blind
-/// bore, else 0. Neither the zone's middle, nor its sections, nor what it stands for have a part of
-/// it.
+/// The part of a reversal zone that the wheel does not reach [mm]: the relief before the wall of a
+/// blind bore, otherwise 0. It is excluded from the zone's middle, its sections and its length.
 [[nodiscard]] double reliefBehind(const Project& project, double zoneLength_mm);
 
 /// A place along the ground length and the compliance there.
 struct CompliantPoint {
     double position_mm = 0; ///< from the headstock end of the ground length [mm]
     double gamma_mm_n = 0;  ///< γ [mm/N]
-    double length_mm = 0;   ///< ℓ it stands for: its zone, or its slice of L_p [mm]
+    double length_mm = 0;   ///< length ℓ represented: the zone, or the slice of L_p [mm]
 };
 
-/// The zones РЗ1, НЗ, РЗ2 (at the middles of what the wheel reaches of them) or the J sections (at
-/// the middles of equal slices), with γ as given or computed from stiffness and shaft: traverse
-/// G(x,x), plunge the mean of G(x,s) over the contact, internal the quill's [MODEL-6]. Here and
-/// below what is stopped is not to be used (see Compliance).
+/// The zones РЗ1, НЗ, РЗ2 (at the middles of their reachable parts) or the J sections (at the
+/// middles of equal slices), with γ as given or computed from stiffness and shaft: traverse G(x,x),
+/// plunge the mean of G(x,s) over the contact, internal the quill's [MODEL-6]. Here and below a
+/// stopped result must not be used (see Compliance).
 [[nodiscard]] std::vector<CompliantPoint> compliantPoints(const Project& project,
                                                           const std::stop_token& stop = {});
 
-/// The sections of the zones where they are several, zone by zone from the entry on, at the middles
-/// of equal slices of what the wheel reaches: γ as given for the zone, or G(x,x) [MODEL-5].
+/// The sections of divided zones, zone by zone from the entry on, at the middles of equal slices of
+/// the reachable part: γ as given for the zone, or G(x,x) [MODEL-5].
 [[nodiscard]] std::vector<CompliantPoint> zoneSectionPoints(const Project& project,
                                                             const std::stop_token& stop = {});
 
-/// How far a place stands from the entry end of the ground length [mm], or the other way round.
+/// Converts a position from the headstock to the distance from the entry end of the ground length
+/// [mm], or back.
 [[nodiscard]] double fromEntry(const Project& project, double position_mm);
 
 /// γ(x) = G(x,x) at a place, and the terms that add up to it.
@@ -53,8 +53,8 @@ struct CompliantPlace {
     ComplianceParts parts;  ///< [mm/N]
 };
 
-/// Evenly spaced places (at least 2) from end to end of the shaft, or of the bore, whose quill
-/// bends alike for all of them. None where γ is given; a stop leaves out the last ones.
+/// Evenly spaced places (at least 2) from end to end of the shaft, or of the bore, where the quill
+/// gives the same value everywhere. Empty where γ is given; a stop leaves out the last ones.
 [[nodiscard]] std::vector<CompliantPlace> complianceAlong(const Project& project, int places,
                                                           const std::stop_token& stop = {});
 
@@ -62,13 +62,13 @@ struct CompliantPlace {
 /// nearest to its free position.
 [[nodiscard]] int gaugeSection(const Project& project);
 
-/// Index of the zone or section that a point of a run stands in: the zones or sections come first,
-/// then the sections of the zones, or the gauge's free position.
+/// Index of the zone or section of a point of a run: the zones or sections come first, then the
+/// sections of the zones, or the gauge's free position.
 [[nodiscard]] std::size_t placeOfPoint(const Project& project, std::size_t point);
 
 /// The gauge's free position in plunge with its γ: given, computed from the shaft, or interpolated
-/// between the sections' middles (constant beyond the outermost); it stands for no length. Only
-/// with gauge.position_mm.
+/// between the sections' middles (constant beyond the outermost); its length is 0. Requires
+/// gauge.position_mm.
 [[nodiscard]] CompliantPoint freeGaugePoint(const Project& project,
                                             const std::vector<CompliantPoint>& sections,
                                             const std::stop_token& stop = {});

@@ -8,7 +8,7 @@ namespace sparkout {
 
 namespace {
 
-/// Each lane of the range into the state that `stateOf` finds for it; the largest √a.
+/// Puts each lane of the range into the state found by `stateOf`; returns the largest √a.
 template <class StateOf>
 double cutEach(Lanes& lanes, const PassRange& range, const StateOf& stateOf) {
     double largest = 0;

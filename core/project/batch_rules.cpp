@@ -80,7 +80,7 @@ private:
             }
             return;
         }
-        if (law.normal->size() == 2) { // else the ranges' fault
+        if (law.normal->size() == 2) { // otherwise the range check reports it
             checkSpread(*law.normal, path + "/normal", factor);
         }
         checkValues(law.within, path + "/within", factor, true);
@@ -150,14 +150,14 @@ private:
         }
         for (std::size_t i = 0; i < ranges->size(); ++i) {
             const std::vector<double>& ends = (*ranges)[i];
-            if (ends.size() == 2 && ends[1] < ends[0]) { // else the table's fault
+            if (ends.size() == 2 && ends[1] < ends[0]) { // otherwise the table check reports it
                 add(IssueCode::outOfRange, path + "/" + std::to_string(i) + "/1", Amount{ends[1]},
                     Bounds{{ends[0]}});
             }
         }
     }
 
-    /// The factors of the zones beside those of the part.
+    /// Counts the factors of the zones together with those of the part.
     void checkCount() {
         const std::size_t all = m_factors.size() + zoneFactors(m_project).size();
         if (all > limits::factors) {

@@ -6,8 +6,8 @@
 
 namespace sparkout {
 
-/// Faults of a batch that can be found without making a part of it: forms, bounds and the
-/// correlation matrix. A single cycle does not read them, so validate() only warns of them.
+/// Faults of a batch that can be found without making its parts: forms, bounds and the correlation
+/// matrix. A single cycle does not use them, so validate() only warns about them.
 [[nodiscard]] Issues batchFaults(const Project& project);
 
 } // namespace sparkout

@@ -11,7 +11,7 @@ namespace sparkout::conditions {
 inline bool always(const Project&, const void*) {
     return true;
 }
-/// Where the wheel travels along the part.
+/// Whether the wheel travels along the part.
 inline bool travels(const Project& p, const void*) {
     return p.operation->travels;
 }
@@ -21,7 +21,7 @@ inline bool zones(const Project& p, const void*) {
 inline bool sections(const Project& p, const void*) {
     return !p.operation->hasZones;
 }
-/// Where stages set this feed.
+/// Whether stages set this feed.
 template <auto Feed>
 bool setsFeed(const Project& p, const void*) {
     return std::ranges::any_of(p.operation->feeds,

@@ -24,7 +24,7 @@ bool retracts(const Project& p, const void* stage) {
 bool feedsWhileTravelling(const Project& p, const void* stage) {
     return p.operation->travels && feeds(p, stage);
 }
-/// It may then do without a feed at the reversals.
+/// Whether the stage feeds continuously and so may do without a feed at the reversals.
 bool feedsAllTheTime(const Project& p, const void* stage) {
     return p.operation->travels && static_cast<const Stage*>(stage)->continuousFeed_mm_min() > 0;
 }

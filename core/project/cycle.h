@@ -9,26 +9,26 @@
 
 namespace sparkout {
 
-/// One stage of the cycle: its feeds and the radial stock it removes. As in the file, it has a
-/// place for the feeds of every kind of operation; those in use are in OperationTraits::feeds.
+/// One stage of the cycle: its feeds and the radial stock it removes. As in the file, it has
+/// members for the feeds of every kind of operation; OperationTraits::feeds lists those in use.
 struct Stage {
     std::optional<double> radial_feed_mm;     ///< S_t, per double stroke [mm]
     std::optional<double> axial_feed_mm_min;  ///< S_ax [mm/min]
     std::optional<double> radial_feed_mm_min; ///< S_p [mm/min]
-    /// S_c, traverse: fed all the time beside S_t [mm/min].
+    /// S_c, traverse: continuous feed besides S_t [mm/min].
     std::optional<double> continuous_feed_mm_min;
     double stock_mm = 0; ///< Π_z, per side [mm]
-    SparkOut spark_out;  ///< last stage only: feed nothing
+    SparkOut spark_out;  ///< spark-out, only in the last stage
 
-    /// Whether it is fed radially; else it sparks out.
+    /// Whether the stage is fed radially; otherwise it sparks out.
     [[nodiscard]] bool feeds() const { return spark_out.mode == SparkOut::Mode::none; }
-    /// S_c of a stage that feeds continuously [mm/min]; else 0.
+    /// S_c of a stage that feeds continuously [mm/min]; otherwise 0.
     [[nodiscard]] double continuousFeed_mm_min() const {
         return feeds() ? continuous_feed_mm_min.value_or(0) : 0;
     }
-    /// A spark-out until size, which may wait for ever.
+    /// A spark-out until size, which may never end.
     [[nodiscard]] bool waitsForSize() const { return spark_out.mode == SparkOut::Mode::untilSize; }
-    /// Of a spark-out that has a number of them: double strokes or revolutions.
+    /// The given number of spark-out steps: double strokes or revolutions.
     [[nodiscard]] std::optional<int> sparkOutSteps() const {
         return spark_out.mode == SparkOut::Mode::count ? std::optional(spark_out.count)
                                                        : std::nullopt;
@@ -47,11 +47,11 @@ struct Cycle {
 /// Whether a stage feeds while the table travels.
 [[nodiscard]] bool feedsContinuously(const Project& project);
 
-/// Whether a stage draws the wheel head back.
+/// Whether a stage of the project retracts the wheel head.
 [[nodiscard]] bool drawsBack(const Project& project);
 
-/// The wheel head may be drawn back between stages that feed, where the gauge ends stages. The
-/// stage is one of the project's.
+/// Whether the stage, one of the project's, may retract the wheel head: between feeding stages,
+/// where the gauge ends stages.
 [[nodiscard]] bool mayRetract(const Project& project, const Stage& stage);
 
 template <>

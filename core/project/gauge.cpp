@@ -29,7 +29,7 @@ bool gaugeFree(const Project& p, const void*) {
 } // namespace
 
 double readsTooLarge_mm(const Project& project) {
-    constexpr double perMetre = 1e-6; // of µm/m
+    constexpr double perMetre = 1e-6; // converts µm/m
     const Gauge& gauge = *project.gauge;
     return gauge.error_um / units::umPerMm
            + project.material->expansion_um_m_k * perMetre * project.part->diameter_mm

@@ -10,25 +10,25 @@ namespace sparkout {
 enum class Control { gauge, position };
 enum class GaugeRule { min, mean, max };
 
-/// What ends a stage: the in-process gauge, or the wheel head's position.
+/// The event that ends a stage: a command of the in-process gauge, or the wheel head's position.
 struct Gauge {
     Control control = Control::gauge;
     GaugeRule rule = GaugeRule::min;
     std::optional<int> section;        ///< 0-based plunge section; not given: the middle one
     std::optional<double> position_mm; ///< free position along the ground length [mm]
     std::optional<double> compliance_mm_per_n; ///< γ at the free position [mm/N]
-    std::optional<double> datum_mm; ///< R − R_t that feeding counts from, position control [mm]
+    std::optional<double> datum_mm; ///< R − R_t at the zero of feeding, position control [mm]
     bool spans_gaps = true;         ///< reads across the gaps of an interrupted surface
     int commands = 5;               ///< stages the gauge can switch
-    std::optional<double> delay_s;  ///< from the reading to the command; not given: none [s]
-    double error_um = 0;            ///< e_g, what it reads too large on the diameter [µm]
-    double part_warmer_k = 0; ///< ΔT, part at the gauge over the temperature it is set for [K]
+    std::optional<double> delay_s;  ///< delay from the reading to the command; not given: none [s]
+    double error_um = 0;            ///< e_g, error of the gauge: reading less true diameter [µm]
+    double part_warmer_k = 0;       ///< ΔT, part at the gauge above its setting temperature [K]
 };
 
-/// What the gauge reads too large on the diameter [mm]: e_g + α·d·ΔT [MODEL-7].
+/// The excess of the gauge's reading over the true diameter [mm]: e_g + α·d·ΔT [MODEL-7].
 [[nodiscard]] double readsTooLarge_mm(const Project& project);
-/// How much deeper than at the target the radii stand when it reads the size [mm]: half of that,
-/// in a bore half of it less.
+/// How much deeper than the target the radii are when the gauge reads the size [mm]: half the
+/// excess of the reading, negative in a bore.
 [[nodiscard]] double deeperAtSize_mm(const Project& project);
 
 template <>

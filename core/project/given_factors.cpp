@@ -39,10 +39,10 @@ Range allowedValues(FactorKind kind, Operation operation) {
     case FactorKind::partWarmer: return tableOf<Gauge>().find("part_warmer_k")->hard;
     case FactorKind::compliance: break;
     }
-    return {1e-3, 1e3}; // a factor on γ: between a thousandth and a thousand times
+    return {1e-3, 1e3}; // a factor on γ: from a thousandth to a thousand
 }
 
-/// Of the inputs that say how zones scatter.
+/// The inputs that describe the scatter of the zones.
 struct ZoneRows {
     FactorKind kind;
     const char* key;

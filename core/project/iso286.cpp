@@ -17,12 +17,12 @@ namespace {
 constexpr std::size_t ranges = 13;
 using ByRange = std::array<double, ranges>;
 
-/// Each range goes over the bound before it up to and including its own [mm].
+/// Each range excludes the bound before it and includes its own [mm].
 constexpr ByRange upTo{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
 
 constexpr int finestGrade = 4, coarsestGrade = 14;
 
-/// IT3 (for the Δ of IT4 alone) to IT14 [µm], ISO 286-1 table 1.
+/// IT3 (only for the Δ of IT4) to IT14 [µm], ISO 286-1 table 1.
 constexpr std::array<ByRange, 12> tolerances{{
     {2, 2.5, 2.5, 3, 4, 4, 5, 6, 8, 10, 12, 13, 15},
     {3, 4, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20},
@@ -122,7 +122,7 @@ std::optional<double> upperOfInterference(char letter, int grade, std::size_t ra
 
 std::optional<SizeDeviations> hole(char letter, int grade, std::size_t range) {
     const double IT = tolerance(grade, range);
-    if (letter >= 'D' && letter <= 'H') { // EI = −es of the shaft
+    if (letter >= 'D' && letter <= 'H') { // holes: EI = −es of the shaft
         const auto mirrored = shaft(static_cast<char>(letter - 'A' + 'a'), grade, range);
         return above(-mirrored->upper_um, IT);
     }
@@ -136,7 +136,7 @@ std::optional<SizeDeviations> hole(char letter, int grade, std::size_t range) {
     return upper ? std::optional(below(*upper, IT)) : std::nullopt;
 }
 
-/// Takes a text off the front.
+/// Removes a token from the front of a text; false if it is not there.
 bool take(std::string_view& text, std::string_view token) {
     if (!text.starts_with(token)) {
         return false;
@@ -150,7 +150,7 @@ void skipBlanks(std::string_view& text) {
     }
 }
 
-/// One letter of a field, as the Latin one.
+/// Takes a letter of a tolerance field, as a Latin one.
 std::optional<char> takeLetter(std::string_view& text) {
     constexpr std::array<std::pair<std::string_view, char>, 11> lookalikes{{{"Е", 'E'},
                                                                             {"К", 'K'},

@@ -8,15 +8,15 @@
 
 namespace sparkout {
 
-/// A value of a struct that holds no further rows: where it stands, its row, and the struct it is
-/// a member of. Of a list of structs its number of items is a value, too.
+/// A value of a struct without further rows: its path, its row and the struct that has it as a
+/// member. For a list of structs the number of items is such a value, too.
 struct Leaf {
     std::string path; ///< "/cycle/stages/0/stock_mm"
     const Field* field;
     const void* owner;
 };
 
-/// All values below a struct in the order of its table; of what is not given, the row alone.
+/// All values below a struct in the order of its table; only the row of what is not given.
 [[nodiscard]] std::vector<Leaf> leavesOf(const StructInfo& table, const void* owner);
 
 } // namespace sparkout

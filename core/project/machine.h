@@ -10,7 +10,7 @@
 namespace sparkout {
 
 enum class EntrySide { headstock, tailstock };
-/// Where a double stroke is fed by S_t: the half at each end of `both` is S_t/2.
+/// The reversals at which a double stroke is fed by S_t; `both`: S_t/2 at each.
 enum class ReversalInfeed { entry, exit, both };
 
 /// Stiffness of the machine's units [N/µm].
@@ -25,7 +25,7 @@ struct WheelContact {
     NumberRows n_um_at_n; ///< rows of [force N, stiffness N/µm]
 };
 
-/// What the machine can be set to: [lowest, highest, step] each; not given: not limited.
+/// The machine's adjustment ranges, [lowest, highest, step] each; not given: unlimited.
 struct MachineLimits {
     std::optional<std::vector<double>> radial_feed_mm;
     std::optional<std::vector<double>> axial_feed_mm_min;
@@ -37,25 +37,27 @@ struct MachineLimits {
     std::optional<double> wheel_speed_m_s;  ///< highest V_k; not given: not limited [m/s]
 };
 
-/// What centres, headstock and spindle print onto every part, by zone or section: their axis moves
-/// towards the wheel by c(φ), and the part has R − c, a bore R + c [MODEL-7].
+/// The error of form that centres, headstock and spindle transfer to every part, by zone or
+/// section: their axis moves towards the wheel by c(φ), and the part has R − c, a bore R + c
+/// [MODEL-7].
 struct MachineForm {
     std::optional<std::vector<double>> roundness_um; ///< 2·A_j; not given: not known [µm]
-    std::optional<std::vector<double>> runout_um;    ///< of A_1 and A_j; not given: not known [µm]
-    std::optional<int> lobes;                        ///< j; not given: not known
-    /// From a lobe's deepest point to that of A_1; not given: where the runout is as given [°]
+    std::optional<std::vector<double>> runout_um; ///< of A_1 plus A_j; not given: not known [µm]
+    std::optional<int> lobes;                     ///< j; not given: not known
+    /// Angle from a lobe's deepest point to that of A_1; not given: the one that gives the stated
+    /// runout [°]
     std::optional<double> runout_at_deg;
     friend bool operator==(const MachineForm&, const MachineForm&) = default;
 };
 
-/// What the wheel's drive keeps as the diameter of the wheel falls [MODEL-8]: V_k, or the
-/// revolutions, so that V_k falls with the diameter.
+/// The quantity that the wheel's drive keeps constant as the wheel's diameter falls [MODEL-8]: V_k,
+/// or the revolutions, so that V_k falls with the diameter.
 enum class WheelSpeedControl { constant_speed, constant_revolutions };
 
 /// The grinder: speeds, table travel, dwells, compliance, drives.
 struct Machine {
     std::string name;
-    double wheel_speed_m_s = 30; ///< V_k of the wheel as it is given [m/s]
+    double wheel_speed_m_s = 30; ///< V_k of the wheel at its given diameter [m/s]
     WheelSpeedControl wheel_speed_control = WheelSpeedControl::constant_speed;
     double work_speed_rpm = 180;     ///< n [rev/min]
     double plunge_feed_mm_min = 0.5; ///< S_rad, plunge-in at a reversal [mm/min]
@@ -67,40 +69,40 @@ struct Machine {
     GivenCompliance compliance_mm_per_n; ///< γ; not given: from stiffness and shaft [mm/N]
     std::optional<Stiffness> stiffness_n_um;
     std::optional<std::vector<double>> zone_compliance; ///< factor on γ of each zone or section
-    double geometric_runout_um = 0;  ///< of centres and spindle, adds to runout [µm]
-    std::optional<MachineForm> form; ///< then geometric_runout_um is not used
-    // Of its in-process gauge; not given: not known, and no scatter of a batch.
+    double geometric_runout_um = 0;  ///< runout of centres and spindle, added to every runout [µm]
+    std::optional<MachineForm> form; ///< if given, geometric_runout_um is not used
+    // Repeatability of the in-process gauge; not given: not known, and no scatter of a batch.
     std::optional<double> gauge_repeatability_um; ///< s_g, standard deviation of a reading [µm]
-    std::optional<double> gauge_drift_um_h;       ///< v_g, of the reading since it was set [µm/h]
-    std::optional<double> wheel_drive_kw;         ///< [kW]; not given: not limited
-    std::optional<double> work_drive_kw;          ///< [kW]; not given: not limited
-    /// From the gauge's command to the next stage's feed; not given: none [s]
+    std::optional<double> gauge_drift_um_h; ///< v_g, drift of the reading since it was set [µm/h]
+    std::optional<double> wheel_drive_kw;   ///< [kW]; not given: not limited
+    std::optional<double> work_drive_kw;    ///< [kW]; not given: not limited
+    /// Delay from the gauge's command to the next stage's feed; not given: none [s]
     std::optional<double> feed_change_delay_s;
     EntrySide entry_side = EntrySide::headstock;
     std::optional<WheelContact> wheel_contact;
     MachineLimits limits;
 };
 
-/// Gives a project a wheel of another diameter, on a drive that keeps V_k or the revolutions: the
-/// one law of batch, sweep, set-up and dressing [MODEL-8].
+/// Changes the wheel's diameter on a drive that keeps V_k or the revolutions [MODEL-8]; used by
+/// batch, sweep, set-up and dressing.
 void changeWheelDiameter(Project& project, double diameter_mm);
 
-/// Lobes that stand for a number not known: of an odd one every diameter keeps its size, of an even
-/// one none does.
+/// Numbers of lobes to assume where it is not known: an odd number changes no diameter, an even
+/// number changes them all.
 inline constexpr int oddLobes = 3, evenLobes = 2;
-/// Radii that a lobe needs, so that its height is read to 1 − cos(π/12) = 3.4 %.
+/// Number of radii per lobe, so that its height is resolved to 1 − cos(π/12) = 3.4 %.
 inline constexpr int radiiOfLobe = 12;
 
-/// The number of lobes that is run: that given, else oddLobes.
+/// The given number of lobes, or oddLobes.
 [[nodiscard]] int lobesOf(const MachineForm& form);
 /// Whether the machine prints lobes, and whether their number is not known.
 [[nodiscard]] bool hasLobes(const Machine& machine);
 [[nodiscard]] bool areLobesUnknown(const Machine& machine);
 
-/// What adds to every runout as a number [µm]: none beside a form with runouts, which has it in its
-/// radii.
+/// The machine's runout that is added to every runout as a number [µm]: 0 with a form that has
+/// runouts, which are part of its radii.
 [[nodiscard]] double addedRunout_um(const Machine& machine);
-/// Whether roundness and cylindricity, and runouts, have the machine's own in them; else they are
+/// Whether roundness, cylindricity and runouts include the machine's own error; otherwise they are
 /// those of the process alone.
 [[nodiscard]] bool isRoundnessKnown(const Machine& machine);
 [[nodiscard]] bool isRunoutKnown(const Machine& machine);

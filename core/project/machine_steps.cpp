@@ -13,7 +13,7 @@ namespace sparkout {
 namespace {
 
 constexpr std::string_view stagesPath("/cycle/stages/");
-constexpr double onStep = 1e-6; ///< of a step: a value that misses one by no more is on it
+constexpr double onStep = 1e-6; ///< share of a step: values this near to one count as on it
 
 double withoutLastBits(double value) {
     constexpr double tidy = 1e9;
@@ -56,9 +56,9 @@ double MachineSteps::stepped(double value, int steps) const {
     }
     const double place = (value - low) / step;
     const double from = steps > 0 ? std::floor(place + onStep) : std::ceil(place - onStep);
-    const double last = std::floor((high - low) / step + onStep); // infinite where high is
+    const double last = std::floor((high - low) / step + onStep); // infinite if high is
     const double next = withoutLastBits(low + std::clamp(from + steps, 0.0, last) * step);
-    return (next - value) * steps > 0 ? next : value; // one beyond the ends goes no farther
+    return (next - value) * steps > 0 ? next : value; // one beyond the ends stays there
 }
 
 const std::vector<double>* machineRange(const Project& project, std::string_view path) {

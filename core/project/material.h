@@ -10,11 +10,11 @@ namespace sparkout {
 
 /// The law of the normal force over the depth of cut [MODEL-2].
 enum class ForceLawKind {
-    sources,  ///< b·(k_s·a + k_r·√a), of the sources
+    sources,  ///< b·(k_s·a + k_r·√a), the law of the sources
     threshold ///< b·(F'_0 + K·a): nothing is cut below F'_0
 };
 
-/// The workpiece material as the force law and the heat model see it.
+/// The workpiece material for the force law and the heat model.
 struct Material {
     std::string grade;
     std::optional<double> hardness_hrc; ///< [HRC]
@@ -25,11 +25,11 @@ struct Material {
     ForceLawKind force_law = ForceLawKind::sources;
     double threshold_force_n_mm = 0.5;                   ///< F'_0, a width that just cuts [N/mm]
     double specific_force_mpa = 50000;                   ///< K_0, K = K_0·V_d/V_k [N/mm²]
-    std::optional<double> specific_tangential_force_mpa; ///< of K_z likewise [N/mm²]
+    std::optional<double> specific_tangential_force_mpa; ///< of K_z, too [N/mm²]
     double conductivity_w_mk = 36;                       ///< λ [W/(m·K)]
     double diffusivity_mm2_s = 9;                        ///< Ω [mm²/s]
     std::optional<double> burn_rise_k; ///< U_burn, temperature rise that burns [K]
-    double heat_share = 1;             ///< ε_w, share of the heat that goes into the part
+    double heat_share = 1;             ///< ε_w, share of the heat that enters the part
     double expansion_um_m_k = 11.5;    ///< α, of length with temperature [µm/(m·K)]
 };
 

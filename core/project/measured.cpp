@@ -54,7 +54,8 @@ private:
         }
     }
 
-    /// Fewer sections than when it was measured: the data stay, but nothing is held against them.
+    /// A part with fewer sections than when it was measured keeps the data, but nothing is compared
+    /// with them.
     void checkPlace(int place, const std::string& path) {
         if (place >= m_places) {
             add(IssueCode::outOfRange, Severity::warning, path + "/place", Count{place},
@@ -167,7 +168,7 @@ const StructInfo& tableOf<MeasuredTrace>() {
     static const std::array rows{
         SPARKOUT_FIELD(MeasuredTrace, quantity, .label = SPARKOUT_NOOP("Input", "Quantity"),
                        .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "What was recorded over the time.")),
+                       .hint = SPARKOUT_NOOP("Input", "Quantity recorded over time.")),
         SPARKOUT_FIELD(MeasuredTrace, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
                        .hard = {0, 199},
                        .nullMeaning = SPARKOUT_NOOP("Input", "where the gauge measures"),
@@ -282,7 +283,7 @@ const StructInfo& tableOf<Calibration>() {
                        .hint = SPARKOUT_NOOP("Input", "Upper end of its 95 % interval.")),
         SPARKOUT_FIELD(Calibration, data, .label = SPARKOUT_NOOP("Input", "Data"),
                        .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "What it was calibrated on.")),
+                       .hint = SPARKOUT_NOOP("Input", "Data used for the calibration.")),
         SPARKOUT_FIELD(Calibration, count, .label = SPARKOUT_NOOP("Input", "Measured values"),
                        .hard = {1, 1e9},
                        .hint = SPARKOUT_NOOP("Input", "How many measured values it rests on.")),

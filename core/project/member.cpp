@@ -10,7 +10,7 @@ namespace sparkout {
 
 namespace {
 
-/// Takes the first key off a path.
+/// Removes the first key from a path.
 std::string_view takeKey(std::string_view& path) {
     if (path.starts_with('/')) {
         path.remove_prefix(1);
@@ -60,7 +60,7 @@ Member walk(const StructInfo* table, void* owner, std::string_view path, Missing
         }
         owner = descend(*field, owner, path, missing);
         if (!owner && missing == Missing::defaults && field->kind == Kind::optionalObject) {
-            owner = const_cast<void*>(field->nested->defaults); // only read from
+            owner = const_cast<void*>(field->nested->defaults); // never written to
         }
         if (!owner) {
             return {};

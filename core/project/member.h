@@ -10,7 +10,7 @@
 /// Finding a member of a project, or of any struct that has a table, by its JSON pointer.
 namespace sparkout {
 
-/// A member: its row and the struct that holds it; both null when there is none.
+/// A member: its row and the struct that holds it; both null if not found.
 struct Member {
     const Field* field = nullptr;
     void* owner = nullptr;
@@ -26,11 +26,11 @@ struct ConstMember {
     }
 };
 
-/// The member at a path such as "/wheel/width_mm". Optional structs on the way are made when
-/// `create` holds.
+/// The member at a path such as "/wheel/width_mm". Optional structs on the way are created if
+/// `create` is true.
 [[nodiscard]] Member findMember(Project& project, std::string_view path, bool create = false);
 
-/// The same for reading; optional structs that are not given answer with their defaults.
+/// The member for reading; optional structs that are not given answer with their defaults.
 [[nodiscard]] ConstMember findMember(const Project& project, std::string_view path);
 
 /// The same in any struct; nothing is created, and what is below an optional struct that is not

@@ -9,7 +9,7 @@ namespace sparkout {
 
 namespace {
 
-/// A number found: what it is, the struct that holds its member, and where in the member it is.
+/// Receives a number, the struct that holds its member, and the index within the member.
 using NumberVisit = std::function<void(NumberInput&&, const void* owner, std::size_t part)>;
 
 class NumberWalk {
@@ -139,7 +139,7 @@ bool setNumberInput(Project& project, std::string_view path, double value) {
     NumberWalk(project, [&](NumberInput&& input, const void* owner, std::size_t part) {
         if (input.path == path) {
             set = [field = input.field, owner = const_cast<void*>(owner), part, value] {
-                store(*field, owner, part, value); // the project is no constant one
+                store(*field, owner, part, value); // the project is not const
             };
         }
     }).walkProject();

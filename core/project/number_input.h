@@ -17,17 +17,17 @@ struct NumberInput {
     const Field* field = nullptr;
     Range allowed;               ///< refused outside
     bool integer = false;        ///< a whole number
-    std::optional<double> value; ///< nothing: not given
+    std::optional<double> value; ///< empty: not given
 };
 
-/// All that a cycle of the project reads, in the order of the tables. Those of operation card,
-/// batch, search, sweep and kept runs it does not.
+/// All inputs that a cycle of the project reads, in the order of the tables; without those of the
+/// operation card, batch, search, sweep and kept runs.
 [[nodiscard]] std::vector<NumberInput> numberInputs(const Project& project);
 
-/// The one at a path; nothing when there is none.
+/// The input at a path; empty if there is none.
 [[nodiscard]] std::optional<NumberInput> numberInput(const Project& project, std::string_view path);
 
-/// Sets the one at a path to a value, rounded if need be; false when there is none.
+/// Sets the input at a path to a value, rounded if need be; false if there is none.
 bool setNumberInput(Project& project, std::string_view path, double value);
 
 } // namespace sparkout

@@ -16,35 +16,35 @@ struct MachineLimits;
 struct Optimisation;
 struct Stage;
 
-/// A feed that stages set, and where machine and search speak of it.
+/// A feed set by stages, with its members in machine and search.
 struct StageFeed {
-    const char* key; ///< of its rows in Stage and Optimisation
+    const char* key; ///< key of its rows in Stage and Optimisation
     std::optional<double> Stage::*value;
     std::optional<std::vector<double>> MachineLimits::*range;
     Levels Optimisation::*levels;
-    NumberRows Optimisation::*byStage; ///< least and most of each stage
+    NumberRows Optimisation::*byStage; ///< lower and upper bound for each stage
 };
 
-/// What the rest of the program asks of a kind of operation.
+/// Properties of a kind of operation.
 struct OperationTraits {
     Choice choice;                    ///< its key in the file and its label
-    std::span<const StageFeed> feeds; ///< of its stages: the radial one, and an axial one if any
-    /// In whose place a stage may be fed all the time; null: there is none.
+    std::span<const StageFeed> feeds; ///< the radial one, and an axial one if any
+    /// The feed that a stage may replace by a continuous one; null if there is none.
     const StageFeed* continuous = nullptr;
-    double usualRadial = 0;  ///< of a stage that is added
-    int usualLeastSteps = 0; ///< that a stage with stock is to make
-    bool perMinute = false;  ///< the radial feed is one of time [mm/min], else one of a step [mm]
-    bool countsStrokes = false; ///< a step of the cycle is a double stroke, else a revolution
-    /// The wheel travels along the part, from reversal to reversal with overruns and dwells; else
-    /// it covers the whole ground length.
+    double usualRadial = 0;     ///< usual radial feed of an added stage
+    int usualLeastSteps = 0;    ///< usual least number of steps of a stage with stock
+    bool perMinute = false;     ///< the feed is in mm/min, otherwise in mm per step
+    bool countsStrokes = false; ///< a step of the cycle is a double stroke, otherwise a revolution
+    /// The wheel travels along the part between reversals with overruns and dwells; otherwise it
+    /// covers the whole ground length.
     bool travels = false;
-    /// The ground length has the zones РЗ1, НЗ, РЗ2, with the gauge in the middle of НЗ; else any
-    /// number of sections, with the gauge where one likes.
+    /// The ground length has the zones РЗ1, НЗ, РЗ2, with the gauge in the middle of НЗ; otherwise
+    /// any number of sections and a gauge at any position.
     bool hasZones = false;
-    bool mayRetract = false; ///< stages between others may draw the wheel head back
+    bool mayRetract = false; ///< stages between others may retract the wheel head
 
     [[nodiscard]] const StageFeed& radial() const { return feeds.front(); }
-    /// All that a search may have levels of.
+    /// All feeds for which a search may have levels.
     [[nodiscard]] std::vector<const StageFeed*> searchedFeeds() const;
     /// Null where stages set no axial feed.
     [[nodiscard]] const StageFeed* axial() const { return feeds.size() > 1 ? &feeds[1] : nullptr; }
@@ -62,14 +62,14 @@ struct Plunge {
     friend bool operator==(const Plunge&, const Plunge&) = default;
 };
 
-/// The kind of operation, in the order of the choices. Most of the program asks for what is in its
-/// traits; what each kind does in its own way is asked by match().
+/// The kind of operation, in the order of the choices. Most of the program uses its traits; match()
+/// selects behaviour specific to a kind.
 class Operation : public std::variant<Traverse, Plunge> {
 public:
     using variant::variant;
     static const Operation traverse, plunge;
 
-    /// Calls the case of the kind; a kind without its case does not compile.
+    /// Calls the case of the kind; a missing case does not compile.
     template <class... Cases>
     decltype(auto) match(Cases... cases) const {
         struct All : Cases... {
@@ -81,7 +81,7 @@ public:
     [[nodiscard]] const OperationTraits* operator->() const {
         return match([](const auto& kind) { return &kind.traits; });
     }
-    /// What a step feeds [mm] at a radial feed of the operation.
+    /// The infeed of a step [mm] at a radial feed of the operation.
     [[nodiscard]] double infeed_mm(double radialFeed, double workSpeed_rpm) const {
         return (*this)->perMinute ? radialFeed / workSpeed_rpm : radialFeed;
     }

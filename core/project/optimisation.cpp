@@ -31,7 +31,7 @@ const StructInfo& tableOf<Cost>() {
         SPARKOUT_FIELD(Cost, machine_per_h, .label = SPARKOUT_NOOP("Input", "Machine and operator"),
                        .symbol = "C_m", .unit = SPARKOUT_NOOP("Unit", "1/h"), .hard = {0, 1e9},
                        .required = conditions::always, .page = Page::search,
-                       .hint = SPARKOUT_NOOP("Input", "What an hour costs, in any currency."),
+                       .hint = SPARKOUT_NOOP("Input", "Cost of an hour, in any currency."),
                        .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
         SPARKOUT_FIELD(Cost, handling_s, .label = SPARKOUT_NOOP("Input", "Handling"),
                        .symbol = "t_h", .unit = "s", .hard = {0, 1e6}, .page = Page::search,

@@ -10,23 +10,22 @@
 namespace sparkout {
 
 enum class OptimisationScenarios {
-    nominal, ///< the part as stated
+    nominal, ///< the nominal part
     stocks,  ///< every stock within one infeed
-    corners, ///< and every corner of the batch
-    batch    ///< and the parts of the batch
+    corners, ///< also every corner of the batch
+    batch    ///< also the parts of the batch
 };
-/// Whether they are those of the project's batch.
+/// Whether the scenarios are those of the project's batch.
 [[nodiscard]] constexpr bool areOfBatch(OptimisationScenarios scenarios) {
     return scenarios >= OptimisationScenarios::corners;
 }
 
-/// What of a grid is the best: the quickest cycle, the cheapest, or the one for which the wheel
-/// need be dressed after the most parts.
+/// The criterion of the best cycle: least time, least cost, or most parts between dressings.
 enum class SearchObjective { time, cost, wheel_life };
 
-/// What a part costs, in any currency. Reported, and searched where that is the objective.
+/// The cost of a part, in any currency: reported, and minimised if it is the objective.
 struct Cost {
-    double machine_per_h = 0;                   ///< of machine and operator [1/h]
+    double machine_per_h = 0;                   ///< hourly cost of machine and operator [1/h]
     double handling_s = 0;                      ///< loading and measuring, a part [s]
     double dressing_s = 0;                      ///< a dressing [s]
     double dressing_cost = 0;                   ///< wheel and diamond worn by a dressing
@@ -38,23 +37,24 @@ struct Optimisation {
     std::vector<double> stages = {1, 2}; ///< numbers of stages tried
     double stock_step_mm = 0.01;         ///< [mm]
     std::optional<std::vector<double>>
-        last_stock_mm; ///< least and most of the last of several [mm]
+        last_stock_mm; ///< least and greatest stock of the last of several stages [mm]
     bool non_increasing = false;
     SearchObjective objective = SearchObjective::time;
     bool adaptive = false; ///< levels are added around and beyond the answer
-    /// The greatest margin within this time is searched; not given: the least time [min].
+    /// Time within which the greatest margin is searched; not given: the least time is searched
+    /// [min].
     std::optional<double> margin_within_min;
     OptimisationScenarios scenarios = OptimisationScenarios::nominal;
     Levels radial_feed_mm;     ///< traverse, per double stroke [mm]
     Levels axial_feed_mm_min;  ///< traverse [mm/min]
     Levels radial_feed_mm_min; ///< plunge [mm/min]
-    /// Traverse, of stages that have no radial feed; not given: none are fed so [mm/min].
+    /// Traverse, for stages without a radial feed; not given: no continuous feed [mm/min].
     Levels continuous_feed_mm_min;
     Levels work_speed_rpm; ///< n; not given: the machine's [rev/min]
     Levels dwell_entry_s;  ///< traverse; not given: the machine's [s]
     Levels dwell_exit_s;   ///< traverse; not given: the machine's [s]
     Levels unfed_steps;    ///< a spark-out's strokes or revolutions; 0: no such stage
-    // Least and most of each stage, a row a stage from the first on.
+    // Lower and upper bound of each stage, a row for each stage from the first.
     NumberRows stage_radial_feed_mm;         ///< [mm]
     NumberRows stage_axial_feed_mm_min;      ///< [mm/min]
     NumberRows stage_radial_feed_mm_min;     ///< plunge [mm/min]

@@ -68,7 +68,7 @@ Range measuredRange(const Part& part) {
 
 std::vector<bool> inGaps(const Part& part) {
     constexpr double turn_deg = 360, same_deg = 1e-9;
-    constexpr int mostRadii = 360; // a file may ask for any number, before it is refused
+    constexpr int mostRadii = 360; // a file may request any number before it is refused
     std::vector<bool> inside(
         static_cast<std::size_t>(std::clamp(part.radii_per_section, 0, mostRadii)));
     for (const SurfaceGap& gap : part.gaps) {

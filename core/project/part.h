@@ -9,8 +9,8 @@
 
 namespace sparkout {
 
-/// How the part is held: between two centres, or overhanging from a chuck that clamps the end x =
-/// 0.
+/// The mounting of the part: between two centres, or overhanging from a chuck that clamps the end x
+/// = 0.
 enum class Mounting { centres, chuck };
 
 enum class Surface { external, internal };
@@ -35,9 +35,9 @@ struct SteadyRest {
     double stiffness_n_um = 50; ///< [N/µm]
 };
 
-/// A range of angle where there is no surface: a keyway, the space between two splines.
+/// A range of angle without a surface: a keyway, the space between two splines.
 struct SurfaceGap {
-    double from_deg = 0;  ///< counted as φ_k is [°]
+    double from_deg = 0;  ///< angle like φ_k [°]
     double width_deg = 0; ///< [°]
 };
 
@@ -48,8 +48,8 @@ struct Quill {
 };
 
 struct Shaft {
-    std::vector<ShaftSegment> segments; ///< from the headstock on
-    double ground_from_mm = 0;          ///< where the ground length begins [mm]
+    std::vector<ShaftSegment> segments; ///< from the headstock end
+    double ground_from_mm = 0;          ///< beginning of the ground length [mm]
     double youngs_modulus_gpa = 210;    ///< E [GPa]
     Mounting mounting = Mounting::centres;
     std::vector<SteadyRest> steady_rests;
@@ -62,8 +62,8 @@ struct Part {
     Surface surface = Surface::external;
     bool blind_bore = false;         ///< a bore with a wall at its headstock end
     double diameter_mm = 30;         ///< d, nominal [mm]
-    double upper_deviation_um = 0;   ///< of the diameter, from nominal [µm]
-    double lower_deviation_um = -16; ///< of the diameter, from nominal [µm]
+    double upper_deviation_um = 0;   ///< upper deviation from the nominal diameter [µm]
+    double lower_deviation_um = -16; ///< lower deviation from the nominal diameter [µm]
     double length_mm = 92;           ///< L_p, ground length [mm]
     double stock_mm = 0.15;          ///< Π, minimum radial stock, per side [mm]
     double initial_runout_mm = 0.02; ///< ΔR = R_max − R_min of the blank [mm]
@@ -71,30 +71,30 @@ struct Part {
     ProfileForm profile = ProfileForm::ellipse;
     int lobes = 3;                               ///< n of an n-lobe form
     std::optional<std::vector<double>> radii_um; ///< measured profile, from the largest radius [µm]
-    std::vector<SurfaceGap> gaps;                ///< the same all along the ground length
-    std::optional<double> target_diameter_mm;    ///< 2·R_t [mm]; not given: middle of the field
-    /// δΠ and δ(ΔR) of each zone or section, beside those of the part; not given: none [mm]
+    std::vector<SurfaceGap> gaps;             ///< interruptions, constant along the ground length
+    std::optional<double> target_diameter_mm; ///< 2·R_t [mm]; not given: middle of the tolerance
+    /// δΠ and δ(ΔR) of each zone or section, in addition to those of the part; not given: none [mm]
     std::optional<std::vector<double>> zone_stock_mm, zone_runout_mm;
     Tolerance tolerance;
     Shaft shaft;
 };
 
-/// What a zone or section has beyond the stock and the runout of the part [mm].
+/// The additional stock and runout of a zone or section [mm].
 struct ZoneBlank {
     double stock_mm = 0, runout_mm = 0;
 };
-/// Zone by zone; none: all are as the part.
+/// Zone by zone; empty: all are like the part.
 [[nodiscard]] std::vector<ZoneBlank> zoneBlanks(const Part& part);
-/// The most that both together are [mm]; 0 without.
+/// The greatest sum of both additions [mm]; 0 without zones.
 [[nodiscard]] double furthestZone_mm(const Part& part);
 
-/// The share of the K radii that stand in no gap.
+/// The share of the K radii outside the gaps.
 [[nodiscard]] double engagedShare(const Part& part);
 
-/// Least and most of a measured profile outside the gaps [µm].
+/// Minimum and maximum of a measured profile outside the gaps [µm].
 [[nodiscard]] Range measuredRange(const Part& part);
 
-/// Of the K radii, whether each stands in a gap: φ_k in [from, from + width), to 1e-9°.
+/// Marks the radii inside a gap: φ_k in [from, from + width), to 1e-9°.
 [[nodiscard]] std::vector<bool> inGaps(const Part& part);
 
 template <>

@@ -13,8 +13,8 @@
 
 namespace sparkout {
 
-// Only declared, for nearly every source includes this header: who looks into a part of a project
-// includes the part's.
+// Forward declarations, since nearly every source includes this header; a user of a part of the
+// project includes that part's header.
 struct Batch;
 struct CardEntries;
 struct Cycle;
@@ -38,7 +38,7 @@ extern template class Indirect<Sweep>;
 extern template class Indirect<Wheel>;
 extern template class OptionalShared<Measured>;
 
-/// A kept run: what was run, when, by which engine, and its summary. Never changed again.
+/// A kept run: its inputs, time, engine and summary. It is never changed.
 struct KeptRun {
     std::string name;
     std::string when; ///< ISO 8601, UTC
@@ -48,13 +48,13 @@ struct KeptRun {
     friend bool operator==(const KeptRun&, const KeptRun&) = default;
 };
 
-/// All inputs of one grinding cycle: what a project file holds. Members are named by their keys in
-/// the file and carry the file's units.
+/// All inputs of one grinding cycle: the contents of a project file. Members are named by their
+/// keys in the file and carry the file's units.
 struct Project {
     std::string title;
     std::string author;
     std::string notes;
-    std::string coolant; ///< in words
+    std::string coolant; ///< description in words
     Operation operation;
     Indirect<Part> part;
     Indirect<Material> material;
@@ -62,10 +62,10 @@ struct Project {
     Indirect<Machine> machine;
     Indirect<Gauge> gauge;
     Indirect<Cycle> cycle;
-    int sections = 4; ///< J, where the ground length has no zones
+    int sections = 4; ///< J, if the ground length has no zones
     bool sections_coupled = false;
-    int zone_sections = 1; ///< in each zone
-    // What practice asks of a cycle; not given: not required.
+    int zone_sections = 1; ///< number of sections in each zone
+    // Requirements of shop practice; not given: not required.
     std::optional<double> least_overlap;      ///< B·n/S_ax of every stage
     std::optional<double> least_overlap_last; ///< B·n/S_ax of the last stage
     std::optional<int> least_steps; ///< double strokes or revolutions of a stage with stock
@@ -77,11 +77,11 @@ struct Project {
     std::vector<KeptRun> runs;
 };
 
-/// How many zones or sections the ground length has.
+/// The number of zones or sections of the ground length.
 [[nodiscard]] int placeCount(const Project& project);
 
-/// How many sections further to the zones' middles stand for them, zone by zone; none where each
-/// is its middle.
+/// The number of sections in addition to the zones' middles, zone by zone; 0 where each zone is its
+/// middle.
 [[nodiscard]] int zoneSectionCount(const Project& project);
 
 template <>

@@ -26,13 +26,13 @@ public:
     Issues issues;
 
 private:
-    /// A feed of 0 where another one makes up for it is no unusual one.
+    /// A feed of 0 is not unusual where another feed replaces it.
     [[nodiscard]] bool isLeftOut(const Field& field, const void* owner) const {
         return field.kind == Kind::optionalNumber && field.exempt
                && field.as<std::optional<double>>(owner) == 0.0 && field.exempt(m_project, owner);
     }
 
-    /// One that may be drawn back is judged by what is refused alone.
+    /// A feed that may retract the wheel is checked against the hard limits alone.
     [[nodiscard]] bool isDrawnBack(const Field& field, const void* owner, double value) const {
         return value < 0 && field.exempt && field.exempt(m_project, owner);
     }
@@ -47,7 +47,7 @@ private:
         }
     }
 
-    /// A list may hold a million faults; no more are kept than are listed.
+    /// A list may have a million faults; only as many as are listed are kept.
     void add(IssueCode code, Severity severity, const std::string& path, Detail value,
              Detail limit) {
         std::size_t& count = severity == Severity::error ? m_errors : m_warnings;
@@ -100,7 +100,7 @@ private:
         }
     }
 
-    /// Tens of thousands: only the path of a fault is put together.
+    /// Checks tens of thousands of samples; builds a path only for a fault.
     void checkSamples(const Field& field, const void* owner, const std::string& path) {
         const std::vector<double>& values = field.as<Samples>(owner).values();
         for (std::size_t i = 0; i < values.size(); ++i) {

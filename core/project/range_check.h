@@ -8,10 +8,10 @@
 
 namespace sparkout {
 
-/// Holds every member against the hard and soft range of its row.
+/// Checks every member against the hard and soft range of its row.
 [[nodiscard]] Issues checkRanges(const Project& project);
 
-/// The same of a struct whose rows have no conditions, at a path of its file.
+/// Checks a struct whose rows have no conditions, at a path of its file.
 [[nodiscard]] Issues checkRanges(const StructInfo& table, const void* owner,
                                  const std::string& path);
 

@@ -12,14 +12,14 @@ enum class SweepSpacing { linear, logarithmic };
 
 /// An input that a sweep varies, in the unit of that input.
 struct SweepAxis {
-    std::string input; ///< its path, "/wheel/dullness"
+    std::string input; ///< path of the input, "/wheel/dullness"
     double from = 0;
     double to = 0;
     int points = 21;
     SweepSpacing spacing = SweepSpacing::linear;
 };
 
-/// Which inputs are varied to see what they do: one for curves, two for a map.
+/// The varied inputs and their ranges: one for curves, two for a map.
 struct Sweep {
     std::vector<SweepAxis> inputs;
 };

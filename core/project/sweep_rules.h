@@ -6,8 +6,8 @@
 
 namespace sparkout {
 
-/// What keeps the sweep of a project from being run: inputs that are no numbers of it, ranges
-/// beyond what an input may be. None without a sweep. A single cycle does not read them.
+/// The faults that prevent the sweep of a project: inputs that are not its numbers, ranges beyond
+/// what an input allows. Empty without a sweep. A single cycle does not need them.
 [[nodiscard]] Issues sweepFaults(const Project& project);
 
 } // namespace sparkout

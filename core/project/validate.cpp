@@ -35,8 +35,8 @@ double lengthOf(const Shaft& shaft) {
         [](double sum, const ShaftSegment& segment) { return sum + segment.length_mm; });
 }
 
-/// How far beyond each end of the ground length the shaft stands no higher than a diameter: up to
-/// the next shoulder, or infinitely where there is none [mm].
+/// The distances beyond the ends of the ground length within which the shaft is no larger than a
+/// given diameter: to the next shoulder, or infinite without one [mm].
 struct Clearance {
     double headstock = std::numeric_limits<double>::infinity();
     double tailstock = std::numeric_limits<double>::infinity();
@@ -61,11 +61,10 @@ Clearance clearanceOf(const Part& part, double diameter_mm) {
     return clearance;
 }
 
-/// A bound that follows from other inputs, to so many digits as one can enter, within what is
-/// allowed.
+/// A bound derived from other inputs, rounded inwards to enterable digits.
 double roundedBound(double bound, double (*round)(double)) {
     constexpr int digits = 4;
-    constexpr double least = 1e-5; // below, its own digits are as good
+    constexpr double least = 1e-5; // bounds below this keep all digits
     if (!std::isfinite(bound) || bound < least) {
         return bound;
     }
@@ -79,7 +78,7 @@ double roundedDown(double bound) {
     return roundedBound(bound, [](double x) { return std::floor(x); });
 }
 
-/// The rules between fields; each looks at what the ranges allowed.
+/// The rules between fields; each considers only values that the ranges allow.
 class Rules {
 public:
     Rules(const Project& project, Issues& issues) : m_project(project), m_issues(issues) {}
@@ -110,7 +109,7 @@ public:
 private:
     const Project& project() const { return m_project; }
 
-    /// One fault a value: a range that refuses it says enough, "unusual" says less than a rule.
+    /// Adds one fault for each value: a refusal by range suffices, and a rule replaces "unusual".
     void add(IssueCode code, const std::string& path, Detail value, Detail limit,
              Severity severity = Severity::error) {
         std::erase_if(m_issues, [&](const Issue& issue) {
@@ -126,8 +125,8 @@ private:
     void warn(IssueCode code, const std::string& path, Detail value, Detail limit) {
         add(code, path, std::move(value), std::move(limit), Severity::warning);
     }
-    /// Whether none of these inputs is refused, nor what is within them: a rule that read them
-    /// would allow what makes no sense, or refuse another input for it.
+    /// Whether none of these inputs, nor anything inside them, is refused; a rule on a refused
+    /// input would mislead.
     [[nodiscard]] bool sound(std::initializer_list<std::string_view> paths) const {
         return std::none_of(m_issues.begin(), m_issues.end(), [&](const Issue& issue) {
             return issue.severity == Severity::error
@@ -193,7 +192,7 @@ private:
         return (measuredRange(part).high - measuredRange(part).low) / units::umPerMm;
     }
 
-    /// The smallest diameter of a bore's blank, which the wheel must fit into [mm].
+    /// The smallest diameter of a bore's blank, into which the wheel must fit [mm].
     double smallestBore() const {
         const Part& part = *project().part;
         const double middle =
@@ -203,7 +202,7 @@ private:
                - 2 * (part.stock_mm + blankRunout() + furthestZone_mm(part));
     }
 
-    /// A value for each zone or section, with which its blank is one.
+    /// Checks the values of each zone or section: their blanks must be valid.
     void checkZoneValues() {
         const Part& part = *project().part;
         const auto count = [&](const char* path, const std::optional<std::vector<double>>& own) {
@@ -235,7 +234,7 @@ private:
         }
     }
 
-    /// What the machine prints, which the radii must be close enough to read.
+    /// Checks the machine's form, which the number of radii must resolve.
     void checkMachineForm() {
         if (!project().machine->form) {
             return;
@@ -253,7 +252,7 @@ private:
         const double most_um = tableOf<MachineForm>().find("runout_um")->hard.high;
         const bool both = roundness && runout && sound({roundnessPath, runoutPath});
         for (std::size_t i = 0; both && i < std::min(roundness->size(), runout->size()); ++i) {
-            if ((*runout)[i] < (*roundness)[i]) { // about its axis no circle fits better
+            if ((*runout)[i] < (*roundness)[i]) { // no circle fits better about its axis
                 add(IssueCode::outOfRange, runoutPath + ('/' + std::to_string(i)), um((*runout)[i]),
                     Bounds{{(*roundness)[i], most_um}, "µm"});
             }
@@ -299,7 +298,7 @@ private:
         }
     }
 
-    /// Some of the surface must be left, across which a diameter can be measured.
+    /// Checks that enough surface is left to measure a diameter.
     void checkGaps() {
         constexpr int leastRadii = 4;
         const Part& part = *project().part;
@@ -446,7 +445,7 @@ private:
         }
     }
 
-    /// Whether the part is one that the machine takes.
+    /// Whether the machine can take the part.
     void checkRoom() {
         const Part& part = *project().part;
         const MachineLimits& limits = project().machine->limits;
@@ -470,8 +469,8 @@ private:
         }
     }
 
-    /// Pores are left between grains and bond; what follows from the recipe must be possible: cuts
-    /// and flats no larger than the grain that has them, no more flats than surface.
+    /// Checks the recipe: there must be pores between grains and bond, cuts and flats no larger
+    /// than their grain, and no more flats than surface.
     void checkRecipe() {
         const Wheel& wheel = *project().wheel;
         if (!wheel.force_recipe) {
@@ -497,8 +496,8 @@ private:
         }
     }
 
-    /// With a threshold there is a force, and heat, where nothing is cut and the contact of the
-    /// sources' law has no length: temperature and pressure are not known there.
+    /// With a threshold there is force and heat without cutting, where the contact of the sources'
+    /// law has no length: temperature and pressure are not known there.
     void checkForceLaw() {
         const Material& material = *project().material;
         const Wheel& wheel = *project().wheel;
@@ -525,8 +524,8 @@ private:
         }
     }
 
-    /// The cuts of the grains: as wide as a grain at most, of as many as find room side by side,
-    /// together about the metal that the wheel takes off.
+    /// Checks the cuts of the grains: no wider than a grain, no more than fit side by side, and
+    /// together about the metal removed.
     void checkCuts(const Wheel& wheel, const ForceRecipe& recipe, const RecipeShares& shares) {
         constexpr double roomForTheory = 5;
         const char* const factor = "/wheel/force_recipe/contact_factor";
@@ -556,9 +555,9 @@ private:
         }
     }
 
-    /// The wear flats, of which the dullness follows.
+    /// The wear flats, from which the dullness follows.
     void checkFlats(const Wheel& wheel, const ForceRecipe& recipe, const RecipeShares& shares) {
-        constexpr double rounding = 1e-12; // of a length that was set by its η
+        constexpr double rounding = 1e-12; // relative; the length was derived from η
         const char* const flat = "/wheel/force_recipe/wear_flat_mm";
         if (!recipe.wear_flat_mm) {
             return;
@@ -600,8 +599,8 @@ private:
         }
     }
 
-    /// What the gauge reads too large on the diameter, or too small, is no more than the stock per
-    /// side: else it would read the size before the wheel has touched.
+    /// The error of the gauge's reading must not exceed the stock per side: otherwise it would read
+    /// the size before the wheel touches.
     void checkReading() {
         const Gauge& gauge = *project().gauge;
         const double error_mm = std::abs(gauge.error_um) / units::umPerMm;
@@ -619,7 +618,7 @@ private:
             return;
         }
         const double perKelvin_mm =
-            project().material->expansion_um_m_k * 1e-6 * project().part->diameter_mm; // of µm/m
+            project().material->expansion_um_m_k * 1e-6 * project().part->diameter_mm; // from µm/m
         const double most_k = roundedDown((most_mm - error_mm) / perKelvin_mm);
         add(IssueCode::outOfRange, "/gauge/part_warmer_k", Amount{gauge.part_warmer_k, "K"},
             Bounds{{-most_k, most_k}, "K", "/part/stock_mm"});
@@ -687,8 +686,8 @@ private:
         checkShoulders();
     }
 
-    /// Whether the wheel has room beside the ground length, where the shaft is known. What is no
-    /// higher than the blank is no shoulder.
+    /// Checks the room for the wheel beside the ground length, where the shaft is known. A step no
+    /// higher than the blank is not a shoulder.
     void checkShoulders() {
         const Part& part = *project().part;
         const Wheel& wheel = *project().wheel;
@@ -717,7 +716,7 @@ private:
         }
     }
 
-    /// Forces that rise, and a stiffness that is one.
+    /// Checks that forces rise and stiffnesses are positive.
     void checkWheelContact() {
         const auto& contact = project().machine->wheel_contact;
         if (!contact || !contact->n_um_at_n) {
@@ -757,7 +756,7 @@ private:
             known = known && sound({"/cycle/stages/" + std::to_string(i) + "/stock_mm"});
         }
         if (known && std::abs(sum - project().part->stock_mm) > 1e-9) {
-            sum = std::round(sum * 1e9) / 1e9; // as one would add it up
+            sum = std::round(sum * 1e9) / 1e9; // rounds the sum as by hand
             warn(IssueCode::stocksDoNotSumUp, "/cycle/stages", mm(sum),
                  mm(project().part->stock_mm));
         }
@@ -799,7 +798,7 @@ private:
         }
     }
 
-    /// A batch that cannot be run is no reason to refuse the cycle.
+    /// An invalid batch is no reason to refuse the cycle.
     void checkBatch() {
         for (Issue& issue : batchFaults(project())) {
             warn(issue.code, issue.path, std::move(issue.value), std::move(issue.limit));
@@ -831,7 +830,7 @@ private:
         }
     }
 
-    /// Of a list or levels.
+    /// Checks a list or levels.
     void checkWhole(const Field& field, const void* owner, const std::string& path) {
         const auto check = [&](double number, const std::string& key) {
             if (number != std::floor(number)) {

@@ -9,11 +9,11 @@
 
 namespace sparkout {
 
-/// All faults of a project: ranges from the tables, and the rules between fields. Errors refuse a
-/// run, warnings do not.
+/// All faults of a project, by the ranges of the tables and the rules between fields. Errors
+/// prevent a run, warnings do not.
 [[nodiscard]] Issues validate(const Project& project);
 
-/// What a field may hold, for a message: its range, its choices, its type.
+/// The allowed values of a field, for a message: its range, its choices or its type.
 [[nodiscard]] Detail allowedIn(const Field& field);
 
 /// The shortest digits that read back to the same double.

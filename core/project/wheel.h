@@ -9,20 +9,20 @@
 namespace sparkout {
 
 /// The force by the wheel's recipe, summed over the grains in contact [PEREVERZEV1999, eq. 1–7]:
-/// what it needs beside the wheel's grain size and shares of volume. None of it is found in
-/// catalogues.
+/// its inputs besides the wheel's grain size and volume shares. Catalogues have none of them.
 struct ForceRecipe {
-    double contact_factor = 1;          ///< k_Y, of the conditions of grinding
+    double contact_factor = 1;          ///< k_Y, factor of the grinding conditions
     double grains_per_mm = 1;           ///< m_D, cutting grains on the circumference [1/mm]
     double shear_angle_deg = 30;        ///< β_1 [°]
-    std::optional<double> cut_width_mm; ///< b_j, of a grain; not given: chips make up the metal
-    std::optional<double> wear_flat_mm; ///< l_g, of a grain; not given: as the dullness has it
+    std::optional<double> cut_width_mm; ///< b_j, width of a grain's cut; not given: the chips add
+                                        ///< up to the metal removed
+    std::optional<double> wear_flat_mm; ///< l_g of a grain; not given: from the dullness
 };
 
-/// Ra of a part that this wheel has ground, dressed as it is, and what it was measured behind.
+/// Ra of a part ground by this wheel in its dressed state, and the conditions of the measured cut.
 struct MeasuredRa {
     double ra_um = 0.8;              ///< Ra [µm]
-    std::optional<double> infeed_um; ///< by a revolution or double stroke; not given: the cycle's
+    std::optional<double> infeed_um; ///< per step of the cycle; not given: the cycle's
     std::optional<double>
         spark_out_steps; ///< revolutions or double strokes; not given: the cycle's
     friend bool operator==(const MeasuredRa&, const MeasuredRa&) = default;
@@ -34,16 +34,16 @@ inline constexpr double mostRoughnessFactor = 100;
 /// The grinding wheel: size, sharpness, structure.
 struct Wheel {
     std::string marking;
-    double diameter_mm = 500;  ///< D [mm]
-    double width_mm = 50;      ///< B [mm]
-    double dullness = 0.02;    ///< η, share of wear flats, 0…1
-    double radius_wear_um = 0; ///< w_k, off its radius since the control was last set to it [µm]
-    double grain_mm = 0.25;    ///< d_g [mm]
-    double grain_share = 0.5;  ///< W_g, by volume
-    double bond_share = 0.12;  ///< W_b, by volume
-    double grain_tip_angle_deg = 45;                 ///< φ [°]
-    double dressing_chipping_mm = 0.1;               ///< Δ, chipping level of dressing [mm]
-    double roughness_factor = 1;                     ///< calibration of Ra
+    double diameter_mm = 500;          ///< D [mm]
+    double width_mm = 50;              ///< B [mm]
+    double dullness = 0.02;            ///< η, share of wear flats, 0…1
+    double radius_wear_um = 0;         ///< w_k, since the control was last set to its radius [µm]
+    double grain_mm = 0.25;            ///< d_g [mm]
+    double grain_share = 0.5;          ///< W_g, by volume
+    double bond_share = 0.12;          ///< W_b, by volume
+    double grain_tip_angle_deg = 45;   ///< φ [°]
+    double dressing_chipping_mm = 0.1; ///< Δ, chipping level of dressing [mm]
+    double roughness_factor = 1;       ///< calibration of Ra
     std::optional<double> grain_surface_energy_j_m2; ///< γ_g [J/m²]
     std::optional<double> grain_modulus_gpa;         ///< E_g [GPa]
     std::optional<double> bond_surface_energy_j_m2;  ///< γ_b [J/m²]
@@ -52,25 +52,25 @@ struct Wheel {
     std::optional<double> grains_per_mm2;            ///< n_g; not given: from the lattice [1/mm²]
     std::optional<double> max_speed_m_s; ///< highest working speed; not given: not limited [m/s]
     std::string dressing;                ///< tool and settings, in words
-    std::optional<ForceRecipe> force_recipe; ///< not given: the force by η alone
-    std::optional<MeasuredRa> measured_ra;   ///< the factor of Ra follows from it
+    std::optional<ForceRecipe> force_recipe; ///< not given: force by η alone
+    std::optional<MeasuredRa> measured_ra;   ///< determines the factor of Ra
 };
 
-/// What a wheel's recipe comes to in the law of MODEL-2: the published sum over the grains in
+/// A wheel's recipe in terms of the force law of MODEL-2: the published sum over the grains in
 /// contact [PEREVERZEV1999, eq. 1–7],
 ///
-///     P_y = N·b_j·( ε_i·tg β·σ_i·a_k/sin β_1 + σ_i·l_g/3 ),   N = n_c·b·L,
-///     n_c = k_Y·W_g·W_b/((1 − W_g − W_b)·d_g²),   a_k = 2·(V_d/V_k)·√(a/D_e)/m_D,   L = √(a·D_e)
+/// P_y = N·b_j·( ε_i·tg β·σ_i·a_k/sin β_1 + σ_i·l_g/3 ),   N = n_c·b·L,
+/// n_c = k_Y·W_g·W_b/((1 − W_g − W_b)·d_g²),   a_k = 2·(V_d/V_k)·√(a/D_e)/m_D,   L = √(a·D_e)
 ///
 /// is b·(κ·k_s·a + k_r·√a) with
 ///
-///     κ = 2·b_j·n_c/(m_D·sin β_1),   η = l_g·b_j·n_c.
+/// κ = 2·b_j·n_c/(m_D·sin β_1),   η = l_g·b_j·n_c.
 ///
 /// Where the chips of the grains are together the metal that the wheel takes off, κ = 1 and the two
 /// laws are one; η is then the share of wear flats on the working surface, as its name says.
 struct RecipeShares {
     double cuttingGrains_mm2 = 0; ///< n_c [1/mm²]
-    double cutWidth_mm = 0;       ///< b_j [mm]; of κ = 1 where it is not given
+    double cutWidth_mm = 0;       ///< b_j [mm]; for κ = 1 if it is not given
     double shear = 1;             ///< κ
     double dullness = 0;          ///< η
 };

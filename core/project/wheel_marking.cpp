@@ -13,7 +13,7 @@ namespace sparkout {
 
 namespace {
 
-/// Capitals; letters that look alike are taken for one another, each held as its Latin form.
+/// Converts to capitals; a Cyrillic letter that looks like a Latin one becomes that letter.
 std::string inLatin(std::string_view text) {
     constexpr std::pair<std::string_view, char> alike[] = {
         {"А", 'A'}, {"В", 'B'}, {"Е", 'E'}, {"К", 'K'}, {"М", 'M'},     {"Н", 'H'},
@@ -40,7 +40,7 @@ bool isLetter(char c) {
     return c >= 'A' && c <= 'Z';
 }
 
-/// Reads from left to right; each part either is there and taken, or nothing happens.
+/// Reads from left to right; each function takes its part if it is there, or else changes nothing.
 class Scanner {
 public:
     explicit Scanner(std::string text) : m_text(std::move(text)) {}
@@ -147,7 +147,7 @@ bool readBond(Scanner& scan, WheelMarking& marking) {
     return false;
 }
 
-/// "35 м/с", "50", and the classes of accuracy and balance that follow, which nothing here needs.
+/// Skips "35 м/с" or "50" and the classes of accuracy and balance that follow.
 void readSpeed(Scanner& scan, WheelMarking& marking) {
     const std::size_t start = scan.place();
     scan.skipSpace();

@@ -9,11 +9,11 @@
 
 namespace sparkout {
 
-/// What a grinding wheel's marking says: abrasive, grit, hardness, structure, bond, and where they
-/// are written sizes before and speed after, such as "1 500×50×203 25А F60 L 6 V 35 м/с" or short
+/// The contents of a grinding wheel's marking: abrasive, grit, hardness, structure, bond, and
+/// optionally sizes before and speed after, such as "1 500×50×203 25А F60 L 6 V 35 м/с" or short
 /// "25АF60L6V" [GOSTR52781, ISO525].
 struct WheelMarking {
-    std::string abrasive;         ///< 25А, 14А, 63С …; letters as in Russian markings
+    std::string abrasive;         ///< 25А, 14А, 63С …; in the letters of Russian markings
     int grit = 0;                 ///< F grit number
     char hardness = 0;            ///< A, the softest, to Z
     std::optional<int> structure; ///< structure number
@@ -22,22 +22,22 @@ struct WheelMarking {
     std::optional<double> speed_m_s; ///< highest
 };
 
-/// Reads a marking; letters may be Cyrillic or Latin, spaces may be missing. Nothing when abrasive,
-/// grit, hardness or bond cannot be found, or something is left over that is not understood.
+/// Reads a marking; letters may be Cyrillic or Latin, spaces may be missing. Empty if abrasive,
+/// grit, hardness or bond is missing, or if part of the text is not understood.
 [[nodiscard]] std::optional<WheelMarking> readWheelMarking(std::string_view text);
 
-/// The marking in its usual spelling, "25А F60 L 6 V", sizes before and speed after where given.
+/// The marking in its usual spelling, "25А F60 L 6 V", with sizes before and speed after if given.
 [[nodiscard]] std::string markingText(const WheelMarking& marking);
 
-/// Mean grain of an F grit from F16 to F220 [mm], nothing for others. Rounded standard sizes,
-/// an estimate for a single wheel.
+/// Mean grain of an F grit from F16 to F220 [mm], empty for others. Rounded standard sizes, an
+/// estimate for a single wheel.
 [[nodiscard]] std::optional<double> grainOfGrit(int grit);
 
 /// W_g = (62 − 2·N)/100 of structure number N, as N_s = 0.5·(62 − 100·W_g) [MODEL-8].
 [[nodiscard]] double grainShareOfStructure(int structure);
 
-/// Fills a wheel from its marking: the marking itself, grain, grain share and sizes as far as they
-/// are given; the rest stays.
+/// Fills a wheel from its marking: the marking itself, grain, grain share and sizes as far as
+/// given; the rest is unchanged.
 void applyMarking(const WheelMarking& marking, Wheel& wheel);
 
 } // namespace sparkout

@@ -39,8 +39,8 @@ double forceAt(const ForceLaw& law, double b, double a) {
     return law.normal(b, std::sqrt(a));
 }
 
-/// How far the radii of two lanes may stand apart at the end [mm]. What the machine prints may
-/// bring them together again, which a proof allows for; an estimate takes it to add.
+/// The greatest allowed difference of the radii of two lanes at the end [mm]. A proof allows for
+/// the machine's form error cancelling it; an estimate assumes that it adds.
 double greatestSpread(const Project& project, SpreadOf of, AccuracyProof proof) {
     const Part& part = *project.part;
     const double sign = proof == AccuracyProof::proved ? 1 : -1;
@@ -57,7 +57,7 @@ double greatestSpread(const Project& project, SpreadOf of, AccuracyProof proof) 
     return s;
 }
 
-/// The machine's own runout, added or printed, where it is greatest [mm].
+/// The machine's own runout, added or transferred, at its greatest [mm].
 double greatestOwnRunout(const Machine& machine) {
     double most_um = addedRunout_um(machine);
     for (const double own_um : machine.form
@@ -68,7 +68,7 @@ double greatestOwnRunout(const Machine& machine) {
     return most_um / units::umPerMm;
 }
 
-/// The drawing's [δ] of the published limit [mm].
+/// [δ] of the published limit, from the drawing [mm].
 double publishedTolerance(const Part& part, double ownRunout_mm) {
     return part.tolerance.radial_runout_um
                ? *part.tolerance.radial_runout_um / units::umPerMm - ownRunout_mm
@@ -82,8 +82,9 @@ double gammaOf(const Project& project, const LimitGroup& group) {
     return points[place].gamma_mm_n;
 }
 
-/// Of the last cut of a cycle with any spark-out, which is no greater than what the last step with
-/// infeed took: as in a spark-out of a radius each cut is no greater than the one before.
+/// The limit of the last cut of a cycle by roughness. With spark-out too the last cut is no greater
+/// than that of the last step with infeed, since each spark-out cut of a radius is no greater than
+/// the one before.
 double roughnessLimit(const Project& project) {
     const auto& Ra = project.part->tolerance.roughness_ra_um;
     return Ra && isRoughnessCalibrated(project)
@@ -91,8 +92,8 @@ double roughnessLimit(const Project& project) {
                : infinite;
 }
 
-/// a* of a lane: by its spread to the stiffest one, or that of the most compliant one and s; as an
-/// estimate that of lanes that cut alike.
+/// a* of a lane, by its difference to the stiffest lane or, plus s, by that of the most compliant
+/// one; as an estimate for lanes with equal cuts.
 double spreadLimit(const Project& project, const ForceLaw& law, double b, double gamma,
                    AccuracyProof proof, SpreadOf of = SpreadOf::oneOfTwo) {
     const double s = greatestSpread(project, of, proof);
@@ -137,7 +138,7 @@ double lastCutOfSpread(const ForceLaw& law, double b, double stiffGamma, double 
     if (!(compliantGamma > stiffGamma)) {
         return infinite;
     }
-    // In √a, where the slope is finite at 0.
+    // In √a the slope at 0 is finite.
     const auto excess = [&](double u) {
         const double a = u * u, both = a + s;
         const double value =
@@ -160,7 +161,7 @@ double lastCutOfSpread(const ForceLaw& law, double b, double stiffGamma, double 
 
 double lastCutsOfSpread(const ForceLaw& law, double b, double stiffGamma, double compliantGamma,
                         double s_mm, int count, const std::function<double(double)>& most) {
-    constexpr int parts = 48; // of the range of each cut but the first of them
+    constexpr int parts = 48; // parts of the range of each cut but the first
     const auto sum = [&](const auto& self, int cuts, double s, double released,
                          double after) -> double {
         if (!(s > 0)) {
@@ -194,8 +195,8 @@ double steadyCutOfSpread(const ForceLaw& law, double b, double stiffGamma, doubl
     return root * root;
 }
 
-// By the last cut e, from σ(a*) to a*: a cut followed by n others is σ^(−n)(e), and the stock it
-// leaves e + σ^(−1)(e) + … of n terms.
+// Builds the curve by the last cut e, from σ(a*) to a*: a cut followed by n others is σ^(−n)(e),
+// and the stock it leaves is e + σ^(−1)(e) + … of n terms.
 LimitPoints releaseCurve(const ForceLaw& law, double b, double gamma, double lastCut,
                          double deepest) {
     constexpr int pointsOfPass = 4;
@@ -212,7 +213,7 @@ LimitPoints releaseCurve(const ForceLaw& law, double b, double gamma, double las
                 stock += a;
                 a = depthBefore(law, b, gamma, a);
             }
-            if (stock > points.back().stock_mm) { // never lower, by a rounding
+            if (stock > points.back().stock_mm) { // not lower, except by rounding
                 points.push_back({stock, std::max(a, points.back().depth_mm)});
             }
             if (stock >= deepest) {
@@ -248,7 +249,7 @@ std::optional<AccuracyLimit> accuracyLimit(const SimulationResult& result,
     const ForceLaw law = forceLaw(project);
     const double b = group.stages.back().width_mm, gamma = gammaOf(project, group);
     AccuracyLimit limit;
-    if (!(greatestSpread(project, SpreadOf::oneOfTwo, proof) > 0)) { // what is printed takes it all
+    if (!(greatestSpread(project, SpreadOf::oneOfTwo, proof) > 0)) { // no tolerance is left
         limit.curve = {{std::min(series.least_mm, 0.0), 0}, {series.deepest_mm, 0}};
         return limit;
     }
@@ -290,7 +291,7 @@ LimitPoints publishedAccuracy(const SimulationResult& result, const Trajectory& 
                 continue;
             }
             least = std::min(least, visit.actual_mm);
-            least_n = std::min(least_n, visit.normalForce_n); // of one that touches, too
+            least_n = std::min(least_n, visit.normalForce_n); // includes a radius that only touches
             deepest = !deepest || visit.actual_mm > deepest->actual_mm ? &visit : deepest;
         }
         if (deepest && deepest->actual_mm > 0) {

@@ -9,7 +9,7 @@ namespace sparkout {
 
 namespace {
 
-/// Of the three states the one that the lag leads to.
+/// Shows the one of the three states that follows from the lag.
 FormulaSheet thresholdSheet(const Project& project, const Cutting& cutting, double b, double gamma,
                             double h) {
     const double K = cutting.law.ks, F0 = cutting.law.kr;
@@ -45,8 +45,8 @@ FormulaSheet balanceSheet(const Project& project, double b, double gamma, double
         return thresholdSheet(project, cutting, b, gamma, h);
     }
     const double ks = cutting.law.ks, kr = cutting.law.kr;
-    // The root as it is written below: a pass takes a form that is quicker and, with a dull wheel,
-    // some hundred roundings less exact.
+    // The root in the form printed below: a pass uses a quicker form that, with a dull wheel, loses
+    // some hundred roundings.
     const double A = 1 + gamma * (b * ks), C = gamma * (b * kr);
     const double u = h > 0 ? 2 * h / (C + std::sqrt(C * C + 4 * A * h)) : 0;
     const double a = u * u, Py = b * (ks * u * u + kr * u);

@@ -8,10 +8,9 @@
 
 namespace sparkout {
 
-/// How a requirement's number came about, with the numbers of its worst place: the last step gives
-/// the value, for burn and self-sharpening the limit of the depth of cut. Nothing for what is read
-/// off (diameters, settings), for the power of coupled sections, which is an integral, and where
-/// nothing was cut.
+/// The calculation of a requirement's value at its worst place: the last step gives the value, for
+/// burn and self-sharpening the limit of the depth of cut. Empty for values read off (diameters,
+/// settings), for the power of coupled sections, which is an integral, and where nothing was cut.
 [[nodiscard]] std::optional<FormulaSheet> constraintSheet(const SimulationResult& result,
                                                           const PartAccuracy& accuracy,
                                                           const ConstraintResult& constraint);

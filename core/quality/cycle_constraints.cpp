@@ -18,11 +18,11 @@ constexpr double wattsPerKilowatt = 1e3;
 constexpr double milliwattsPerWatt = 1e3;
 constexpr double milliwattsPerKilowatt = 1e6;
 
-/// A requirement that holds up to its limit, worst at a place.
+/// Adds an upper limit with its worst place.
 void add(ConstraintKind kind, double limit, double value, const Place& at,
          ConstraintResults& found) {
     ConstraintResult result = held(kind, Side::atMost, limit, value, limit);
-    if (at.cycleCount > 0) { // 0: nothing was cut
+    if (at.cycleCount > 0) { // 0: no cut was made
         result.at = at;
         result.zone = at.zone;
     }
@@ -37,7 +37,7 @@ Peak largestDepth(const SimulationResult& result) {
     return largest;
 }
 
-/// The width and the depth of cut that took the largest P_z·V_k.
+/// The width and the depth of cut with the largest P_z·V_k.
 struct PeakCut {
     double b = 0, a = 0;
 };
@@ -48,7 +48,7 @@ std::optional<PeakCut> peakCut(const SimulationResult& result) {
     }
     const double b = effectiveWidth(project, result.peakPowerAt);
     const double a = PowerModel(project).wheelLimitDepth(b, result.peakPower_w * milliwattsPerWatt);
-    return a > 0 ? std::optional(PeakCut{b, a}) : std::nullopt; // else the wheel only rubbed
+    return a > 0 ? std::optional(PeakCut{b, a}) : std::nullopt; // otherwise the wheel only rubbed
 }
 
 } // namespace

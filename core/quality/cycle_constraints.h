@@ -3,18 +3,18 @@
 
 #include "core/quality/constraints.h"
 
-/// Burn, self-sharpening and power: what the passes of a cycle are held against [MODEL-8].
+/// Burn, self-sharpening and power: the limits on the passes of a cycle [MODEL-8].
 namespace sparkout {
 
 /// The visit nearest to burning, with its numbers [MODEL-8].
 struct BurnState {
     BurnVisit visit;
-    double limitDepth_mm = 0;   ///< the depth of cut that is just allowed for the stock left
-    double rise_k = 0;          ///< T at the depth of the stock left, which U_burn limits
-    double damagedDepth_mm = 0; ///< h_d, which the stock left limits
+    double limitDepth_mm = 0;   ///< the greatest depth of cut allowed for the stock left
+    double rise_k = 0;          ///< T at the depth of the stock left, limited by U_burn
+    double damagedDepth_mm = 0; ///< h_d, limited by the stock left
 };
-/// Nothing where no rise that burns is given. Where nothing was cut, a depth of 0 with no stock
-/// left.
+/// Empty where no temperature rise of burn is given. Where nothing was cut, a depth of 0 with no
+/// stock left.
 [[nodiscard]] std::optional<BurnState> burnStateOf(const SimulationResult& result);
 
 void evaluateBurn(ConstraintKind kind, const Judged& of, ConstraintResults& found);
@@ -27,7 +27,7 @@ void evaluateSelfSharpening(ConstraintKind kind, const Judged& of, ConstraintRes
                                                         double stock);
 [[nodiscard]] std::optional<PassBound> selfSharpeningBound(const Project& project);
 
-/// Of coupled sections, whose power is an integral, there is neither a sheet nor a bound.
+/// For coupled sections, whose power is an integral, there is neither a sheet nor a bound.
 void evaluateWheelPower(ConstraintKind kind, const Judged& of, ConstraintResults& found);
 [[nodiscard]] std::optional<FormulaSheet> sheetOfWheelPower(const Judged& of);
 [[nodiscard]] std::optional<double> wheelPowerDepth(const Project& project, double b, double stock);

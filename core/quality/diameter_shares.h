@@ -5,16 +5,16 @@
 
 namespace sparkout {
 
-/// Which of a section's diameters is explained.
+/// The diameter of a section to explain.
 enum class DiameterEnd { smallest, largest };
 
-/// What a section's diameter deviation is made of [µm on the diameter]; the three add up to it.
+/// The parts of a section's diameter deviation [µm on the diameter]; the three add up to it.
 struct DiameterShares {
-    double reading_um = 0; ///< where the gauge stood at the end, less the nominal diameter
+    double reading_um = 0; ///< gauge reading at the end, less the nominal diameter
     double section_um = 0; ///< the section's mean diameter, less that reading
     double form_um = 0;    ///< its smallest or largest diameter, less its mean
-    /// The section's compliance over that of the section the gauge watches; 1: itself or a
-    /// position of its own.
+    /// The section's compliance relative to that of the section with the gauge; 1 if it is that
+    /// section or a position of its own.
     double complianceRatio = 1;
 
     [[nodiscard]] double deviation_um() const { return reading_um + section_um + form_um; }

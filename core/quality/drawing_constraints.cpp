@@ -33,7 +33,7 @@ double geometricRunout(const SimulationResult& result) {
     return addedRunout_um(*result.project.machine) / umPerMm;
 }
 
-/// A requirement in µm, held against a section or the part.
+/// Adds a requirement in µm on a section or the part.
 void add(ConstraintKind kind, Side side, const Judged& of, double limit, double value, double width,
          ConstraintResults& found) {
     ConstraintResult result = held(kind, side, limit, value, width);
@@ -165,7 +165,7 @@ double roundnessOf(const SimulationResult& result, std::size_t section) {
 
 namespace {
 
-/// One a zone in place of one a section: of each zone the least round one.
+/// Replaces the sections by one per zone: the least round section of each.
 void foldZones(PartAccuracy& accuracy, const SimulationResult& result) {
     const std::size_t zones = result.sections.size();
     const std::size_t inZone = accuracy.sections.size() / std::max<std::size_t>(zones, 1);
@@ -190,14 +190,15 @@ void foldZones(PartAccuracy& accuracy, const SimulationResult& result) {
 
 RoundnessZone circlesAboutAxis(std::span<const double> radii_mm) {
     RoundnessZone zone{.inner_mm = std::numeric_limits<double>::infinity()};
-    for (const double radius_mm : radii_mm) { // no number in a gap
+    for (const double radius_mm : radii_mm) { // NaN in a gap
         zone.inner_mm = std::min(zone.inner_mm, radius_mm);
         zone.outer_mm = std::max(zone.outer_mm, radius_mm);
     }
     return zone;
 }
 
-/// Of the minimum zone of radii between these circles, as minimumZoneCircles() finds it.
+/// The upper bound of the minimum zone of radii between these circles, as minimumZoneCircles()
+/// finds it.
 double mostRoundness_mm(const RoundnessZone& between) {
     const double width_mm = between.deviation();
     return width_mm + width_mm * width_mm / between.inner_mm;

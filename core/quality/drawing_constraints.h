@@ -5,24 +5,24 @@
 
 #include <limits>
 
-/// Diameters, runouts, form and roughness against the drawing: what their rows evaluate [MODEL-8].
+/// Diameters, runouts, form and roughness compared with the drawing [MODEL-8].
 namespace sparkout {
 
-/// As much of accuracyOf() as the drawing's tolerances need. A section whose radii lie between
-/// circles about the axis that are nearer to each other than its roundness tolerance by `clear_um`
-/// or more may have these in place of its minimum zone, which is no wider.
+/// The part of accuracyOf() that the drawing's tolerances need. A section whose radii lie between
+/// circles about the axis nearer to each other than its roundness tolerance by at least `clear_um`
+/// may have these instead of its minimum zone, which is no wider.
 [[nodiscard]] PartAccuracy
 requiredAccuracy(const SimulationResult& result,
                  double clear_um = std::numeric_limits<double>::infinity());
 
-/// Places and radii of the sections, as the accuracy of the part takes them.
+/// Positions and radii of the sections, as input of the part's accuracy.
 [[nodiscard]] std::vector<SectionShape> shapesOf(const SimulationResult& result);
 
-/// Of one of the result's zones or sections: its own, or the sections it holds.
+/// The shapes of one of the result's zones or sections: its own, or those of its sections.
 [[nodiscard]] std::vector<SectionShape> shapesOfPlace(const SimulationResult& result,
                                                       std::size_t section);
 
-/// Roundness by the minimum zone, the greatest of these [mm].
+/// The greatest roundness deviation by the minimum zone [mm].
 [[nodiscard]] double roundnessOf(const SimulationResult& result, std::size_t section);
 
 void evaluateLeastDiameter(ConstraintKind kind, const Judged& of, ConstraintResults& found);

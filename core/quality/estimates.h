@@ -9,9 +9,9 @@
 
 namespace sparkout {
 
-/// The inputs behind a requirement's value for which there is no public source: estimates of the
-/// shop, to be calibrated at the machine. None behind a setting. The project's own values, which do
-/// not count here, may of course be measured ones.
+/// The inputs behind a requirement's value that have no public source: estimates of the shop, to be
+/// calibrated at the machine. Empty for a setting. Whether the project's values are measured does
+/// not matter here.
 [[nodiscard]] std::vector<const Field*> estimatesBehind(const Project& project,
                                                         ConstraintKind kind);
 

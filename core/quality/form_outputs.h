@@ -8,11 +8,11 @@
 
 namespace sparkout {
 
-/// The form of a zone that holds several sections.
+/// The form of a zone with several sections.
 struct ZoneFormFigures {
-    const SectionAccuracy* worst = nullptr; ///< of its least round section
+    const SectionAccuracy* worst = nullptr; ///< its least round section
     const ZoneForm* form = nullptr;
-    bool isKnown = true; ///< not where strips stay uncut
+    bool isKnown = true; ///< false where strips stay uncut
 };
 
 [[nodiscard]] std::span<const Output<ZoneFormFigures>> zoneFormOutputs();

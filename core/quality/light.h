@@ -13,11 +13,10 @@ enum class Light { holds, close, undecided, fails };
 
 inline constexpr double closeMargin = 0.1;
 
-/// Whether it holds, but with little room. A setting of the machine holds up to the end of its
-/// range.
+/// Whether it is met by a small margin. A setting of the machine is met up to the end of its range.
 [[nodiscard]] bool isClose(const ConstraintResult& constraint);
 
-/// Whether it is an estimate that holds by its least value and not by its greatest: not decided.
+/// Whether it is undecided: an estimate met by its lower end and not by its upper end.
 [[nodiscard]] bool isOpen(const ConstraintResult& constraint);
 
 /// Whether it holds by a value that does not include the machine's own form: the value is a lower
@@ -37,13 +36,13 @@ enum class MarginKnown {
 /// relative margin.
 [[nodiscard]] bool isWorse(const ConstraintResult& first, const ConstraintResult& second);
 
-/// The one to speak of first: the worst that fails, else the closest; null without any.
+/// The most important one: the worst unmet, otherwise the closest; null without any.
 [[nodiscard]] const ConstraintResult*
 worstRequirement(const std::vector<ConstraintResult>& constraints);
 
 [[nodiscard]] Light lightOf(const ConstraintResult& constraint);
 
-/// Of a run as a whole: the worst of its requirements; one that does not end by itself fails.
+/// The verdict of a run: the worst of its requirements; a run that does not end by itself fails.
 [[nodiscard]] Light verdictOf(RunStatus status, const std::vector<ConstraintResult>& constraints);
 
 } // namespace sparkout

@@ -23,7 +23,7 @@ namespace {
 constexpr int burnPoints = 161;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Of the limits that bind every cut the least; infinite without any.
+/// The least of the limits on every cut; infinite without any.
 double leastOf(const std::vector<DepthLimit>& limits) {
     double least = unlimited;
     for (const DepthLimit& limit : limits) {
@@ -123,7 +123,7 @@ private:
         return group.stages.back();
     }
 
-    /// Each stage ends at the least stock its cuts leave, and none before the one ahead of it.
+    /// Ends each stage at the least stock of its cuts, and not before the stage ahead of it.
     static void placeStages(LimitGroup& group) {
         double end = unlimited;
         for (LimitedStage& stage : group.stages) {
@@ -150,7 +150,7 @@ private:
         group.cuts = std::move(kept);
     }
 
-    /// Denser towards the target, where the limit rises fastest; below it as at 0.
+    /// Denser towards the target, where the limit rises fastest; constant below it.
     void addBurn() {
         const auto& U = m_project.material->burn_rise_k;
         if (!U) {
@@ -171,13 +171,13 @@ private:
     const Project& m_project;
     const Trajectory& m_trajectory;
     Blank m_blank;
-    double m_beyondTarget_mm = 0; ///< where a gauge that reads wrong ends the cycle
+    double m_beyondTarget_mm = 0; ///< overcut of a gauge that reads wrong at the end of the cycle
     double m_sign = m_project.part->surface == Surface::external ? 1 : -1;
     std::optional<BurnTable> m_burn;
     LimitSeries m_series;
 };
 
-/// Each stage's limit from the stock it begins at to its end, by rising stock.
+/// The limit of each stage from its first to its last stock, by rising stock.
 template <typename AddStage>
 LimitPoints overStages(const LimitSeries& series, const LimitGroup& group, AddStage addStage) {
     LimitPoints points;
@@ -202,7 +202,7 @@ double burnAt(const LimitPoints& burn, double stock) {
            + (stock - a.stock_mm) / (b.stock_mm - a.stock_mm) * (b.depth_mm - a.depth_mm);
 }
 
-/// The lower of burn and a constant from one stock to another, with the corner between them.
+/// The lower of burn and a constant between two stocks, with the corner between them.
 void addLower(LimitPoints& points, const LimitPoints& burn, double fixed, double from, double to) {
     if (burn.empty()) {
         points.insert(points.end(), {{from, fixed}, {to, fixed}});
@@ -306,14 +306,14 @@ LimitPoints steplessLimit(const LimitSeries& series, const LimitGroup& group) {
 
 namespace {
 
-/// A curve between two stocks next to each other of all curves' points.
+/// A curve between two adjacent stocks of all curves' points.
 struct BoundLine {
     const BoundCurve* curve = nullptr;
     double from_mm = 0, to_mm = 0; ///< depths
     [[nodiscard]] double at(double share) const { return from_mm + share * (to_mm - from_mm); }
 };
 
-/// Nothing where the curve has no depth there.
+/// Empty where the curve has no depth there.
 std::optional<BoundLine> lineBetween(const BoundCurve& curve, double from, double to) {
     const LimitPoints& points = curve.points;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -341,7 +341,7 @@ public:
         while (least) {
             double until = 1, most = 0;
             const BoundLine* next = nullptr;
-            for (const BoundLine& line : lines) { // those that fall below it
+            for (const BoundLine& line : lines) { // lines that fall below it
                 const double gain = (least->to_mm - least->from_mm) - (line.to_mm - line.from_mm);
                 const double crosses = gain > 0 ? (line.from_mm - least->from_mm) / gain : 1;
                 if (crosses > share
@@ -351,7 +351,7 @@ public:
                     next = &line;
                 }
             }
-            const double end = until < 1 ? from + until * (to - from) : to; // to the last bit
+            const double end = until < 1 ? from + until * (to - from) : to; // exact to the last bit
             add(*least->curve, {begin, least->at(share)}, {end, least->at(until)});
             begin = end;
             share = until;

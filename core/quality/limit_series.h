@@ -10,35 +10,35 @@
 #include <optional>
 #include <vector>
 
-/// A run held against the limits of its feed, cut by cut: what the view "Constraints" draws.
+/// A run compared with the limits of its feed, cut by cut, as the view "Constraints" shows it.
 namespace sparkout {
 
-/// The cut of one pass that comes nearest to its limit, of all radii; without limits the deepest.
+/// The cut of one pass nearest to its limit, of all radii; without limits the deepest.
 struct LimitedCut {
     Place place;
     int radius = 0;      ///< k
-    double stock_mm = 0; ///< left after the cut, R_k over the target; negative beyond it
+    double stock_mm = 0; ///< stock left after the cut, R_k over the target; negative beyond it
     double depth_mm = 0; ///< a > 0
     double width_mm = 0; ///< b
-    double usage = 0;    ///< a over the least limit at this stock; above 1 it is exceeded
+    double usage = 0;    ///< a divided by the least limit at this stock; exceeded above 1
 };
 
-/// A stage of the cycle in one group: its width, and the limits that are the same at every stock.
+/// A stage of the cycle in one group: its width, and the limits independent of the stock.
 struct LimitedStage {
     int stage = 1;
     double width_mm = 0;           ///< b
     double end_mm = 0;             ///< stock at which the next stage takes over
-    std::vector<DepthLimit> fixed; ///< all but burn, by kind
+    std::vector<DepthLimit> fixed; ///< limits other than burn, by kind
 };
 
 /// The cuts of a zone or section at one kind of pass.
 struct LimitGroup {
     Zone zone = Zone::section;
     int section = 0;
-    bool standing = false;            ///< the wheel stands on the zone; else it travels
-    std::vector<LimitedCut> cuts;     ///< in time, thinned to the nearest to their limit
-    LimitedCut worst;                 ///< of all cuts the nearest to its limit
-    std::vector<LimitedStage> stages; ///< that cut something, in order
+    bool standing = false;            ///< the wheel dwells on the zone; otherwise it travels
+    std::vector<LimitedCut> cuts;     ///< in time order, thinned to the nearest to their limit
+    LimitedCut worst;                 ///< the cut nearest to its limit
+    std::vector<LimitedStage> stages; ///< stages with a cut, in order
 };
 
 struct LimitPoint {
@@ -49,8 +49,8 @@ using LimitPoints = std::vector<LimitPoint>;
 
 struct LimitSeries {
     double deepest_mm = 0;          ///< the largest stock, Π + ΔR
-    double least_mm = 0;            ///< the least stock any cut left, at most 0
-    LimitPoints burn;               ///< limiting depth over the stock, rising; empty: off
+    double least_mm = 0;            ///< least stock left by any cut, at most 0
+    LimitPoints burn;               ///< limiting depth over rising stock; empty: off
     std::vector<LimitGroup> groups; ///< zones or sections; standing before travelling
     std::vector<ConstraintKind> on; ///< limits of the feed that are on
 };
@@ -58,46 +58,46 @@ struct LimitSeries {
 /// More cuts than this are merged in LimitGroup::cuts.
 inline constexpr std::size_t mostLimitedCuts = 600;
 
-/// Power is no limit of one section where the sections are coupled: they share it. Without a
+/// With coupled sections power is not a limit of a single section, since they share it. Without a
 /// trajectory there are no groups.
 [[nodiscard]] LimitSeries makeLimitSeries(const SimulationResult& result,
                                           const Trajectory& trajectory);
 
-/// Index of the group a cut belongs to; −1: none.
+/// Index of the group of a cut; −1 if it has none.
 [[nodiscard]] int limitGroupAt(const LimitSeries& series, const Place& place);
 
-/// The cut at which a requirement of the passes or of the last cut was worst; nothing for others,
+/// The worst cut for a requirement on the passes or on the last cut; empty for other requirements,
 /// and where it was not recorded.
 [[nodiscard]] std::optional<LimitedCut> limitedCutOf(const SimulationResult& result,
                                                      const Trajectory& trajectory,
                                                      const ConstraintResult& requirement);
 
-/// A limit over the stock, by rising stock; steps where a stage takes over. Empty when off.
+/// A limit over the stock, by rising stock; with a step at each change of stage. Empty when off.
 [[nodiscard]] LimitPoints limitCurve(const LimitSeries& series, const LimitGroup& group,
                                      ConstraintKind kind);
 
-/// The stepless limit: the greatest depth of cut allowed at each stock, the least of all limits but
-/// roughness, which binds the last cut alone [MODEL-8]. Empty when no other limit is on.
+/// The stepless limit: the greatest depth of cut allowed at each stock, the least of all limits
+/// except roughness, which applies to the last cut alone [MODEL-8]. Empty when no other limit is
+/// on.
 [[nodiscard]] LimitPoints steplessLimit(const LimitSeries& series, const LimitGroup& group);
 
 /// A limit of the depth of cut over the stock, by rising stock, linear between its points.
 struct BoundCurve {
     LimitBound bound = LimitBound::requirement;
-    ConstraintKind kind = ConstraintKind::burn; ///< of a requirement
+    ConstraintKind kind = ConstraintKind::burn; ///< used for a requirement
     LimitPoints points;
 };
 
-/// Which of several limits binds where: stretches of the stock, rising, in each of which one of
-/// them is the least, with its own points; the first of equal ones. A stock that none of them has
-/// is in no stretch.
+/// The lower envelope of several limits: consecutive stretches of rising stock, each with the
+/// points of the least limit, the first of equal ones. A stock without any limit is in no stretch.
 [[nodiscard]] std::vector<BoundCurve> envelopeOf(const std::vector<BoundCurve>& curves);
 
 /// Whether a limit that binds every cut is on.
 [[nodiscard]] bool limitsFeed(const LimitSeries& series);
-/// The same of the cuts of one zone or section: coupled sections share the power.
+/// Whether the limits apply to each zone or section by itself: coupled sections share the power.
 [[nodiscard]] bool limitsGroups(const LimitSeries& series, const Project& project);
 
-/// Stock left by the newest cut of a group at a moment of the cycle, at its deepest radius [mm].
+/// Stock left by the latest cut of a group at a moment of the cycle, at its deepest radius [mm].
 [[nodiscard]] std::optional<double> stockAt(const LimitSeries& series, const LayerSeries& layers,
                                             const Trajectory& trajectory, int group,
                                             const Progress& moment);

@@ -31,7 +31,7 @@ double PowerModel::power(const Drive& drive, double b, double a, FormulaSheet* s
     return N;
 }
 
-// k_t·u² + μ·k_r·u = F with u = √a, by the form of the root that does not cancel.
+// Solves k_t·u² + μ·k_r·u = F for u = √a by the form of the root without cancellation.
 double PowerModel::limitDepth(const Drive& drive, double b, double power,
                               FormulaSheet* sheet) const {
     const double kt = m_cutting.law.kt, mu = m_cutting.law.mu, kr = m_cutting.law.kr;

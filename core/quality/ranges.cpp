@@ -18,7 +18,7 @@ namespace {
 
 using Limits = std::optional<std::vector<double>>;
 
-/// Share of a step by which a setting may miss it.
+/// Tolerance of a setting, as a share of a step.
 constexpr double stepSlack = 1e-6;
 
 double nearestSetting(double value, double low, double high, double step) {
@@ -56,7 +56,7 @@ private:
     std::vector<MachineRange> m_found;
 };
 
-/// The requirement whose row names the feed as its setting of a stage.
+/// The requirement whose row names this feed of a stage as its setting.
 ConstraintKind kindOf(const StageFeed& feed) {
     const auto row = std::ranges::find_if(requirementRows, [&](const Requirement& each) {
         return each.source == LimitSource::range && each.settingOfStage
@@ -66,8 +66,8 @@ ConstraintKind kindOf(const StageFeed& feed) {
     return row->kind;
 }
 
-/// A retraction is set as fast as a feed is. A spark-out has an axial feed only, and a feed of 0,
-/// where another one makes up for it, is not set.
+/// A retraction is set as fast as a feed. A spark-out has an axial feed only; a feed of 0 that
+/// another one replaces is not set.
 std::optional<double> magnitude(const Project& project, const StageFeed& feed, const Stage& stage) {
     const std::optional<double>& value = stage.*feed.value;
     const bool set = stage.feeds() || &feed == project.operation->axial();
@@ -94,7 +94,7 @@ std::vector<MachineRange> checkMachineRanges(const Project& project,
         for (const Stage& stage : project.cycle->stages) {
             const double feed = stage.continuousFeed_mm_min();
             checks.add(ConstraintKind::rangeContinuousFeed, limits.continuous_feed_mm_min, ++number,
-                       feed > 0 ? std::optional(feed) : std::nullopt); // 0: there is none
+                       feed > 0 ? std::optional(feed) : std::nullopt); // 0: no feed
         }
     }
     checks.add(ConstraintKind::rangeWorkSpeed, limits.work_speed_rpm, 0,

@@ -9,40 +9,39 @@
 
 namespace sparkout {
 
-/// One setting of the machine held against what the machine can be set to [MODEL-8], in the
-/// range's own unit: mm a double stroke, mm/min, mm/min, rev/min.
+/// One setting of the machine compared with its adjustment range [MODEL-8], in the range's unit: mm
+/// per double stroke, mm/min, mm/min, rev/min.
 struct MachineRange {
     ConstraintKind kind;
-    int stage = 0; ///< stage of the cycle, from 1; 0: set once for the whole cycle
+    int stage = 0; ///< stage of the cycle, from 1; 0: the whole cycle
     double value = 0;
     double low = 0, high = 0, step = 0;
     double nearest = 0;  ///< the nearest value the machine can be set to
-    bool onStep = false; ///< whether the value is it, to 1e-6 of a step
+    bool onStep = false; ///< the value is on a step, to 1e-6 of it
 };
 
 /// Every feed and speed that the cycle sets and the machine limits, in the order of the kinds:
 /// traverse S_t and S_ax of each stage, S_rad and S_c of each stage that has one; plunge S_p of
-/// each stage; n. A stage that only sparks out sets no infeed. Of one kind, where only that is
-/// asked for.
+/// each stage; n. A stage that only sparks out sets no infeed. A kind restricts the result to it.
 [[nodiscard]] std::vector<MachineRange> checkMachineRanges(const Project& project,
                                                            std::optional<ConstraintKind> only = {});
 
-/// Stages against the commands of the gauge [MODEL-8].
+/// Stages compared with the commands of the gauge [MODEL-8].
 struct GaugeCommands {
     int stages = 0;
     int commands = 0;
 };
 
-/// Nothing where the wheel head's position ends the stages.
+/// Empty where the wheel head's position ends the stages.
 [[nodiscard]] std::optional<GaugeCommands> checkGaugeCommands(const Project& project);
 
 /// Below this overlap B·n/S_ax the table advances more than the wheel's width in a revolution, and
 /// strips between the turns stay uncut [MODEL-7].
 inline constexpr double leastOverlap = 1;
 
-/// Of a stroke with an axial feed.
+/// The overlap of a stroke at an axial feed.
 [[nodiscard]] double overlapOf(const Project& project, double axialFeed_mm_min);
-/// Whether it is the least one or more; a last bit fails no one.
+/// Whether the overlap is at least the required one, up to rounding.
 [[nodiscard]] constexpr bool holdsOverlap(double overlap, double least) {
     return overlap >= least * (1 - 1e-9);
 }
@@ -51,33 +50,33 @@ inline constexpr double leastOverlap = 1;
     return !holdsOverlap(overlap, leastOverlap);
 }
 
-/// The overlap of one stage of a traverse cycle, against the one least that counts for it.
+/// The overlap of one stage of a traverse cycle and its limit.
 struct OverlapCheck {
-    ConstraintKind kind = ConstraintKind::overlap; ///< the requirement that has it
+    ConstraintKind kind = ConstraintKind::overlap; ///< the requirement with this limit
     int stage = 0;                                 ///< from 1
     double overlap = 0;
     double least = leastOverlap;
     [[nodiscard]] bool holds() const { return holdsOverlap(overlap, least); }
 };
 
-/// Of a stroke in the last stage of a cycle or in another one. Where strips are left it is the
-/// overlap of 1, whatever more is required; else the greatest that is.
+/// Checks a stroke in the last stage of a cycle or in another one. Where strips are left the limit
+/// is 1, otherwise the greatest required one.
 [[nodiscard]] OverlapCheck checkOverlap(const Project& project, double axialFeed_mm_min, bool last);
-/// Of each stage that has an axial feed; none in plunge grinding.
+/// Checks each stage that has an axial feed; empty in plunge grinding.
 [[nodiscard]] std::vector<OverlapCheck> checkOverlaps(const Project& project);
 
-/// Whether a stage of the cycle leaves strips: then the size, form and roughness that are computed
-/// are those of the cut surface alone.
+/// Whether a stage of the cycle leaves strips: then the computed size, form and roughness are those
+/// of the cut surface alone.
 [[nodiscard]] bool leavesStrips(const Project& project);
 
-/// How many double strokes or revolutions a stage made.
+/// The number of double strokes or revolutions of a stage.
 struct StageSteps {
     int stage = 0; ///< from 1
     int steps = 0;
 };
 
-/// The first of the stages that made the fewest, of those that have stock and end by gauge or
-/// position: how many a spark-out by number makes is set. Nothing: there is no such stage.
+/// The first of the stages with the fewest steps, of those that have stock and end by gauge or
+/// position; the number of a counted spark-out is an input. Empty without such a stage.
 [[nodiscard]] std::optional<StageSteps> fewestSteps(const SimulationResult& result);
 
 } // namespace sparkout

@@ -29,12 +29,12 @@ bool endsOversize(const SimulationResult& result) {
                : deviation < part.lower_deviation_um / units::umPerMm - diameterSlack_mm;
 }
 
-/// In whole hundredths of a micrometre.
+/// Rounded to hundredths of a micrometre.
 Amount shortMm(double value) {
     return {std::round(value * 1e5) / 1e5, "mm"};
 }
 
-/// A spark-out that leaves a stock which the deflection did not give back.
+/// A spark-out that leaves stock which the deflection did not release.
 void addSparkOut(const SimulationResult& result, Issues& found) {
     const auto& stages = result.project.cycle->stages;
     const Stage& last = stages.back();
@@ -61,7 +61,7 @@ void addDwells(const Project& project, Issues& found) {
     if (!project.operation->travels) {
         return;
     }
-    constexpr double noticed = 0.02; // of the dwell
+    constexpr double noticed = 0.02; // share of the dwell
     const Machine& machine = *project.machine;
     const std::pair<const char*, double> dwells[] = {{"entry", machine.dwell_entry_s},
                                                      {"exit", machine.dwell_exit_s}};
@@ -76,7 +76,7 @@ void addDwells(const Project& project, Issues& found) {
     }
 }
 
-/// A factor of Ra beside a measured one that gives another.
+/// A factor of Ra that differs from that of the measured one.
 void addRoughness(const Project& project, Issues& found) {
     const double given = project.wheel->roughness_factor;
     const std::optional<double> measured = factorOfMeasuredRa(project);

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-/// What a cycle is held against: one row for each requirement, read by everything that evaluates,
-/// shows, counts or searches.
+/// The requirements on a cycle: one row for each, used for evaluation, display, counting and
+/// search.
 namespace sparkout {
 
 enum class ConstraintKind {
@@ -41,18 +41,18 @@ enum class ConstraintKind {
 };
 inline constexpr int constraintKinds = static_cast<int>(ConstraintKind::count_);
 
-/// What a requirement is held against.
+/// The scope of a requirement.
 enum class ConstraintScope {
     section, ///< each zone or section at the end of the cycle
     part,    ///< the whole part at the end of the cycle
-    pass,    ///< every pass; kept is the worst
-    setting, ///< the settings of the machine and its cycle, for a stage or for all
+    pass,    ///< every pass; the worst one is kept
+    setting, ///< the settings of the machine and the cycle, of one stage or all
 };
 
-/// Where a limit comes from.
+/// The origin of a limit.
 enum class LimitSource {
-    input, ///< the first of the row's inputs, in the row's unit
-    range, ///< the nearer end of the machine's range, the row's first input
+    input, ///< first input of the row, in the row's unit
+    range, ///< nearer end of the machine's range, the row's first input
     model, ///< the model, from the row's inputs
 };
 
@@ -63,7 +63,7 @@ struct RequirementDigits {
     int shown = significant; ///< decimals, or the significant digits of any value
 };
 
-/// A cycle that ran, held against a requirement, with as much of its accuracy as is required.
+/// A completed cycle with the part of its accuracy that the requirements need.
 struct Judged {
     const SimulationResult& result;
     const PartAccuracy& accuracy;
@@ -73,7 +73,8 @@ struct Judged {
 struct ConstraintResult;
 using ConstraintResults = std::vector<ConstraintResult>;
 
-/// What a search may compare before a cycle has ended: a peak of its passes, which only grows.
+/// A value that a search may compare before a cycle has ended: a peak of the passes, which only
+/// grows.
 struct PassBound {
     enum class Peak { depth_mm, power_w };
     Peak peak;
@@ -82,42 +83,42 @@ struct PassBound {
 
 struct Requirement {
     static constexpr std::size_t mostInputs = 4;
-    using Paths = std::array<const char*, mostInputs>; ///< of inputs; null: no more
+    using Paths = std::array<const char*, mostInputs>; ///< paths of inputs; null after the last
 
     ConstraintKind kind;
-    const char* key; ///< in files and on the command line
+    const char* key; ///< key in files and on the command line
     // Texts: translated in the context "Requirement", `brief` in "RequirementBrief".
     const char* label;
-    const char* brief;                ///< for one line of a narrow table
-    const char* limitName = nullptr;  ///< of its limit of the depth of cut: "burn"
+    const char* brief;                ///< short label for a narrow table
+    const char* limitName = nullptr;  ///< name of its limit of the depth of cut: "burn"
     const char* measuredBy = nullptr; ///< the reference of a deviation of form
-    const char* broken = nullptr;     ///< sentence of %1 where, %2 by how much and %3 the value
-    const char* unit = "";            ///< of limit, value and margin; none for a plain number
-    const char* unitInFull = nullptr; ///< for a reader who does not know the requirement
+    const char* broken = nullptr; ///< sentence with %1 the place, %2 the excess and %3 the value
+    const char* unit = "";        ///< of limit, value and margin; none for a plain number
+    const char* unitInFull = nullptr; ///< unit with explanation
     RequirementDigits digits = {};
-    bool isDeviation = false; ///< of a diameter: limit and value are shown with their sign
-    bool isLeast = false;     ///< the limit is the least that holds; of a range either end may be
+    bool isDeviation = false; ///< deviation of a diameter: limit and value have a sign
+    bool isLeast = false;     ///< the limit is a minimum; a range has both
 
     ConstraintScope scope;
     LimitSource source;
-    Paths inputs = {};                    ///< that the limit rests on; it is on where all are given
-    const char* setting = nullptr;        ///< path of the setting that is held against it
+    Paths inputs = {};             ///< inputs that the limit needs; it is on if all are given
+    const char* setting = nullptr; ///< path of the limited setting
     const char* settingOfStage = nullptr; ///< key of that setting of a stage
-    bool sharedBySections = false;        ///< coupled sections have one limit together
+    bool sharedBySections = false;        ///< coupled sections have a common limit
     Paths estimates = {};                 ///< inputs behind its value without a public source
-    bool isCapable = false;               ///< a batch states capability of it
+    bool isCapable = false;               ///< a batch reports its capability
 
-    /// Appends the results: of a section, where the scope is one; else of all.
+    /// Appends the results: of one section if that is the scope, otherwise of all.
     void (*evaluate)(ConstraintKind kind, const Judged& of, ConstraintResults& found);
-    /// How the number of its worst place came about; null: it is read off.
+    /// The calculation of the value at its worst place; null if it is read off.
     std::optional<FormulaSheet> (*sheet)(const Judged& of) = nullptr;
-    /// The greatest depth of cut [mm] that it allows a pass of the effective width b [mm] with this
-    /// stock left [mm], 0: not met at any depth; nothing: off. Null: it limits no pass.
+    /// The greatest depth of cut [mm] allowed in a pass of the effective width b [mm] with this
+    /// stock left [mm]; 0: not met at any depth; empty: off. Null: it limits no pass.
     std::optional<double> (*depthLimit)(const Project& project, double b, double stock) = nullptr;
-    /// Null: a search knows it at the end alone; nothing: off.
+    /// Null: known only at the end of a cycle; empty: off.
     std::optional<PassBound> (*passBound)(const Project& project) = nullptr;
 
-    /// Whether it limits the depth of every pass; else of the last cut alone, or of none.
+    /// Whether it limits the depth of every pass; otherwise of the last cut alone, or of none.
     [[nodiscard]] constexpr bool bindsEveryPass() const {
         return depthLimit && scope == ConstraintScope::pass;
     }
@@ -127,23 +128,23 @@ struct Requirement {
     }
 };
 
-/// In the order of the kinds.
+/// The requirements in the order of their kinds.
 extern const std::array<Requirement, constraintKinds> requirementRows;
 
 [[nodiscard]] inline const Requirement& requirementOf(ConstraintKind kind) {
     return requirementRows[static_cast<std::size_t>(kind)];
 }
 
-/// The one of a key; null: none.
+/// The requirement with a key; null if there is none.
 [[nodiscard]] const Requirement* requirementNamed(std::string_view key);
 
-/// Whether any of its inputs is given; one without inputs always is asked for.
+/// Whether any of its inputs is given; true if it has no inputs.
 [[nodiscard]] bool isAskedFor(const Requirement& row, const Project& project);
 
-/// The first of its inputs that is not given; empty: it is on.
+/// The first of its inputs that is not given; empty if it is on.
 [[nodiscard]] std::string missingInput(const Requirement& row, const Project& project);
 
-/// The limit of a requirement whose source is an input, where it is on.
+/// The limit of a requirement whose source is an input, if it is on.
 [[nodiscard]] std::optional<double> statedLimit(const Requirement& row, const Project& project);
 
 } // namespace sparkout

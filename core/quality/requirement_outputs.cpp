@@ -7,7 +7,7 @@ namespace sparkout {
 
 namespace {
 
-/// Nothing where strips stay uncut.
+/// Empty where strips stay uncut.
 std::optional<double> ofWhole(const ConstraintResult& c, double value) {
     return c.isWhole ? std::optional(value) : std::nullopt;
 }

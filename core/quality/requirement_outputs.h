@@ -8,7 +8,7 @@
 
 namespace sparkout {
 
-/// A requirement held against what the cycle makes.
+/// The result of a requirement for a cycle.
 [[nodiscard]] std::span<const Output<ConstraintResult>> requirementOutputs();
 
 } // namespace sparkout

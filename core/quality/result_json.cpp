@@ -21,12 +21,12 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Of the finished surface: null where it is not whole.
+/// A value of the finished surface: null where strips stay uncut.
 ordered_json statedJson(const FinishedSurface& surface, ordered_json value) {
     return surface.isWhole() ? std::move(value) : ordered_json(nullptr);
 }
 
-/// Whether the machine's own form is in these values; else they are the model's alone.
+/// Whether the machine's own form error is included in these values.
 ordered_json machineJson(const Project& project, std::initializer_list<ConstraintKind> kinds) {
     ordered_json known;
     for (const ConstraintKind kind : kinds) {
@@ -43,7 +43,7 @@ ordered_json zoneJson(const SimulationResult& result, std::size_t index,
     for (const double radius : section.radii_mm) {
         radii.push_back((radius - nominal) * units::umPerMm);
     }
-    ordered_json roughness, mostRoughness; // null where none is required, or where it is measured
+    ordered_json roughness, mostRoughness; // null where not required, or where Ra is measured
     if (section.lastCut) {
         const RoughnessFactor factor = roughnessFactor(result.project);
         const RoughnessModel model(result.project, factor.least);
@@ -106,7 +106,7 @@ ordered_json burnJson(const BurnState& burn) {
             {"rise_at_stock_left_k", burn.rise_k}};
 }
 
-/// What a zone with several sections has beside the worst of them; null where strips stay uncut.
+/// Adds to a zone with several sections more than their worst values; null where strips stay uncut.
 void addZoneSections(ordered_json& zone, const SimulationResult& result, std::size_t index,
                      const PartAccuracy& accuracy) {
     const FinishedSurface surface(result.project);

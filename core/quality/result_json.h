@@ -7,18 +7,17 @@
 
 namespace sparkout {
 
-/// A result as one JSON object: that of `sparkout-cli simulate --json` and of the window's export;
-/// its named keys are fixed. "shop" holds the shop's numbers:
+/// A result as one JSON object: the output of `sparkout-cli simulate --json` and of the window's
+/// export; its named keys are fixed. "shop" holds the shop's numbers:
 ///
-///     { "stages": [ {…}, … ], "cycle": {…},
-///       "wheel_speed_rpm", "rotation_ratio", "rotation_ratio_near_integer" }
+/// { "stages": [ {…}, … ], "cycle": {…},
+/// "wheel_speed_rpm", "rotation_ratio", "rotation_ratio_near_integer" }
 ///
 /// with, for each stage and for the cycle, removal_rate_mm3_mm_s (Q'_w), equivalent_chip_um (h_eq)
 /// and aggressiveness at largest_depth_um; mean_removal_rate_mm3_mm_s; overlap_ratio;
 /// specific_energy_j_mm3 and specific_energy_plausible; peak_power_w, mean_power_w,
-/// peak_normal_force_n; and what they are made of: removed_volume_mm3, energy_j,
-/// grinding_time_min, which is the machining time. Peaks have a …_where. What there is none of is
-/// null.
+/// peak_normal_force_n; and their components: removed_volume_mm3, energy_j, grinding_time_min,
+/// which is the machining time. Peaks have a …_where. Missing values are null.
 [[nodiscard]] std::string resultJson(const SimulationResult& result,
                                      const std::vector<ConstraintResult>& constraints);
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-/// Names in files and on the command line, which no language changes.
+/// Names in files and on the command line, independent of the language.
 namespace sparkout {
 
 [[nodiscard]] const char* zoneKey(Zone zone); ///< "rz1", "section"
@@ -20,10 +20,10 @@ namespace sparkout {
 /// "rz1", "section 3" (from 0), or "part" for a section below 0.
 [[nodiscard]] std::string sectionOrPart(Zone zone, int section);
 
-/// Where in the cycle: "nz E1 stage 1 double stroke 27".
+/// A place in the cycle: "nz E1 stage 1 double stroke 27".
 [[nodiscard]] std::string placeText(const Place& place);
 
-/// Where a requirement is worst: a place in the cycle, "rz1", "part", "stage 2", "cycle".
+/// The worst place of a requirement: a place in the cycle, "rz1", "part", "stage 2", "cycle".
 [[nodiscard]] std::string whereText(const ConstraintResult& constraint);
 
 } // namespace sparkout

@@ -27,13 +27,13 @@ constexpr double isakov = 0.2;
 constexpr double structureOf0 = 62; ///< grain share of structure 0 [%]
 constexpr double perStep = 0.5;     ///< structure numbers for one percent of grain
 
-// Estimates. The usual factor is such that a wheel F60 leaves 0.4…0.8 µm in starting cycles; how
-// much more or less another grain leaves is Isakov's law.
+// Estimates. With the usual factor a wheel F60 leaves 0.4…0.8 µm in starting cycles; the influence
+// of the grain follows Isakov's law.
 constexpr double usualRaFactor = 9.5;
-constexpr double restShare = 0.5;     ///< r, of Ra that no spark-out takes off
-constexpr double deflectionTimes = 2; ///< τ over the time constant of the deflection
+constexpr double restShare = 0.5;     ///< r, share of Ra that spark-out does not remove
+constexpr double deflectionTimes = 2; ///< ratio of τ to the time constant of the deflection
 
-/// h of an infeed that has become steady, a a step of so many passes: what stands before each step.
+/// h before each step in the steady state, for steps of a in so many passes.
 double steadyPress(const LaneBalance& balance, int passes, double a) {
     constexpr int mostSteps = 10'000;
     constexpr double settled = 1e-9;
@@ -53,11 +53,12 @@ double steadyPress(const LaneBalance& balance, int passes, double a) {
     return h;
 }
 
-/// Infeed and spark-out of the project's cycle: of its last stage with one, and those after it.
+/// Infeed and spark-out at the end of the project's cycle: the last stage with infeed, and the
+/// stages after it.
 struct CycleEnd {
     std::size_t stage = 0;
-    double infeed_mm = 0; ///< 0: no stage has one
-    double sparkOut = 0;  ///< revolutions or double strokes, where they are a number
+    double infeed_mm = 0; ///< 0: no stage has infeed
+    double sparkOut = 0;  ///< revolutions or double strokes, if counted
 };
 
 CycleEnd endOf(const Project& project) {

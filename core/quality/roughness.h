@@ -9,10 +9,10 @@
 
 namespace sparkout {
 
-/// How far one wheel and dressing may lie from another, up or down: an estimate.
+/// Estimated factor between wheels and dressings, up or down.
 inline constexpr double roughnessSpread = std::numbers::sqrt3;
 
-/// What Ra is multiplied by [MODEL-8]: as it was measured, or an estimate's range.
+/// The factor on Ra [MODEL-8]: by measurement, or an estimated range.
 struct RoughnessFactor {
     double least = 1, most = 1;
     [[nodiscard]] bool isMeasured() const { return least == most; }
@@ -21,54 +21,54 @@ struct RoughnessFactor {
         return isMeasured() ? std::nullopt : std::optional(leastRa * most / least);
     }
 };
-/// The factor that is given or follows from a measured Ra; else, while it stands at 1, the range
-/// that usual wheels lie in.
+/// The factor that is given or follows from a measured Ra; while it is 1, the range of usual
+/// wheels.
 [[nodiscard]] RoughnessFactor roughnessFactor(const Project& project);
 
-/// Whether a measured Ra has been put in relation to the computed one. Until then Ra is a range,
-/// and the depth of cut that a limit of Ra allows is no number to go by.
+/// Whether the computed Ra is calibrated by a measured one. Until then Ra is a range, and the depth
+/// of cut by a limit of Ra is not a single value.
 [[nodiscard]] bool isRoughnessCalibrated(const Project& project);
 
-/// Returns Ra [mm], computed with a factor of 1, at the infeed and the spark-out of the measured Ra
-/// of the wheel, or else of the cycle, for an infeed that has become steady at the gauge. Empty
-/// where none is measured, or the project has errors or no infeed.
+/// Ra [mm] with a factor of 1, at the infeed and the spark-out of the wheel's measured Ra, or else
+/// of the cycle, for a steady infeed at the gauge. Empty without a measured Ra, with errors in the
+/// project, or without infeed.
 [[nodiscard]] std::optional<double> computedAsMeasured(const Project& project);
-/// Returns the factor by which the measured Ra follows from the computed one. Empty also
-/// where it is 0 to rounding, or beyond mostRoughnessFactor.
+/// The ratio of the measured Ra to the computed one. Empty also where it is 0 to rounding, or above
+/// mostRoughnessFactor.
 [[nodiscard]] std::optional<double> factorOfMeasuredRa(const Project& project);
-/// The project with that factor as its own, where it has none: from here on speeds, diameters and
-/// dullness may change, and what was measured stays.
+/// The project with that factor set, if it has none: then speeds, diameters and dullness may change
+/// without changing the calibration.
 [[nodiscard]] Project withMeasuredRa(Project project);
 
 /// Roughness after Isakov [MODEL-8, PEREVERZEV1999]:
 ///
-///     Ra = f·0.2·( (d_g/tg φ)·√(Δ/(4·N_s))·( √(η + s) − √η ) )^(2/3)
-///     s = (π²/V_k)·√(d(d + D)·n·S_ф/D) = π·(V_d/V_k)·√(a/D_e),   N_s = 0.5·(62 − 100·W_g)
+/// Ra = f·0.2·( (d_g/tg φ)·√(Δ/(4·N_s))·( √(η + s) − √η ) )^(2/3)
+/// s = (π²/V_k)·√(d(d + D)·n·S_ф/D) = π·(V_d/V_k)·√(a/D_e),   N_s = 0.5·(62 − 100·W_g)
 ///
-/// with S_ф = a·n, a = a_s/u what a revolution took of the depth a_s of the last revolution or
-/// double stroke with infeed [mm], u = 1 of a plunge and the overlap B·n/S_ax of a stroke, f the
-/// factor. The form with D_e is the printed one for external grinding and carries it to bores.
-/// Ra rises with a from 0 on: a limit of Ra is a limit of a. In the spark-out after it
+/// with S_ф = a·n, a = a_s/u the share of a revolution in the depth a_s of the last revolution or
+/// double stroke with infeed [mm], u = 1 in plunge and the overlap B·n/S_ax in a stroke, f the
+/// factor. The form with D_e is the printed one for external grinding and carries it to bores. Ra
+/// rises with a from 0 on: a limit of Ra is a limit of a. In the spark-out after it
 ///
-///     Ra_e = Ra·( r + (1 − r)·exp(−t/τ) ),   τ = 2·T·h/a_s,   r = ½
+/// Ra_e = Ra·( r + (1 − r)·exp(−t/τ) ),   τ = 2·T·h/a_s,   r = ½
 ///
-/// falls towards a rest: T·h/a_s is how long the system would take to give back at the rate of that
-/// step what the step had to take, which is no less than the time constant of its deflection.
+/// falls towards a remainder: T·h/a_s is the time in which the system would release the lag of that
+/// step at its rate, no less than the time constant of its deflection.
 class RoughnessModel {
 public:
-    /// With the least factor of the project.
+    /// Uses the least factor of the project.
     explicit RoughnessModel(const Project& project);
     RoughnessModel(const Project& project, double factor);
 
-    /// Ra [mm] straight after infeed that took so much a revolution [mm].
+    /// Ra [mm] immediately after infeed of a per revolution [mm].
     double roughness(double a, FormulaSheet* sheet = nullptr) const;
     /// Ra [mm] at the end of the cycle.
     double roughness(const LastCut& cut, FormulaSheet* sheet = nullptr) const;
-    /// What a step of the overlap u may take [mm] that leaves this Ra [mm] without a spark-out;
-    /// S_f = limitDepth·n.
+    /// The greatest depth of a step of the overlap u [mm] that leaves this Ra [mm] without a
+    /// spark-out; S_f = limitDepth·n.
     double limitDepth(double Ra, double overlap = 1, FormulaSheet* sheet = nullptr) const;
-    /// What a revolution of a plunge may take if any spark-out may follow [mm]: no less than the
-    /// last cut of a cycle that leaves this Ra.
+    /// The greatest depth per revolution of a plunge if any spark-out may follow [mm]: no less than
+    /// the last cut of a cycle that leaves this Ra.
     [[nodiscard]] double mostDepth(double Ra) const;
 
 private:
@@ -87,8 +87,8 @@ private:
 /// S_ф = a·n [mm/min].
 [[nodiscard]] FormulaSheet roughnessLimitSheet(const Project& project, double Ra, double b);
 
-/// u of passes of the effective width b: revolutions that the wheel takes over a point in a stroke,
-/// 1 in a plunge.
+/// u of passes of the effective width b: revolutions in which the wheel covers a point in a stroke,
+/// 1 in plunge.
 [[nodiscard]] double strokeOverlap(const Project& project, double b);
 
 } // namespace sparkout

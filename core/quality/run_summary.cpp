@@ -135,7 +135,7 @@ ZoneSummary zoneSummary(const SectionResult& section, const SectionAccuracy& acc
     return zone;
 }
 
-/// As the reader of a file keeps it.
+/// Normalises JSON as the reader of a file does.
 std::string compact(const std::string& text) {
     return nlohmann::json::parse(text).dump();
 }
@@ -152,8 +152,8 @@ bool sameList(const std::vector<double>& a, const std::vector<double>& b, const 
                       [&](double x, double y) { return sameNumber(x, y, field); });
 }
 
-/// The values by their paths; a requirement's by its name, whatever stands before it. Of places
-/// that are equally bad a last bit chooses one, so the worst place is none of them.
+/// The values by their paths; a requirement by its name, whatever precedes it. Rounding chooses
+/// among equally bad places, so the worst place is left out.
 std::map<std::string, Leaf> valuesOf(const RunSummary& summary) {
     std::map<std::string, Leaf> values;
     for (const Leaf& leaf : leavesOf(tableOf<RunSummary>(), &summary)) {
@@ -171,7 +171,7 @@ std::map<std::string, Leaf> valuesOf(const RunSummary& summary) {
     return values;
 }
 
-/// Of the kinds of values a summary has.
+/// Compares values of the kinds in a summary.
 bool sameLeaf(const Leaf& a, const Leaf& b) {
     const Field& field = *a.field;
     switch (field.kind) {
@@ -218,7 +218,7 @@ KeptRun keptRun(const SimulationResult& result, const RunSummary& summary, std::
                 std::string when) {
     Project inputs = result.project;
     inputs.runs.clear();
-    inputs.measured.reset(); // no part of what is computed
+    inputs.measured.reset(); // not used by the computation
     const std::string values = printJson(writeByTable(tableOf<RunSummary>(), &summary));
     return {std::move(name),
             std::move(when),

@@ -12,18 +12,18 @@
 #include <string_view>
 #include <vector>
 
-/// What a kept run says of its result. Members are named by their keys in the file and carry its
-/// units; their rows give labels and units to whoever shows them.
+/// The results of a kept run. Members are named by their keys in the file and carry its units;
+/// their rows give labels and units for display.
 namespace sparkout {
 
-/// One zone or section at the end of the cycle.
+/// Results of one zone or section at the end of the cycle.
 struct ZoneSummary {
     std::string zone;                     ///< "rz1", "nz", "rz2" or "section"
-    double position_mm = 0;               ///< its middle, from the headstock end
+    double position_mm = 0;               ///< middle, from the headstock end
     double diameter_deviation_min_um = 0; ///< smallest diameter less the nominal one
     double diameter_deviation_max_um = 0; ///< largest diameter less the nominal one
     double radial_runout_um = 0;
-    double roundness_um = 0; ///< of the minimum zone
+    double roundness_um = 0; ///< by the minimum zone
     double peak_normal_force_n = 0;
     std::vector<double> radii_um; ///< less the nominal radius
 };
@@ -43,8 +43,8 @@ struct RunSummary {
     RunStatus status = RunStatus::completed;
     double cycle_time_min = 0;
     int count = 0;                       ///< double strokes or revolutions
-    std::vector<double> counts_by_stage; ///< the same, by stage
-    std::vector<ZoneSummary> zones;      ///< or the sections from the headstock on
+    std::vector<double> counts_by_stage; ///< the counts by stage
+    std::vector<ZoneSummary> zones;      ///< or the sections from the headstock end
     double cylindricity_um = 0;
     double total_runout_um = 0;
     double peak_normal_force_n = 0;
@@ -55,32 +55,32 @@ struct RunSummary {
 [[nodiscard]] RunSummary summarise(const SimulationResult& result, const PartAccuracy& accuracy,
                                    const std::vector<ConstraintResult>& constraints);
 
-/// A run as it is kept: its inputs and its summary.
+/// A run to be kept: its inputs and its summary.
 [[nodiscard]] KeptRun keptRun(const SimulationResult& result, const RunSummary& summary,
                               std::string name, std::string when);
 
-/// A summary as it stands in a file. What another version did not write is missing; what it wrote
-/// beside is passed over.
+/// A summary read from a file. Values not written by another version are missing; its additional
+/// values are ignored.
 struct ReadSummary {
     RunSummary summary;
     std::set<std::string> missing; ///< paths of values, "/zones/0/roundness_um"
 };
 
-/// Nothing when the text is no summary.
+/// Empty if the text is not a summary.
 [[nodiscard]] std::optional<ReadSummary> readSummary(std::string_view text);
 
 /// Equal radii and deviations of two runs: the last bits of cos and exp differ between processors.
 inline constexpr double sameRadius_um = 1e-6;
 
-/// A value that two summaries have otherwise; valid as long as they are.
+/// A value that differs between two summaries, which must outlive it.
 struct ChangedValue {
     std::string path; ///< "/zones/0/roundness_um"; of a requirement "/requirements/burn/margin"
     Leaf kept;
-    std::optional<Leaf> now; ///< nothing: there is no such value any more
+    std::optional<Leaf> now; ///< empty: the value no longer exists
 };
 
-/// What a run that is computed again has otherwise than it was kept: counts exactly, radii and
-/// deviations within sameRadius_um, other numbers to a millionth of them, or of one.
+/// The differences of a repeated run from the kept one: counts exactly, radii and deviations within
+/// sameRadius_um, other numbers to a millionth of them, or of one.
 [[nodiscard]] std::vector<ChangedValue> changedSince(const ReadSummary& kept,
                                                      const RunSummary& now);
 

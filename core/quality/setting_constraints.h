@@ -3,16 +3,16 @@
 
 #include "core/quality/constraints.h"
 
-/// The machine's ranges, the gauge's commands, the overlap and the number of steps of a stage: what
-/// the settings of a cycle are held against [MODEL-8].
+/// Checks of a cycle's settings: the machine's ranges, the gauge's commands, the overlap and the
+/// number of steps of a stage [MODEL-8].
 namespace sparkout {
 
-/// Of the range of this kind.
+/// Checks the range of this kind.
 void evaluateRange(ConstraintKind kind, const Judged& of, ConstraintResults& found);
 void evaluateGaugeCommands(ConstraintKind kind, const Judged& of, ConstraintResults& found);
-/// Of the stages that are held against the requirement of this kind: see checkOverlaps().
+/// Checks the stages to which the requirement of this kind applies: see checkOverlaps().
 void evaluateOverlap(ConstraintKind kind, const Judged& of, ConstraintResults& found);
-/// Of the stage that made the fewest steps; none where no stage counts.
+/// Checks the stage with the fewest steps; no result where no stage counts.
 void evaluateLeastSteps(ConstraintKind kind, const Judged& of, ConstraintResults& found);
 
 } // namespace sparkout

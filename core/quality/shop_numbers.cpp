@@ -76,7 +76,7 @@ private:
     [[nodiscard]] double removalRate(double a) const { return workSpeed() * a; }
 
     ForceLaw m_law;
-    double m_turn_s; ///< a revolution of the work
+    double m_turn_s; ///< time of a revolution of the work
     double m_girth_mm;
     double m_wheelSpeed_m_s;
     double m_De;

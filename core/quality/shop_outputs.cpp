@@ -9,7 +9,7 @@ namespace sparkout {
 
 namespace {
 
-/// Nothing for a stage that removed nothing.
+/// Empty for a stage without removal.
 std::optional<std::string> peakPlace(const Peak& peak) {
     return peak.value > 0 ? std::optional(placeText(peak.at)) : std::nullopt;
 }
@@ -150,7 +150,7 @@ constexpr Output<ShopNumbers> shopRows[] = {
      [](const ShopNumbers& shop) { return shop.ratioNearInteger(); }},
 };
 
-// The hints above state them in words.
+// The hints above contain these numbers.
 static_assert(leastSpecificEnergy_j_mm3 == 20 && mostSpecificEnergy_j_mm3 == 120
               && nearInteger == 0.05);
 

@@ -8,10 +8,10 @@
 
 namespace sparkout {
 
-/// What is stated of a stage, or of the whole cycle.
+/// The outputs of a stage, or of the whole cycle.
 [[nodiscard]] std::span<const Output<ShopColumn>> shopColumnOutputs();
 
-/// What holds for all stages alike.
+/// The outputs common to all stages.
 [[nodiscard]] std::span<const Output<ShopNumbers>> shopOutputs();
 
 } // namespace sparkout

@@ -7,7 +7,7 @@
 namespace sparkout {
 
 namespace {
-constexpr double leastDivisor = 1e-12; ///< in place of 0, to divide by
+constexpr double leastDivisor = 1e-12; ///< replaces 0 as a divisor
 } // namespace
 
 double usageOf(const ConstraintResult& requirement) {

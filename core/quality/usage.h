@@ -7,12 +7,12 @@
 
 namespace sparkout {
 
-/// How much of its field or limit a requirement uses up: 1 at the limit. Of a range of the machine
-/// how close its nearer end is: half of a setting that is twice the least one.
+/// The used share of a tolerance or limit: 1 at the limit. For a range of the machine, by the ratio
+/// to its nearer end: ½ for a setting twice the least one.
 [[nodiscard]] double usageOf(const ConstraintResult& requirement);
 
-/// Where a setting lies in its range of the machine, from 0 to 1: by its ratios to the ends, of a
-/// range from 0 by its distances. Nothing of other requirements.
+/// The position of a setting within its range of the machine, from 0 to 1: by ratios, or from 0 by
+/// distances. Empty for other requirements.
 [[nodiscard]] std::optional<double> placeInRange(const ConstraintResult& requirement);
 
 } // namespace sparkout

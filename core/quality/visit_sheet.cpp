@@ -18,12 +18,12 @@ void append(FormulaSheet& sheet, const FormulaSheet& more) {
     sheet.steps.insert(sheet.steps.end(), more.steps.begin(), more.steps.end());
 }
 
-/// The coefficients of the force as the sources name them: K_1 and K_2 with axial feed, K_3 and K_4
+/// The coefficients of the force as named in the sources: K_1 and K_2 with axial feed, K_3 and K_4
 /// in plunge [MODEL-2].
 void stateCoefficients(FormulaSheet& sheet, const Project& project, const Pass& pass) {
     const ForceLaw law = forceLaw(project);
     if (law.threshold) {
-        return; // the sources have none of it
+        return; // the sources give none
     }
     const double b = pass.effectiveWidth_mm;
     const bool isPlunge = pass.axialFeed_mm_min == 0;
@@ -53,7 +53,7 @@ FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajec
     const double b = of.effectiveWidth_mm;
 
     FormulaSheet sheet{SPARKOUT_NOOP("Formula", "Elastic balance of one radius"), "MODEL-3", {}};
-    if (visit.isGap()) { // no surface is there
+    if (visit.isGap()) { // a gap: no surface
         state(&sheet, "{a}", {"a", 0, "mm"}, {});
         return sheet;
     }

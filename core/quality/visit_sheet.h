@@ -9,10 +9,10 @@
 
 namespace sparkout {
 
-/// One radius of a recorded pass with its numbers [MODEL-3]: the lag h that t_П leaves it, the
-/// elastic balance, and the radius and stock after the cut. Where sections deflect each other or
-/// the wheel's contact gives way too, the depth of cut is stated as the engine found it, and the
-/// deflection is all that yields together.
+/// One radius of a recorded pass with its numbers [MODEL-3]: the lag h behind t_П, the elastic
+/// balance, and the radius and stock after the cut. Where sections deflect each other or the
+/// wheel's contact yields too, the depth of cut is the engine's result, and the deflection is the
+/// total.
 [[nodiscard]] FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajectory,
                                       std::size_t pass, int radius);
 

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Keys of a table that the reader requires for some projects only.
+/// Keys of a table that the reader requires only for some projects.
 void addConditional(const StructInfo& table, const std::string& path, std::string& list) {
     for (const Field& field : table.fields) {
         const std::string here = path + "/" + field.key;
@@ -33,7 +33,7 @@ void addConditional(const StructInfo& table, const std::string& path, std::strin
     }
 }
 
-/// Where the search must be given whole numbers, which lists and levels of numbers do not say.
+/// Where the search requires whole numbers, which lists and levels of numbers do not express.
 std::string wholeNumbers(Kind kind) {
     std::string list;
     for (const Field& field : tableOf<Optimisation>().fields) {
@@ -44,7 +44,7 @@ std::string wholeNumbers(Kind kind) {
     return list;
 }
 
-/// What the reader refuses and the schema does not.
+/// Constraints that the reader checks and the schema does not.
 std::string gaps() {
     std::string conditional;
     addConditional(tableOf<Project>(), {}, conditional);
@@ -65,12 +65,12 @@ std::string gaps() {
            + " kB. sparkout-cli validate names each of them.";
 }
 
-/// An object of a project as a file of several surfaces has it: what they share, and the rest.
+/// An object of a project in a file of several surfaces: the shared half and the rest.
 struct Halves {
     ordered_json shared, own;
 };
 
-/// A half of an object; an object within it must stand there when something in it must.
+/// A half of an object; a nested object is required if any of its members is.
 class Half {
 public:
     void add(const std::string& key, ordered_json schema, bool isRequired) {
@@ -114,7 +114,7 @@ Halves halvesOf(const ordered_json& object, const std::string& path) {
     return {shared.schema(), own.schema()};
 }
 
-/// The schema of an object as that of a file: its format and version come first.
+/// The schema of a file's object, with its format and version first.
 ordered_json fileSchema(ordered_json object, int version) {
     ordered_json properties = {{"format", {{"const", "sparkout-project"}}},
                                {"version", {{"const", version}}}};

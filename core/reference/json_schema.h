@@ -6,8 +6,8 @@
 namespace sparkout {
 
 /// The JSON Schema (draft 2020-12) of a project file of either version, made from the tables: every
-/// key with type, range, choices and default; what is required always; nothing else allowed. The
-/// rules between values, and what is required only sometimes, are validate()'s alone.
+/// key with type, range, choices and default, and the unconditional requirements; other keys are
+/// not allowed. Only validate() checks rules between values and conditional requirements.
 [[nodiscard]] std::string projectSchema();
 
 } // namespace sparkout

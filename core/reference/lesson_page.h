@@ -5,8 +5,8 @@
 
 namespace sparkout {
 
-/// The help page of all keys of a lesson file and of a student's work, and of all figures that a
-/// lesson may ask for: Markdown, made from the tables.
+/// The help page of all keys of a lesson file and of a student's work, and of all figures of a
+/// lesson's goals: Markdown, made from the tables.
 [[nodiscard]] std::string lessonPage();
 
 } // namespace sparkout

@@ -23,7 +23,7 @@ constexpr const char* gapsOfLessons =
     "above the points, and what the project's own schema leaves to the reader. "
     "sparkout-cli course check names each of them.";
 
-/// The schema of a file: its format and version come first, and what is not in its table.
+/// The schema of a file: its format and version come first, with keys that are not in its table.
 ordered_json fileOf(const StructInfo& table, const char* format, int version, const char* inner,
                     const char* reference) {
     const ordered_json object = objectSchema(table);

@@ -5,8 +5,8 @@
 
 namespace sparkout {
 
-/// The JSON Schema (draft 2020-12) of a lesson and of a student's work, made from the tables as
-/// projectSchema() is; their project is that of project.schema.json.
+/// The JSON Schema (draft 2020-12) of a lesson and of a student's work, made from the tables like
+/// projectSchema(); their project is that of project.schema.json.
 [[nodiscard]] std::string lessonSchema();
 
 } // namespace sparkout

@@ -62,7 +62,7 @@ a set-up. Window and `sparkout-cli` take files of both versions;
 
 // --- conditions in words ------------------------------------------------------------------------
 
-/// What a condition may look at: each question with its possible answers in words.
+/// A question that a condition may depend on, and its possible answers in words.
 struct Question {
     std::vector<const char*> answers;
     void (*answer)(Project& project, Stage& stage, std::size_t choice);
@@ -120,7 +120,7 @@ const std::array<Question, 11>& questions() {
     return all;
 }
 
-/// Asks the condition in every situation; calls back with the answers for which it holds.
+/// Evaluates the condition in every situation; calls back with the answers for which it is true.
 template <class Visit>
 void forEachTrueSituation(Condition condition, const StructInfo& table, const Visit& visit) {
     std::vector<std::size_t> answers(questions().size(), 0);

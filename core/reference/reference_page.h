@@ -12,13 +12,13 @@ namespace sparkout {
 /// The help page of all keys of a project file, Markdown, made from the tables.
 [[nodiscard]] std::string referencePage();
 
-/// When a condition holds: of each question that matters the answers for which it does, to be
-/// translated in the context "Condition". Empty: always; none: never.
+/// When a condition is true: for each relevant question the answers, to be translated in the
+/// context "Condition". Empty: always; nullopt: never.
 using ConditionAnswers = std::optional<std::vector<std::vector<const char*>>>;
 [[nodiscard]] ConditionAnswers conditionAnswers(Condition condition, const StructInfo& table);
 
-/// The same as a text, in English: "traverse, the stage feeds"; "always"; "never".
-/// `table` is that of the struct whose field the condition stands in.
+/// The condition as an English text: "traverse, the stage feeds"; "always"; "never". `table` is
+/// that of the struct with the field.
 [[nodiscard]] std::string conditionText(Condition condition, const StructInfo& table);
 
 } // namespace sparkout

@@ -40,7 +40,7 @@ ordered_json numbersSchema(const Field& field) {
     return schema;
 }
 
-/// An object whose keys are all numbers of the field's range.
+/// An object whose keys all have numbers in the field's range.
 ordered_json numbersByName(const Field& field, std::initializer_list<const char*> keys) {
     ordered_json properties = ordered_json::object();
     ordered_json required = ordered_json::array();

@@ -5,10 +5,10 @@
 
 #include <nlohmann/json.hpp>
 
-/// What JSON Schemas of the program's files are made of.
+/// Parts of the JSON Schemas of the program's files.
 namespace sparkout {
 
-/// Whether a key must stand in every file.
+/// Whether a key is required in every file.
 [[nodiscard]] bool alwaysRequired(const Field& field);
 
 /// An object with these keys and no others.

@@ -14,12 +14,12 @@ class TablePage {
 public:
     std::string text;
 
-    /// A struct at its path, and those it holds.
+    /// Adds a struct at its path, and the nested ones.
     void addStruct(const StructInfo& table, const std::string& path);
 
 private:
     void addRow(const Field& field, const StructInfo& table);
-    /// A struct that stands at several places is described once.
+    /// A struct with several occurrences is described once.
     void addNested(const StructInfo& table, const std::string& path);
 
     std::map<const StructInfo*, std::string> m_described;

@@ -18,16 +18,16 @@ namespace sparkout {
 
 namespace {
 
-/// So many values are tried one by one.
+/// Up to this number of values all are tried.
 constexpr std::int64_t fewValues = 24;
 
 /// A value that was run.
 struct TriedValue {
     RemedyTrial trial;
-    bool isOffered = false; ///< it is good, and brings no fault or warning
+    bool isOffered = false; ///< it is good, and adds no fault or warning
 };
 
-/// One way from the present value: its k-th value is k places off; at 0 nothing is changed.
+/// One direction from the current value: its k-th value is k places away; 0 changes nothing.
 class SettingWay {
 public:
     SettingWay(const RemedySetting& setting, bool upwards)
@@ -42,9 +42,9 @@ public:
     [[nodiscard]] double value(std::int64_t k) const {
         return k == 0 ? m_setting.before : m_setting.scale.at(m_start + m_sign * (k - 1));
     }
-    /// The next distance to try; nothing beyond the end. Where there are few values each is tried,
-    /// and of a count the nearest ones: a cycle may hold within a narrow range alone. Farther off
-    /// it is half as far again as the last one and at most the end.
+    /// The next distance to try; empty beyond the end. If there are few values, and near the
+    /// current one of a count, each is tried, since only a narrow range may be good. Farther away
+    /// each distance is half as far again as the last one, up to the end.
     [[nodiscard]] std::optional<std::int64_t> next() const {
         if (m_last >= m_count) {
             return {};
@@ -52,7 +52,7 @@ public:
         const bool each = m_count <= fewValues || (m_setting.isCount() && m_last < fewValues);
         return each ? m_last + 1 : std::min(std::max(m_last + m_last / 2, m_last + 1), m_count);
     }
-    /// Goes on from behind this one.
+    /// Continues behind this one.
     void pass(std::int64_t k) { m_last = std::max(m_last, k); }
     void end() { m_last = m_count; }
     [[nodiscard]] std::int64_t last() const { return m_last; }
@@ -72,14 +72,14 @@ private:
     std::map<std::int64_t, TriedValue> m_known; ///< by distance
 };
 
-/// Values next to each other on a way, each of which is offered.
+/// Adjacent values in a direction, all of which are offered.
 struct ValueRun {
     std::int64_t first = 0, last = 0; ///< distances
     [[nodiscard]] std::int64_t count() const { return last - first + 1; }
     [[nodiscard]] std::int64_t middle() const { return first + count() / 2; }
 };
 
-/// How much a change of a setting is of it.
+/// The relative change of a setting.
 double changeOf(const Remedy& remedy) {
     constexpr double newOne = 0.3, ofCount = 0.1, ofRatio = 0.5;
     constexpr double newCycle = 0.6;
@@ -164,7 +164,7 @@ private:
             });
     }
 
-    /// A cycle that holds is offered unless its setting brings a fault or warning.
+    /// A good value is offered unless it adds a fault or warning.
     [[nodiscard]] bool isOffered(const RemedySetting& setting, double value,
                                  const RemedyTrial& trial) {
         if (!trial.holds) {
@@ -192,7 +192,7 @@ private:
         return found;
     }
 
-    /// The value k places off, run if it was not; null: it is over.
+    /// The value k places away, run on the first request; null if the search is over.
     const TriedValue* at(const RemedySetting& setting, SettingWay& way, std::int64_t k) {
         if (const TriedValue* known = way.known(k)) {
             return known;
@@ -205,7 +205,8 @@ private:
         return way.keep(k, {*std::move(trial), offered});
     }
 
-    /// The nearer of both ways, as far as they were tried; at the same distance the quicker cycle.
+    /// The nearer remedy of both directions, as far as they were tried; at equal distance the
+    /// quicker cycle.
     std::optional<Remedy> remedyOf(const RemedySetting& setting) {
         std::array ways{SettingWay(setting, false), SettingWay(setting, true)};
         std::optional<Remedy> best;
@@ -224,14 +225,14 @@ private:
                 }
                 std::optional<Remedy> remedy =
                     tried->isOffered ? refined(setting, way, *k) : std::nullopt;
-                if (!remedy) { // farther ones may do
+                if (!remedy) { // farther ones may work
                     way.pass(*k);
                     continue;
                 }
                 if (!best || remedy->time_s < best->time_s) {
                     best = std::move(remedy);
                 }
-                way.end(); // farther on every edge is one from a value that is good
+                way.end(); // beyond here every edge follows a good value
             }
         }
         return best;
@@ -242,8 +243,9 @@ private:
         return a && b ? std::min(a, b) : a ? a : b;
     }
 
-    /// The nearest value of which the next one towards the present is not offered, by bisection
-    /// from the last distance tried to this one, which is offered. Nothing: it is over.
+    /// The nearest offered value whose neighbour towards the current value is not offered, by
+    /// bisection from the last distance tried to this one, which is offered. Empty if the search is
+    /// over.
     std::optional<std::int64_t> edge(const RemedySetting& setting, SettingWay& way,
                                      std::int64_t far) {
         std::int64_t near = way.last(), offered = far;
@@ -258,7 +260,8 @@ private:
         return offered;
     }
 
-    /// The values about one that is offered, towards the present one first. Nothing: it is over.
+    /// The values around an offered one, first towards the current value. Empty if the search is
+    /// over.
     std::optional<ValueRun> valuesAbout(const RemedySetting& setting, SettingWay& way,
                                         std::int64_t k) {
         ValueRun run{k, k};
@@ -277,8 +280,8 @@ private:
     }
 
     /// The remedy at the edge between the last distance tried and this one, which is offered, or
-    /// else about this one. Nothing where they have too few values, the last test refuses it, or it
-    /// is over.
+    /// else around this one. Empty if there are too few values, if the last test refuses it, or if
+    /// the search is over.
     std::optional<Remedy> refined(const RemedySetting& setting, SettingWay& way, std::int64_t far) {
         const std::int64_t least = setting.leastValues();
         const std::optional<std::int64_t> near = edge(setting, way, far);
@@ -312,10 +315,10 @@ private:
                 remedy.failing = way.value(run.first - 1);
             }
         } else if (!setting.isSingle()) {
-            remedy.failing.reset(); // all that is changed beside it was not run alone
+            remedy.failing.reset(); // the additional changes were not run alone
         } else if (setting.kind != RemedyKind::addFeed) {
             remedy.failing = setting.before;
-        } else { // run with the present feed, too
+        } else { // also run with the current feed
             const TriedValue* const unchanged = at(setting, way, 0);
             if (!unchanged) {
                 return std::nullopt;
@@ -338,8 +341,8 @@ private:
         return m_trials.confirm(remedy) ? std::optional(std::move(remedy)) : std::nullopt;
     }
 
-    /// What it costs: the change of time as a share of it, and the change of the setting. Of a
-    /// cycle that does not end by itself the time is that of the quickest remedy.
+    /// Its rank: the relative change of time, and the change of the setting. For a cycle that does
+    /// not end by itself the time is that of the quickest remedy.
     [[nodiscard]] double rankOf(const Remedy& remedy) const {
         double usual_s = m_time_s.value_or(remedy.time_s);
         for (const Remedy& each : m_all) {
@@ -361,13 +364,13 @@ private:
 
     const Project& m_project;
     bool m_isRun = false;
-    std::optional<double> m_time_s; ///< nothing: the cycle does not end by itself
-    Issues m_issues;                ///< as it is
-    bool m_singleHelps = false;     ///< one setting alone
+    std::optional<double> m_time_s; ///< empty: the cycle does not end by itself
+    Issues m_issues;                ///< issues of the unchanged project
+    bool m_singleHelps = false;     ///< one setting alone helps
     const RemedyOptions& m_options;
     RemedyTrials m_trials;
     std::optional<std::pair<RemedySetting, double>> m_warned; ///< the first that brings a warning
-    std::optional<std::pair<RemedySetting, double>> m_narrow; ///< the first with too few beside it
+    std::optional<std::pair<RemedySetting, double>> m_narrow; ///< the first with too few neighbours
     std::vector<Remedy> m_all;                                ///< in the order of their ranks
     RemedyResult m_found;
 };

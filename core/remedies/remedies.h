@@ -16,10 +16,9 @@
 #include <utility>
 #include <vector>
 
-/// Changes of one setting after which a cycle that fails holds everything, or one that is close to
-/// a limit has room; beside them a starting cycle for the part as it is and, where no single
-/// setting helps, the stock of finishing together with a slower feed of the first stage. A value is
-/// good where that is so
+/// Changes of one setting that make a failing cycle meet every requirement, or give a close one a
+/// margin; also a starting cycle for the part and, if no single setting helps, the stock of
+/// finishing together with a slower feed of the first stage. A value is good if this is so
 ///
 /// * for the part as stated,
 /// * whatever the stock of the blank within one phase: where the last step of a stage falls changes
@@ -30,111 +29,110 @@
 /// * for the parts of the project's batch, if it has one: no more of them are bad than its
 ///   `most_outside_share` allows.
 ///
-/// Each setting is tried at values ever farther from where it is and to both sides, until one is
-/// good: one by one where there are few and, of a count, near by, else each half as far again as
-/// the one before. Between the last value that was not good and the first that was the edge is
-/// found by bisection. From there on value after value is run until one is not good, or there are
-/// Remedy::mostValues: the interval of the remedy. All its values can be set, each was run in full
-/// and is good; a control that misses by a step, or an input that is not quite as stated, does not
-/// leave it. Its middle is offered, if of as many parts of the batch drawn afresh for it no greater
-/// share is bad than allowed. Outside the intervals other values may be good, too; that is not
-/// excluded, since a cycle does not answer evenly.
+/// Each setting is tried at values ever farther from the current one in both directions, until one
+/// is good: one by one if there are few and, for a count, nearby, otherwise each half as far again
+/// as the one before. The edge between the last bad value and the first good one is found by
+/// bisection. From there value after value is run until one is bad, or there are
+/// Remedy::mostValues: the interval of the remedy. All its values can be set, and each was run in
+/// full and is good, so that it tolerates an error of a step, or of an input. Its middle is offered
+/// if the share of rejected parts among as many newly drawn parts of the batch is allowed. Values
+/// outside the intervals may be good, too, since the result of a cycle is not monotonic.
 ///
-/// Remedies are in the order of what they cost: the change of the cycle's time as a share of it,
-/// and half the logarithm of how many times as much the setting becomes, of a pair of both; a tenth
-/// a double stroke or revolution, 0.3 for one more stage, 0.6 for a starting cycle.
+/// Remedies are ordered by rank: the relative change of the cycle's time, plus half the logarithm
+/// of the ratio of the setting, for a pair of both; a tenth for each double stroke or revolution,
+/// 0.3 for one more stage, 0.6 for a starting cycle.
 namespace sparkout {
 
-/// What a remedy is to reach.
+/// The goal of a remedy.
 enum class RemedyGoal {
-    none,  ///< all holds, with room: nothing is looked for
-    holds, ///< every requirement holds, and the cycle ends by itself
-    room,  ///< none is close to its limit, either
+    none,  ///< all requirements are met with a margin: nothing is searched
+    holds, ///< every requirement is met, and the cycle ends by itself
+    room,  ///< also none is close to its limit
 };
 
-/// Its name in files and on the command line: "holds".
+/// The key in files and on the command line: "holds".
 [[nodiscard]] const char* goalKey(RemedyGoal goal);
 
-/// What the outcome of a valid project that ran asks for, as far as the part as stated tells.
+/// The goal for the outcome of a valid project that ran, by its nominal part.
 [[nodiscard]] RemedyGoal remedyGoal(const SimulationResult& result,
                                     const std::vector<ConstraintResult>& constraints);
 
-/// Parts of the batch drawn afresh for a remedy.
+/// Parts of the batch drawn for a remedy.
 struct RemedyBatch {
     std::int64_t parts = 0, bad = 0;
-    int candidate = 0; ///< number of the remedy among the changes that were tried on such, from 1
+    int candidate = 0; ///< number of the remedy among the changes tried on such parts, from 1
 };
 
-/// The largest share of bad parts, with 95 % confidence, of the k-th change that was tried on parts
-/// drawn independently for it: the upper bound of Clopper and Pearson with a risk of
-/// 0.05/(k·(k + 1)), so that all of them together have no more than 5 %, as with mostFailing().
+/// The largest share of bad parts, with 95 % confidence, of the k-th change tried on parts drawn
+/// independently for it: the upper bound of Clopper and Pearson with a risk of 0.05/(k·(k + 1)), so
+/// that all of them together have at most 5 %, like mostFailing().
 [[nodiscard]] double mostBad(const RemedyBatch& batch);
 
 struct Remedy {
-    static constexpr int mostValues = 9; ///< of an interval
+    static constexpr int mostValues = 9; ///< in an interval
 
     RemedySetting setting;
-    double value = 0; ///< that the setting is to have: the middle of the interval, of two middles
-                      ///< the one farther from the present value
+    double value = 0; ///< offered value: the middle of the interval, of two middles the one farther
+                      ///< from the current value
     Interval interval{}; ///< every value in it that can be set was run and is good
-    int values = 0;      ///< so many
-    /// The next one before the interval towards the present value; run, and it is not good. Nothing
-    /// where that one is good, but brings a warning, or is a stage more with the feed there is, or
-    /// was not run; of a pair the present value is not.
+    int values = 0;      ///< number of values
+    /// The next value before the interval towards the current one, which was run and is bad. Empty
+    /// if it is good but adds a warning, or if it is one more stage with the current feed, or was
+    /// not run; for a pair the current value does not count.
     std::optional<double> failing{};
-    bool holdsBeyond = false;             ///< the next one behind the interval is good, too
-    double time_s = 0;                    ///< of the cycle
-    std::optional<double> timeChange_s{}; ///< against the cycle as it is, if that ends by itself
+    bool holdsBeyond = false;             ///< the next value behind the interval is good, too
+    double time_s = 0;                    ///< time of the cycle
+    std::optional<double> timeChange_s{}; ///< of the unchanged cycle, if that ends by itself
     std::vector<ConstraintResult> requirements{}; ///< the worst of each kind
-    std::optional<StockRange> stocks{}; ///< per side, for each of which it was decided to hold
-    int phases = 0;                     ///< else stocks drawn afresh for it that it holds for
-    int candidate = 0; ///< its number among the changes that were tried on such, from 1
-    std::optional<RemedyBatch> batch{}; ///< nothing: the project has none that can be run
-    double rank = 0;                    ///< what it costs: the less, the better
+    std::optional<StockRange> stocks{}; ///< per side, for all of which it was decided to be good
+    int phases = 0;    ///< otherwise the number of random stocks for which it is good
+    int candidate = 0; ///< number among the changes tried on such stocks, from 1
+    std::optional<RemedyBatch> batch{}; ///< empty: the project has no valid batch
+    double rank = 0;                    ///< less is better
 
     [[nodiscard]] Project applied(Project project) const {
         return setting.applied(std::move(project), value);
     }
-    /// The value there is; nothing for a stage more or another cycle.
+    /// The current value; empty for an additional stage or another cycle.
     [[nodiscard]] std::optional<double> before() const {
         return setting.addsStage() || setting.isWholeCycle() ? std::nullopt
                                                              : std::optional(setting.before);
     }
 };
 
-/// Why no single setting helps, of the values that were tried.
+/// The reason why no single setting helps, among the tried values.
 struct RemedyConflict {
     enum class Kind {
-        narrow,   ///< the value below is good, but too few next to it are
-        batch,    ///< all holds with the setting below for every stock, but too many parts of the
-                  ///< batch are bad
-        stocks,   ///< all holds with the setting below, but not for another stock of the phase
-        warned,   ///< all holds with the setting below, which brings a warning
-        idle,     ///< all holds with the setting below, but one more stage is run over
-        opposed,  ///< what mends the first breaks the second, which holds as it is
-        several,  ///< both fail; what mends the first does not mend the second, nor does any mend
-                  ///< all
-        unmended, ///< no setting mends the first; the one below brings it closest, if any does
+        narrow,   ///< the value below is good, but too few neighbours are
+        batch,    ///< with the setting below all is met for every stock, but too many parts of the
+                  ///< batch are rejected
+        stocks,   ///< with the setting below all is met, but not for another stock
+        warned,   ///< with the setting below all is met, but it adds a warning
+        idle,     ///< with the setting below all is met, but one more stage is overrun
+        opposed,  ///< a remedy for the first violates the second, which is met now
+        several,  ///< both are violated; remedies for the first do not help the second, and none
+                  ///< helps all
+        unmended, ///< no setting helps the first; the one below comes nearest, if any
     };
     Kind kind = Kind::unmended;
-    std::optional<ConstraintResult> first;  ///< as it is; nothing: the cycle does not end by itself
-    std::optional<ConstraintResult> second; ///< what fails most with the setting below, if any does
-    std::optional<RemedySetting> setting;   ///< with which that is so
-    double value = 0;                       ///< of the setting
-    double stock_mm = 0;                    ///< per side, for which it fails with the setting
+    std::optional<ConstraintResult> first;  ///< unchanged; empty: the cycle does not end
+    std::optional<ConstraintResult> second; ///< the worst violation with the setting below, if any
+    std::optional<RemedySetting> setting;   ///< the setting of the conflict
+    double value = 0;                       ///< value of the setting
+    double stock_mm = 0;                    ///< per side, at which it fails with the setting
 };
 
-/// Its name in files and on the command line: "opposed".
+/// The key in files and on the command line: "opposed".
 [[nodiscard]] const char* conflictKey(RemedyConflict::Kind kind);
 
-/// What is not good as it is.
+/// The failure of the unchanged cycle.
 enum class RemedyFault {
-    none,   ///< all holds
-    part,   ///< the part as stated
-    stocks, ///< that holds, but another stock of the phase fails
-    batch,  ///< every stock holds, but too many parts of the batch are bad
+    none,   ///< all is met
+    part,   ///< the nominal part
+    stocks, ///< the nominal part is good, but another stock fails
+    batch,  ///< every stock is good, but too many parts of the batch are rejected
 };
-/// Its name in files: "stocks".
+/// The key in files: "stocks".
 [[nodiscard]] const char* faultKey(RemedyFault fault);
 
 struct RemedyResult {
@@ -142,29 +140,29 @@ struct RemedyResult {
 
     RemedyGoal goal = RemedyGoal::none;
     RemedyFault fault = RemedyFault::none;
-    std::vector<Remedy> remedies;           ///< at most three; that of the least rank first
+    std::vector<Remedy> remedies;           ///< at most three, by rank
     std::size_t found = 0;                  ///< settings that help
     std::size_t tried = 0;                  ///< settings that were tried, or need not be
-    std::size_t settings = 0;               ///< that there are to try
-    long long runs = 0;                     ///< of cycles
+    std::size_t settings = 0;               ///< number of settings to try
+    long long runs = 0;                     ///< number of cycles
     bool stopped = false;                   ///< before all were tried, by a stop
-    bool outOfTime = false;                 ///< or as the time was up
+    bool outOfTime = false;                 ///< or by the time limit
     std::optional<RemedyConflict> conflict; ///< all were tried, and none helps
 
     [[nodiscard]] bool isComplete() const { return tried == settings; }
 };
 
 struct RemedyOptions {
-    std::stop_token stop; ///< ends it within a revolution of the cycle that runs
-    /// Looked at before every run of a cycle; nothing: until all is tried.
+    std::stop_token stop; ///< ends it within a revolution of the running cycle
+    /// Checked before every run of a cycle; empty: until all is tried.
     std::optional<std::chrono::steady_clock::duration> budget;
-    /// Called after each setting with what was found so far.
+    /// Called after each setting with the results so far.
     std::function<void(const RemedyResult&)> progress;
 };
 
-/// Of a cycle that ran, with its requirements. One that holds for the part as stated is looked at
-/// for every stock of the phase and for the batch, too, and mended if it fails there. The answer
-/// does not depend on how fast the computer is, unless the time is up.
+/// For a cycle that ran, with its requirements. If it is good for the nominal part, it is checked
+/// for every stock and for the batch, too, and remedies are searched if it fails there. The answer
+/// does not depend on the computer's speed, except for the time limit.
 [[nodiscard]] RemedyResult findRemedies(const SimulationResult& result,
                                         const std::vector<ConstraintResult>& constraints,
                                         const RemedyOptions& options = {});

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// None for a starting cycle, of which the patch has all.
+/// Omitted for a starting cycle, which the patch contains.
 template <class Value>
 std::optional<Value> ofSetting(const Remedy& remedy, const Value& value) {
     return remedy.setting.isWholeCycle() ? std::nullopt : std::optional(value);
@@ -155,7 +155,7 @@ constexpr Output<RemedyResult> resultRows[] = {
      [](const RemedyResult& r) { return std::int64_t(r.found); }},
 };
 
-/// The change of the project file, as RFC 6902 has it.
+/// The change of the project file by RFC 6902.
 ordered_json patchOf(const Project& before, const Project& after) {
     return ordered_json::parse(nlohmann::json::diff(nlohmann::json::parse(writeProject(before)),
                                                     nlohmann::json::parse(writeProject(after)))

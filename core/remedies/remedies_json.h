@@ -15,16 +15,16 @@ struct RemedyOf {
     const Remedy& remedy;
 };
 
-/// Why nothing helps a project.
+/// The data of a conflict for its outputs.
 struct RemedyConflictOf {
     const Project& project;
     const RemedyConflict& conflict;
 };
 
 [[nodiscard]] std::span<const Output<RemedyOf>> remedyOutputs();
-/// The stocks drawn at random that a remedy holds for.
+/// The random stocks for which a remedy is good.
 [[nodiscard]] std::span<const Output<Remedy>> remedyPhasesOutputs();
-/// The parts of the batch drawn at random for a remedy.
+/// The random parts of the batch for a remedy.
 [[nodiscard]] std::span<const Output<RemedyBatch>> remedyBatchOutputs();
 [[nodiscard]] std::span<const Output<RemedyConflictOf>> remedyConflictOutputs();
 [[nodiscard]] std::span<const Output<RemedyResult>> remedyResultOutputs();

@@ -16,12 +16,12 @@ namespace sparkout {
 
 namespace {
 
-/// Takes parts in one by one.
+/// Counts parts one by one.
 class PartCount {
 public:
     explicit PartCount(std::int64_t parts) { m_run.parts = parts; }
 
-    /// Whether it is good; nothing: it was stopped.
+    /// Whether the part is good; empty after a stop.
     std::optional<bool> add(Project part, const std::stop_token& stop) {
         const std::optional<CycleTrial> trial = tried(part, stop);
         if (!trial) {
@@ -52,7 +52,7 @@ RemedyParts::RemedyParts(Project project) : m_project(std::move(project)) {
     m_allowedShare = m_project.batch->most_outside_share.value_or(0);
     const ScenarioSource source(m_project);
     const std::int64_t all = source.parts(), taken = std::min(all, mostParts);
-    constexpr std::int64_t odd = 40'503; // of the corners, 2^f of them, it meets each once
+    constexpr std::int64_t odd = 40'503; // with 2^f corners, visits each once
     for (std::int64_t i = 0; i < taken; ++i) {
         m_parts.push_back(source.project(source.isSample() ? i * all / taken : i * odd % all));
     }

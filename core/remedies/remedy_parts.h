@@ -14,28 +14,27 @@ namespace sparkout {
 
 /// Parts of a batch that were run with a changed setting.
 struct RunParts {
-    std::int64_t parts = 0; ///< that there are to run; no more are run once too many are bad
+    std::int64_t parts = 0; ///< number of parts; running ends once too many are bad
     std::int64_t bad = 0;
-    std::optional<Project> worst; ///< the bad one of the least margin, as it was run
+    std::optional<Project> worst; ///< the bad one with the least margin, as run
     bool isGood = false;          ///< no more are bad than the batch allows
 };
 
-/// Runs parts of a project's batch with something of the project changed: how remedies are held
-/// against it.
+/// Runs parts of a project's batch with a change of the project, to check remedies.
 class RemedyParts {
 public:
-    /// Of a batch with more parts so many are taken, spread over it.
+    /// Number of parts taken from a larger batch, spread over it.
     static constexpr std::int64_t mostParts = 128;
 
-    /// No part of a project without a batch, or of one whose batch cannot be run.
+    /// Has no parts for a project without a batch, or with an invalid one.
     explicit RemedyParts(Project project);
 
     [[nodiscard]] bool isEmpty() const { return m_parts.empty(); }
-    /// What is changed of a part.
+    /// A change of a part.
     using Change = std::function<Project(Project)>;
-    /// The parts of the batch; those that were bad last come first. Nothing: it was stopped.
+    /// Runs the parts of the batch, first those that were bad last time. Empty after a stop.
     [[nodiscard]] std::optional<RunParts> run(const Change& change, const std::stop_token& stop);
-    /// Those of withFreshParts(), other ones for every `draw`. Nothing: it was stopped.
+    /// Runs the parts of withFreshParts(), different ones for every `draw`. Empty after a stop.
     [[nodiscard]] std::optional<RunParts> runFresh(const Change& change, int draw,
                                                    const std::stop_token& stop) const;
 

@@ -22,15 +22,15 @@ namespace sparkout {
 
 namespace {
 
-// How far a setting may go from where it is.
+// Limits of a setting relative to its current value.
 constexpr double slowestFeed = 1.0 / 20, fastestFeed = 10;
 constexpr double slowestSpeed = 1.0 / 4, fastestSpeed = 4;
 constexpr double mostStrokes = 64, mostRevolutions = 512;
 
-/// Shares of the first stage's feed that the finishing stock is tried with.
+/// Shares of the first stage's feed to try with the finishing stock.
 constexpr std::array feedsWithStock{0.7, 0.5, 0.35};
 
-/// Stocks are moved by so much [mm], those of two stages that have little by a tenth of it.
+/// Step of stocks [mm]; a tenth of it for two stages with little stock.
 constexpr double stockStep_mm = 1e-3, littleStock_mm = 0.02;
 
 constexpr std::string_view inStages = "/cycle/stages/";
@@ -39,8 +39,8 @@ std::string pathOfStage(std::size_t stage) {
     return std::string(inStages) + std::to_string(stage);
 }
 
-/// A cycle and what else of the machine a starting cycle sets. The wheel's speed is not its own
-/// there, and of a part of a batch it may be that of a worn wheel.
+/// Takes the cycle and the machine settings of a starting cycle. These exclude the wheel speed,
+/// which for a part of a batch may be that of a worn wheel.
 Project withCycleOf(Project project, const Project& other) {
     project.cycle->stages = other.cycle->stages;
     Machine& machine = *project.machine;
@@ -57,7 +57,7 @@ Project withCycleOf(Project project, const Project& other) {
     return project;
 }
 
-/// A machine's step, or a tenfold of it that is still fine for such a value.
+/// The machine's step, or a power of ten of it that is still fine for such a value.
 double stepFor(double value, double step) {
     constexpr double fineEnough = 500;
     while (step * 10 * fineEnough <= std::abs(value)) {
@@ -99,7 +99,7 @@ private:
         double before = 0;
     };
 
-    /// What the file allows, and of that what is usual, the present value included.
+    /// The usual part of the allowed range, extended to the current value.
     [[nodiscard]] Range rangeOf(const Target& target) const {
         const RemedySetting setting = with(target, SettingScale::digits());
         const ConstMember member = findMember(m_project, setting.rowPath(m_project));
@@ -122,7 +122,7 @@ private:
         }
     }
 
-    /// A feed or speed: between these shares of it, within the machine's range, by its steps.
+    /// A feed or speed: between these shares of it, within the machine's range, in its steps.
     void addRate(const Target& target, const Limits& limits, double least, double most,
                  double highest = std::numeric_limits<double>::infinity()) {
         Range range = rangeOf(target);
@@ -147,7 +147,7 @@ private:
     void addStage(std::size_t z) {
         const Stage& stage = m_project.cycle->stages[z];
         const StageFeed& radial = m_project.operation->radial();
-        if (stage.feeds() && (stage.*radial.value).value_or(0) > 0) { // not of a retraction
+        if (stage.feeds() && (stage.*radial.value).value_or(0) > 0) { // not for a retraction
             addRate({RemedyKind::radialFeed, z, 0, *(stage.*radial.value)},
                     m_project.machine->limits.*radial.range, slowestFeed, fastestFeed);
         }
@@ -164,7 +164,7 @@ private:
         }
     }
 
-    /// Moved between the stage and the one before; one that feeds is left some.
+    /// Moves stock between the stage and the one before; a feeding stage keeps some.
     void addStock(std::size_t z) {
         const Stage& stage = m_project.cycle->stages[z];
         const double both_mm = stage.stock_mm + m_project.cycle->stages[z - 1].stock_mm;
@@ -173,8 +173,8 @@ private:
             {stage.feeds() ? step_mm : 0, both_mm - step_mm}, SettingScale::steps(0, step_mm));
     }
 
-    /// The stock of the last stage that feeds, with slower feeds of the first: where the one is too
-    /// little for what the other leaves, neither alone need do.
+    /// Adds the stock of the last feeding stage with slower feeds of the first: if the former is
+    /// too little for the lag of the latter, neither may suffice alone.
     void addPairs() {
         const auto isOf = [](const RemedySetting& setting, RemedyKind kind, std::size_t stage) {
             return setting.kind == kind && setting.stage == stage;
@@ -272,7 +272,7 @@ Project RemedySetting::applied(Project project, double value) const {
         if (made) {
             return withCycleOf(std::move(project), *made);
         }
-        // requirements stay what they are
+        // requirements do not change
         const Project changed = withCycleOf(project, withStartingCycle(project));
         return hasErrors(validate(changed)) ? project : changed;
     }

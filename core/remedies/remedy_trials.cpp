@@ -18,7 +18,7 @@ namespace sparkout {
 
 namespace {
 
-/// A copy that is quick to make.
+/// A copy that is cheap to make.
 Project bare(Project project) {
     project.runs.clear();
     project.notes.clear();
@@ -54,7 +54,7 @@ RemedyTrials::RemedyTrials(const SimulationResult& result,
     , m_parts(result.status == RunStatus::refused ? Project{} : withBatch(result.project))
     , m_idle(idleStages(result)) {
     if (result.status != RunStatus::completed) {
-        return; // what its requirements say is of a cycle that was broken off
+        return; // its requirements are those of an interrupted cycle
     }
     if (const ConstraintResult* worst = worstRequirement(constraints)) {
         m_first = *worst;
@@ -131,7 +131,7 @@ std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, doubl
     } else if (trial.holds) {
         std::optional<Project> fails = failingStock(changed);
         if (isOver()) {
-            return {}; // perhaps within it
+            return {}; // possibly incomplete
         }
         trial.holds = !fails;
         if (fails) {
@@ -152,9 +152,9 @@ std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, doubl
     return trial;
 }
 
-/// The changed project with another stock of the phase for which it fails; nothing: none is known,
-/// or it is over. Most that fail do so for one of a few stocks, which are tried first: a cycle that
-/// comes to no end for some takes long.
+/// The changed project with another stock for which it fails; empty if none is known, or if the
+/// search is over. Most failing changes fail for one of a few stocks, which are tried first, since
+/// a cycle that does not end for some takes long.
 std::optional<Project> RemedyTrials::failingStock(const Project& changed) const {
     constexpr int few = 4, usual = 16; // stocks a stage
     const bool canDecide = canDecidePhases(changed);
@@ -215,7 +215,7 @@ bool RemedyTrials::confirmStocks(Remedy& remedy) {
 void RemedyTrials::learnPart(const RemedySetting& setting, double value, const Project& fails,
                              std::optional<Nearest>& nearest) {
     if (!setting.isSingle()) {
-        return; // what is said where nothing helps is of single settings
+        return; // conflicts are only about single settings
     }
     const std::optional<ConstraintResult> worst = worstOf(fails);
     if (isOver()) {
@@ -231,9 +231,9 @@ void RemedyTrials::learn(const RemedySetting& setting, double value, const Remed
     if (!setting.isSingle()) {
         return;
     }
-    const ConstraintResult* known = nullptr; // the worst of those that fail as it is
-    const ConstraintResult* fresh = nullptr; // and of those that begin to
-    const ConstraintResult* first = nullptr; // if it fails still
+    const ConstraintResult* known = nullptr; // the worst of the violations without a change
+    const ConstraintResult* fresh = nullptr; // and of the new violations
+    const ConstraintResult* first = nullptr; // if it is still violated
     for (const ConstraintResult& each : trial.worst) {
         if (isMet(each)) {
             continue;
@@ -248,7 +248,7 @@ void RemedyTrials::learn(const RemedySetting& setting, double value, const Remed
         }
     }
     if (first) {
-        constexpr double noticeable = 1e-3; // of the limit: less is no step towards it
+        constexpr double noticeable = 1e-3; // relative to the limit
         const double least = m_closest ? m_closest->margin : m_first->relativeMargin + noticeable;
         if (first->relativeMargin > least) {
             const bool ofFresh = fresh && (!known || fresh->relativeMargin < known->relativeMargin);

@@ -11,60 +11,58 @@
 
 namespace sparkout {
 
-/// A cycle with one setting changed, held against what is to be reached.
+/// The result of a changed setting, relative to the goal.
 struct RemedyTrial {
-    /// All that is to be reached, with no stage run over that was not before; and every requirement
-    /// for the other stocks of the phase and, but for as many as may be bad, the parts of the
-    /// batch.
+    /// Whether the goal is reached without overrunning another stage, and every requirement is met
+    /// for the other stocks and, up to the allowed share, for the parts of the batch.
     bool holds = false;
     double time_s = 0;
-    std::vector<ConstraintResult> worst; ///< of each kind
+    std::vector<ConstraintResult> worst; ///< worst of each kind
 };
 
-/// Runs the cycles that a search for remedies tries, and keeps what they say of requirements that
-/// pull against each other.
+/// Runs the cycles for a search for remedies, and records conflicts of requirements.
 class RemedyTrials {
 public:
     RemedyTrials(const SimulationResult& result, const std::vector<ConstraintResult>& constraints,
                  const RemedyOptions& options);
 
-    /// What is not good as it is; if the part as stated holds, it is to hold for every stock and
-    /// the batch from now on. Nothing when it is over.
+    /// The failure of the unchanged cycle; if the nominal part is good, later trials include every
+    /// stock and the batch. Empty if the search is over.
     [[nodiscard]] std::optional<RemedyFault> fault();
-    /// Nothing when it is over.
+    /// Empty if the search is over.
     [[nodiscard]] std::optional<RemedyTrial> run(const RemedySetting& setting, double value);
-    /// Tries the cycle of a change that is to be offered on stocks drawn for it, unless its phases
-    /// are decided, and on parts of the batch drawn for it. False: it fails for one, for more than
-    /// may be bad, or it is over.
+    /// Tests a change to be offered on random stocks, unless its phases are decided, and on random
+    /// parts of the batch. False if it fails for one, or for more than allowed, or if the search is
+    /// over.
     [[nodiscard]] bool confirm(Remedy& remedy);
     [[nodiscard]] bool isStopped() const { return m_options.stop.stop_requested(); }
     [[nodiscard]] bool isOver() const { return m_end.token().stop_requested(); }
     [[nodiscard]] long long runs() const { return m_runs; }
 
-    /// The requirements that pull against each other in the trial that came nearest: the least
-    /// relative margin of what fails in it is the greatest of all. Before that goes a trial that
-    /// meets everything, but runs one more stage over. Where every trial leaves the
-    /// first one failing, the trial in which it fails least, and what else fails there.
+    /// The conflicting requirements in the best trial: that with the greatest least relative margin
+    /// of its violations, or preferably one that meets everything but overruns one more stage. If
+    /// every trial violates the first requirement, the trial that violates it least, with the other
+    /// violations.
     [[nodiscard]] RemedyConflict conflict() const;
 
 private:
-    /// The nearest trial of a kind of conflict.
+    /// The best trial for a kind of conflict.
     struct Nearest {
         RemedySetting setting;
         double value;
         std::optional<ConstraintResult> second;
-        double margin;       ///< relative, of the second; where the first fails still, of the first
-        double stock_mm = 0; ///< of another stock than the stated one
+        double margin; ///< relative, of the second; if the first is still violated, of the first
+        double stock_mm = 0; ///< another stock than the stated one
     };
     using Flags = std::array<bool, constraintKinds>;
 
     [[nodiscard]] std::optional<Project> failingStock(const Project& changed) const;
     [[nodiscard]] bool confirmStocks(Remedy& remedy);
     [[nodiscard]] bool confirmBatch(Remedy& remedy);
-    /// The requirement that fails most on a part; nothing: its cycle does not end by itself, or it
+    /// The worst violation on a part; empty if its cycle does not end by itself, or if the search
     /// is over.
     [[nodiscard]] std::optional<ConstraintResult> worstOf(const Project& fails) const;
-    /// Keeps what fails for another stock or part, if that is nearer to holding than what is kept.
+    /// Records a violation for another stock or part, if it is smaller than the recorded one.
     void learnPart(const RemedySetting& setting, double value, const Project& fails,
                    std::optional<Nearest>& nearest);
     [[nodiscard]] bool isMet(const ConstraintResult& constraint) const;
@@ -72,17 +70,17 @@ private:
 
     const RemedyOptions& m_options;
     DeadlineStop m_end;
-    Project m_project; ///< with nothing that a run does not read
+    Project m_project; ///< without data that a run does not use
     RemedyGoal m_goal;
     RemedyParts m_parts;
-    std::optional<ConstraintResult> m_first; ///< nothing: the cycle does not end by itself
-    Flags m_failing{};                       ///< as it is
+    std::optional<ConstraintResult> m_first; ///< empty: the cycle does not end by itself
+    Flags m_failing{};                       ///< without a change
     std::ptrdiff_t m_idle;                   ///< stages run over
     long long m_runs = 0;
     std::optional<Nearest> m_opposed, m_several, m_closest;
-    std::optional<Nearest> m_stocks;    ///< all holds but for another stock, by the least
-    std::optional<Nearest> m_batch;     ///< all holds but for too many parts of the batch
-    int m_candidates = 0;               ///< changes that were tried on stocks drawn for them
+    std::optional<Nearest> m_stocks;    ///< all is met but for another stock, by the least
+    std::optional<Nearest> m_batch;     ///< all is met but for too many parts of the batch
+    int m_candidates = 0;               ///< changes tried on random stocks
     int m_drawnBatches = 0;             ///< and on parts of the batch
     std::optional<Nearest> m_idleTrial; ///< the first that meets all, with a stage more run over
 };

@@ -10,10 +10,10 @@ namespace sparkout {
 
 namespace {
 
-// Of a decade: 1.00 to 1.99, then 2.0 to 9.9.
+// For a decade: 1.00 to 1.99, then 2.0 to 9.9.
 constexpr std::int64_t fine = 100, perDecade = 180;
 
-/// Share of a value by which it may miss another and still be it.
+/// Relative difference below which two values count as equal.
 constexpr double lastBits = 1e-9;
 
 /// The double nearest to m·10^exponent.

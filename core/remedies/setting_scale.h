@@ -5,23 +5,23 @@
 
 namespace sparkout {
 
-/// The values a setting can be given, in order: each has a whole number, its place.
+/// The possible values of a setting, in order: each has a whole number, its place.
 class SettingScale {
 public:
     /// base + k·step.
     [[nodiscard]] static SettingScale steps(double base, double step);
-    /// Numbers above 0 as one would enter them: of two significant digits, of three where the first
-    /// one is 1, so that a step is a twentieth at most.
+    /// Positive numbers as people enter them: with two significant digits, three if the first one
+    /// is 1, so that a step is at most a twentieth.
     [[nodiscard]] static SettingScale digits();
     /// Times of k whole revolutions [s], with three decimals.
     [[nodiscard]] static SettingScale revolutions(double speed_rpm);
 
     [[nodiscard]] double at(std::int64_t place) const;
-    /// The last place whose value is below, and the first whose value is above. A last bit makes no
-    /// value another one.
+    /// The last place with a value below, and the first with a value above. Values that differ by
+    /// rounding count as equal.
     [[nodiscard]] std::int64_t lastBelow(double value) const;
     [[nodiscard]] std::int64_t firstAbove(double value) const;
-    /// The same of values up to, and from this one on.
+    /// The last place with a value up to this one, and the first from it on.
     [[nodiscard]] std::int64_t lastUpTo(double value) const { return firstAbove(value) - 1; }
     [[nodiscard]] std::int64_t firstFrom(double value) const { return lastBelow(value) + 1; }
 

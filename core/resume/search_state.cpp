@@ -17,23 +17,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Its shortest digits that read back to the same bits; JSON has no infinities.
+/// The shortest digits that read back to the same bits; JSON has no infinities.
 std::string digitsOf(double number) {
     std::array<char, 32> text{};
     const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc() ? std::string(text.data(), end) : std::string();
 }
 
-/// More than any search counts; a thousand of them can be summed without an overflow.
+/// Greater than any count; a thousand of them can be added without overflow.
 constexpr std::int64_t mostCounted = 1'000'000'000'000'000;
 
-/// What may stand at a place of the text: thrown with what does, and caught here alone.
+/// Throws the error of a value with the expected one; caught only in this file.
 [[noreturn]] void refuse(const std::string& path, const std::string& found, double least,
                          double most) {
     throw BadStateValue{path, found, digitsOf(least), digitsOf(most)};
 }
 
-/// A finite number of so much and no more, written as its digits.
+/// Reads a finite number in a range, written as its digits.
 double numberOf(const Json& parent, const std::string& path, const char* key, double least,
                 double most) {
     const std::string place = path + '/' + key;
@@ -50,7 +50,7 @@ double numberOf(const Json& parent, const std::string& path, const char* key, do
     refuse(place, digits.dump(), least, most);
 }
 
-/// A whole number likewise.
+/// Reads a whole number in a range.
 std::int64_t wholeNumber(const Json& value, const std::string& path, std::int64_t least,
                          std::int64_t most) {
     const bool fits = value.is_number_integer()
@@ -141,7 +141,7 @@ SearchCheckpoint checkpointOf(const Json& kept, const std::string& path) {
 
 SearchStateFault read(std::string_view text, const SearchQuestion& asked, ReadSearchState& into) {
     std::optional<Json> state = parseState(text);
-    if (!state) { // a record that was cut off begins as one
+    if (!state) { // a truncated record begins like one
         const std::string begin = R"({"format":")" + std::string(searchStateFormat);
         return text.starts_with(begin) ? SearchStateFault::changed : SearchStateFault::otherFormat;
     }

@@ -17,7 +17,7 @@ inline constexpr int searchStateVersion = 1;
 struct SearchQuestion {
     std::string engine;  ///< buildId()
     std::string project; ///< projectDigest()
-    std::string options; ///< as they would be typed
+    std::string options; ///< as typed
     friend bool operator==(const SearchQuestion&, const SearchQuestion&) = default;
 };
 

@@ -7,9 +7,9 @@
 
 namespace sparkout {
 
-/// One surface of a set-up: the project of its cycle, which holds what all of them share too.
+/// One surface of a set-up: the project of its cycle, including what all surfaces share.
 struct GroundSurface {
-    std::string name; ///< empty in a file of one surface alone
+    std::string name; ///< empty in a file with one surface
     Project project;
 };
 

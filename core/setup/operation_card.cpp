@@ -47,7 +47,7 @@ private:
         ++m_transitions;
         return add(entry, surface);
     }
-    /// A share of the sum of times; none where the sum is given.
+    /// A share of the sum of times; 0 if the sum is given.
     [[nodiscard]] std::optional<double> auxiliary(double time_s) const {
         return m_setup.times.auxiliary_min ? std::nullopt
                                            : std::optional(time_s / units::secondsPerMinute);
@@ -71,10 +71,10 @@ private:
         }
     }
 
-    /// A transition for the surfaces of each kind, in the order of their first ones, as many as it
-    /// takes a few lines to name.
+    /// Adds a transition for the surfaces of each kind, in the order of their first ones, split so
+    /// that each list of names takes a few lines.
     void control() {
-        constexpr std::size_t mostLetters = 200; // of names
+        constexpr std::size_t mostLetters = 200; // letters of all names
         const auto hasRoom = [this](const std::vector<std::size_t>& group, std::size_t more) {
             std::size_t letters = m_setup.surfaces[more].name.size();
             for (const std::size_t surface : group) {

@@ -14,12 +14,13 @@ struct PieceTime {
                                 ///< + (n − 1)·positioning + handling for n surfaces
     double piece_min = 0;       ///< T_1, as given or (T_o + T_a)·(1 + service/100)
     double preparation_min = 0; ///< T_p, as given
-    double calculation_min = 0; ///< T_1 + T_p/N, with the part's share of the preparation
-    /// T_1, T_a, one of its times or the service is entered; else T_1 is nothing but the cycles.
+    double calculation_min = 0; ///< T_1 + T_p/N, including the part's share of the set-up time
+    /// T_1, T_a, one of its times or the service is entered; otherwise T_1 is the time of the
+    /// cycles alone.
     bool isPieceEntered = false;
 };
 
-/// Of so many surfaces whose cycles take that long together.
+/// The time of a piece with so many surfaces whose cycles take `main_min` together.
 [[nodiscard]] PieceTime pieceTime(const SetupTimes& times, std::size_t surfaces, double cycles_min);
 
 } // namespace sparkout

@@ -47,7 +47,7 @@ Issues checkSetup(const Setup& setup) {
     const Issues wear = checkRanges(tableOf<WheelWear>(), &setup.wear, "/wear");
     issues.insert(issues.end(), wear.begin(), wear.end());
     if (setup.surfaces.size() < 2) {
-        return issues; // its name is not asked for
+        return issues; // the name does not matter
     }
     for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
         const std::string& name = setup.surfaces[i].name;

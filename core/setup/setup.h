@@ -24,19 +24,20 @@ struct Setup {
     SetupTimes times;
     WheelWear wear;
 
-    /// One surface without a name, times and wear: what a file of version 1 holds.
+    /// Whether it is one surface without a name, times and wear: the contents of a file of version
+    /// 1.
     [[nodiscard]] bool isPlain() const;
-    /// By its name, else by its number from 1.
+    /// Finds a surface by its name, otherwise by its number from 1.
     [[nodiscard]] std::optional<std::size_t> find(std::string_view nameOrNumber) const;
 };
 
-/// Where the project of a surface stands in a file of several: "/surfaces/2".
+/// The path of a surface's project in a file of several: "/surfaces/2".
 [[nodiscard]] std::string surfacePath(std::size_t surface);
 
-/// What a file of one surface alone holds.
+/// The set-up of a file with one surface.
 [[nodiscard]] Setup plainSetup(Project project);
 
-/// Faults of the set-up beside those of its projects: ranges of times and wear, names.
+/// Faults of the set-up besides those of its projects: ranges of times and wear, names.
 [[nodiscard]] Issues checkSetup(const Setup& setup);
 
 } // namespace sparkout

@@ -24,7 +24,7 @@ constexpr const char* nameKey = "name";
 constexpr const char* timesKey = "times";
 constexpr const char* wearKey = "wear";
 
-/// Reads the parts of a file of version 2, and says where each fault stands in it.
+/// Reads the parts of a file of version 2 and gives each fault its path in the file.
 class SetupReader {
 public:
     SetupReader(const json& root, Issues found, std::stop_token stop)
@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    /// Listed once, an error in place of a warning where the list is full.
+    /// Lists an issue once; in a full list an error replaces a warning.
     void add(Issue issue) {
         const bool isError = issue.severity == Severity::error;
         m_hasErrors = m_hasErrors || isError;
@@ -79,7 +79,7 @@ private:
         m_read.issues.push_back(std::move(issue));
     }
 
-    /// Strikes out, and reports, what belongs to the surfaces, is no key at all or no object.
+    /// Removes and reports keys of the surfaces, unknown keys and non-objects.
     void keepShared(json& object, const std::string& path) {
         std::vector<std::string> strange;
         for (auto& [key, value] : object.items()) {
@@ -101,7 +101,7 @@ private:
         }
     }
 
-    /// The keys that may stand at the top of the file, or in one of its objects.
+    /// The keys allowed at the top of the file, or in one of its objects.
     static Keys keysBelow(const std::string& path) {
         Keys keys;
         for (const std::string_view member : sharedMembers()) {
@@ -153,8 +153,8 @@ private:
         addFound(path);
     }
 
-    /// A fault of something shared that every surface has stands there; one that only some have
-    /// stands with them, for it comes of what is their own.
+    /// A fault of a shared value that every surface has is listed at that value; one that only some
+    /// surfaces have is listed at these, since it depends on their own values.
     void addFound(const std::string& surfaces) {
         for (std::size_t i = 0; i < m_found.size(); ++i) {
             for (const Issue& issue : m_found[i]) {
@@ -203,7 +203,7 @@ private:
         return surface;
     }
 
-    /// Strikes out, and reports, what a surface has for all of them.
+    /// Removes and reports values in a surface that are shared by all.
     void strikeShared(json& object, const std::string& path, const std::string& surface) {
         std::vector<std::string> strange;
         for (auto& [key, value] : object.items()) {
@@ -226,9 +226,9 @@ private:
     std::stop_token m_stop;
     json m_shared;
     ReadSetup m_read;
-    std::vector<Issues> m_found; ///< by surface
-    bool m_hasErrors = false;    ///< also of those that are not listed
-    bool m_isReadable = false;   ///< no error but what leaves a project unfinished
+    std::vector<Issues> m_found; ///< issues by surface
+    bool m_hasErrors = false;    ///< including issues that are not listed
+    bool m_isReadable = false;   ///< no errors other than missing inputs
 };
 
 ReadSetup asSetup(ReadResult read) {

@@ -9,26 +9,26 @@
 #include <string>
 #include <string_view>
 
-/// The file of a set-up: version 1 for a single surface, as project_file.h has it; version 2 for
-/// several.
+/// The file of a set-up: version 1 for a single surface, see project_file.h; version 2 for several.
 namespace sparkout {
 
 struct ReadSetup {
-    std::optional<Setup> setup; ///< given when there is no error
-    /// Given when every value could be read and is in its range, but some of its projects are
-    /// unfinished, as ReadResult has it: work in progress that the window opens again.
+    std::optional<Setup> setup; ///< given without errors
+    /// Given if every value was read and is in its range, but some of its projects are unfinished,
+    /// like that of ReadResult.
     std::optional<Setup> unfinished;
-    Issues issues; ///< errors, or warnings beside a set-up
+    Issues issues; ///< errors, or warnings with a set-up
 };
 
-/// Reads and validates a file of either version. All faults at once; of what is shared each once.
+/// Reads and validates a file of either version. Returns all faults at once; a fault of a shared
+/// value is listed once.
 [[nodiscard]] ReadSetup readSetup(std::string_view text, const std::stop_token& stop = {});
 
-/// The text of a set-up: the same set-up, the same bytes; of a single surface without name, times
+/// The text of a set-up: equal set-ups give equal bytes; for a single surface without name, times
 /// and wear that of its project.
 [[nodiscard]] std::string writeSetup(const Setup& setup);
 
-/// Whether two set-ups hold the same values.
+/// Whether two set-ups have the same values.
 [[nodiscard]] bool sameSetup(const Setup& a, const Setup& b);
 
 } // namespace sparkout

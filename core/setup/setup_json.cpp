@@ -13,7 +13,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Known once every surface is completed.
+/// Defined when every surface is completed.
 template <double PieceTime::*time_min>
 constexpr Output<SetupRunOf> timeRow(const char* key, const char* hint) {
     return {{.key = key, .unit = "min", .hint = hint}, [](const SetupRunOf& r) {

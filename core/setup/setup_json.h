@@ -10,18 +10,17 @@
 
 namespace sparkout {
 
-/// A run of the surfaces of a set-up.
+/// A set-up and its run.
 struct SetupRunOf {
     const Setup& setup;
     const SetupRun& run;
 };
 
-/// What is stated of the part as a whole.
+/// The outputs for the part as a whole.
 [[nodiscard]] std::span<const Output<SetupRunOf>> setupOutputs();
 
-/// One JSON object: "surfaces", each with its name and the keys of its own object, by itself those
-/// of resultJson(), and "part" with completed, holds and the times, which are null unless every
-/// surface is completed.
+/// One JSON object: "surfaces", each with its name and the keys of resultJson(), and "part" with
+/// completed, holds and the times, which are null unless every surface is completed.
 [[nodiscard]] std::string
 setupJson(const Setup& setup, const SetupRun& run,
           const std::function<std::string(const SurfaceRun&)>& surfaceJson = {});

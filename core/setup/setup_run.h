@@ -10,19 +10,19 @@
 
 namespace sparkout {
 
-/// The cycles of a set-up in their order, each with the wheel as those before have left it.
+/// The cycles of a set-up in their order, each with the wheel as the earlier cycles leave it.
 struct SetupRun {
     std::vector<SurfaceRun> surfaces;
-    /// Faults of the surface after those that were run, with the wheel as it comes to it, by their
-    /// paths in its project: the run ends before it.
+    /// Faults of the first surface that was not run, with the wheel in its state there, by their
+    /// paths in its project.
     Issues issues;
-    PieceTime time; ///< once every surface is completed
+    PieceTime time; ///< given when every surface is completed
 
     [[nodiscard]] bool isCompleted(const Setup& setup) const;
     [[nodiscard]] bool holds(const Setup& setup) const;
 };
 
-/// Runs every surface. A stop leaves those that were run.
+/// Runs every surface. A stop keeps the finished ones.
 [[nodiscard]] SetupRun runSetup(const Setup& setup, const std::stop_token& stop = {});
 
 } // namespace sparkout

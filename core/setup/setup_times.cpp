@@ -37,12 +37,12 @@ const StructInfo& tableOf<SetupTimes>() {
         SPARKOUT_FIELD(SetupTimes, main_min, .label = SPARKOUT_NOOP("Input", "Main time"),
                        .symbol = SPARKOUT_NOOP("Input", "T_o"), .unit = "min", .hard = {0, 100000},
                        .nullMeaning = SPARKOUT_NOOP("Input", "the sum of the cycles"),
-                       .hint = SPARKOUT_NOOP("Input", "The time that stock is removed in.")),
+                       .hint = SPARKOUT_NOOP("Input", "Time in which stock is removed.")),
         SPARKOUT_FIELD(
             SetupTimes, auxiliary_min, .label = SPARKOUT_NOOP("Input", "Auxiliary time"),
             .symbol = SPARKOUT_NOOP("Input", "T_a"), .unit = "min", .hard = {0, 100000},
             .nullMeaning = SPARKOUT_NOOP("Input", "the sum of the times above"),
-            .hint = SPARKOUT_NOOP("Input", "What is done for every part beside the cycles."),
+            .hint = SPARKOUT_NOOP("Input", "Work done for every part besides the cycles."),
             .formula = SPARKOUT_NOOP(
                 "Input", "n·(approach + retreat + gauging) + (n − 1)·positioning + handling"),
             .source = "MODEL-12"),

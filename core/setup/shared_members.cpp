@@ -72,7 +72,7 @@ bool holdsShared(std::string_view path) {
 
 namespace {
 
-/// A record of `from` takes the place of the one before.
+/// A record of `from` replaces an existing one.
 void copyCalibrations(const Project& from, Project& to, bool onlyWhereNoneHolds) {
     if (!from.measured) {
         return;
@@ -96,7 +96,7 @@ void copyCalibrations(const Project& from, Project& to, bool onlyWhereNoneHolds)
     }
 }
 
-/// Of shared inputs.
+/// The calibrations of shared inputs.
 std::vector<Calibration> sharedCalibrations(const Project& project) {
     std::vector<Calibration> records;
     if (project.measured) {

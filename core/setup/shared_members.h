@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
-/// What all surfaces of a set-up share: it stands once in their file, at the path it has in the
-/// file of a single surface. The rest stands with each surface.
+/// The values shared by all surfaces of a set-up: they appear once in its file, at the path they
+/// have in the file of a single surface. All others belong to a surface.
 namespace sparkout {
 
 struct Project;
@@ -19,7 +19,7 @@ struct Setup;
 /// Whether a path names an object that has shared members among others.
 [[nodiscard]] bool holdsShared(std::string_view path);
 
-/// Gives a project what is shared of another, with the records of where it was calibrated.
+/// Copies the shared values of another project, with their calibrations.
 void copyShared(const Project& from, Project& to);
 [[nodiscard]] bool haveSameShared(const Project& a, const Project& b);
 

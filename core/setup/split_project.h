@@ -3,13 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
-/// The object of a project in the file of a set-up, where what is shared stands apart.
+/// The object of a project in the file of a set-up, split into shared and own values.
 namespace sparkout {
 
 struct SplitProject {
     nlohmann::ordered_json shared, own;
 };
-/// What is shared of a project's object, and what is not.
+/// Splits a project's object into shared and own values.
 [[nodiscard]] SplitProject splitProject(const nlohmann::ordered_json& project);
 
 /// A project's object out of both parts.

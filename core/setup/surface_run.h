@@ -20,7 +20,7 @@ struct SurfaceRun {
 
     [[nodiscard]] RemovedMetal removed() const { return removedMetal(result.project, removed_mm3); }
     [[nodiscard]] bool isCompleted() const { return result.status == RunStatus::completed; }
-    [[nodiscard]] bool holds() const; ///< completed, and every requirement that is checked holds
+    [[nodiscard]] bool holds() const; ///< completed, and every checked requirement is met
 };
 
 [[nodiscard]] SurfaceRun runSurface(const std::string& name, const Project& project,

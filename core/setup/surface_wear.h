@@ -9,46 +9,46 @@
 
 namespace sparkout {
 
-/// What a part loses of a surface by its drawing [mm³]: the stock to the middle of the field, on
-/// the nominal diameter, over the ground length without its gaps.
+/// The volume to be removed from a surface by the drawing [mm³]: the stock to the middle of the
+/// tolerance, on the nominal diameter, over the ground length without its gaps.
 [[nodiscard]] double nominalVolume_mm3(const Project& project);
 
-/// The set-up with a wheel that was just dressed, which compensates the wear of its radius.
+/// The set-up with a newly dressed wheel, without wear of its radius.
 [[nodiscard]] Setup dressedSetup(Setup setup);
 
-/// One surface of a set-up, which is ground in part after part from one dressing to the next.
+/// One surface of a set-up, ground in part after part between two dressings.
 struct SurfaceWear {
-    /// Of the set-up as it is read; the wheel is taken to be dressed.
+    /// Uses the set-up as read, with a dressed wheel.
     SurfaceWear(Setup of, std::size_t at);
-    /// Of a wheel that does not wear.
+    /// Uses a wheel that does not wear.
     explicit SurfaceWear(const Project& project);
 
-    Setup setup; ///< with what the cycles of its surfaces read, and no more
+    Setup setup; ///< only with the inputs that its cycles read
     std::size_t surface = 0;
 
     [[nodiscard]] const WheelWear& wear() const { return setup.wear; }
 };
 
-/// Whether the wheel comes to the surface alike, whatever its own cycle.
+/// Whether the wheel reaches the surface in the same state, whatever its own cycle.
 [[nodiscard]] bool sameWear(const SurfaceWear& a, const SurfaceWear& b);
 
-/// The wheel as it comes to the surface of part after part [MODEL-12]: part n after n − 1 times
-/// what the cycles of the first part remove, as simulated, and what those of the surfaces before
-/// remove of the part. A surface beside whose cycle cannot be run, or does not reach size, loses
-/// its stock by the drawing. A value.
+/// The state of the wheel at the surface for part after part [MODEL-12]: before part n it has
+/// removed n − 1 times the volume of all cycles of the first part, as simulated, and that of the
+/// earlier surfaces of the part. Another surface whose cycle cannot be run, or does not reach size,
+/// counts with its stock by the drawing. A value type.
 class WheelCourse {
 public:
-    /// Runs the surfaces before. `surface` must outlive the course and its copies.
+    /// Runs the earlier surfaces. `surface` must outlive the course and its copies.
     explicit WheelCourse(const SurfaceWear& surface, const std::stop_token& stop = {});
-    /// Of a cycle that removes so much of the surface of the first part; runs the surfaces after
-    /// it. A stop leaves the course of no use.
+    /// The course for a cycle that removes this volume from the surface of the first part; runs the
+    /// later surfaces. After a stop the result must not be used.
     [[nodiscard]] WheelCourse ofCycle(double removed_mm3, const std::stop_token& stop = {}) const;
 
-    /// Gives a project of the surface the wheel as it comes to it in a part, from 1; to the first
-    /// one as well before the cycle is known.
+    /// Gives a project of the surface the state of the wheel at a part, from 1; for the first part
+    /// also before the cycle is known.
     void putWheel(Project& project, std::int64_t part) const;
-    /// Whether it comes to every further part as to this one: it is as dull as can be, and keeps
-    /// its diameter.
+    /// Whether the wheel is in the same state for all later parts: fully dull, and with a constant
+    /// diameter.
     [[nodiscard]] bool isWornOut(std::int64_t part) const;
 
 private:
@@ -61,8 +61,8 @@ private:
     void grindOthers(std::size_t from, std::size_t to, const std::stop_token& stop);
 
     const SurfaceWear* m_surface;
-    RemovedMetal m_before; ///< in the first part
-    RemovedMetal m_part;   ///< of all surfaces, as far as they are known
+    RemovedMetal m_before; ///< removed in the first part
+    RemovedMetal m_part;   ///< removed from all surfaces, as far as known
 };
 
 } // namespace sparkout

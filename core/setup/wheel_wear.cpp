@@ -19,7 +19,7 @@ namespace sparkout {
 
 namespace {
 
-/// D of a wheel of which so much has worn off over a width.
+/// D of a wheel worn by a volume over a width.
 double wornDiameter(double dressed_mm, double worn_mm3, double width_mm) {
     const double square = dressed_mm * dressed_mm - 4 * worn_mm3 / (std::numbers::pi * width_mm);
     return std::sqrt(std::max(square, 0.0));

@@ -10,7 +10,7 @@ namespace sparkout {
 struct Project;
 struct Wheel;
 
-/// How the wheel goes on from one surface of a set-up to the next [MODEL-12].
+/// The wear of the wheel from one surface of a set-up to the next [MODEL-12].
 struct WheelWear {
     std::optional<double> dulling_per_mm2; ///< c; not given: the wheel stays as sharp [1/mm²]
     double dulling_exponent = 1;           ///< p; c is in 1/mm²ᵖ
@@ -20,11 +20,11 @@ struct WheelWear {
     friend bool operator==(const WheelWear&, const WheelWear&) = default;
 };
 
-/// Metal that cycles have removed since the wheel was dressed.
+/// Metal removed by cycles since the wheel was dressed.
 struct RemovedMetal {
     double volume_mm3 = 0; ///< V_w
-    /// S = Σ V/b, b the width of the wheel in contact: in plunge grinding the ground length, else
-    /// all of it. What wears the radius where the wheel grinds.
+    /// S = Σ V/b, b the width of the wheel in contact: in plunge grinding the ground length,
+    /// otherwise the whole width. It determines the wear of the radius.
     double perContact_mm2 = 0;
 
     RemovedMetal& operator+=(const RemovedMetal& more) {
@@ -39,20 +39,20 @@ struct RemovedMetal {
     friend bool operator==(const RemovedMetal&, const RemovedMetal&) = default;
 };
 
-/// What the cycle of a project has removed, so much in all.
+/// The metal that the cycle of a project has removed, for a total volume.
 [[nodiscard]] RemovedMetal removedMetal(const Project& project, double volume_mm3);
 
-/// The wheel after it has removed so much since it was dressed: its dullness η = η_0 + c·(V_w/B)ᵖ,
-/// at most 1, its diameter by V_w/G = π·B·(D_0² − D²)/4, and the wear of its radius
-/// w = w_0 + (D_0 − √(D_0² − 4·S/(π·G)))/2, which the next dressing compensates.
+/// The wheel after removing this metal since it was dressed: its dullness η = η_0 + c·(V_w/B)ᵖ, at
+/// most 1, its diameter by V_w/G = π·B·(D_0² − D²)/4, and the wear of its radius w = w_0 + (D_0 −
+/// √(D_0² − 4·S/(π·G)))/2, which the next dressing compensates.
 [[nodiscard]] Wheel wheelAfter(const Wheel& dressed, const WheelWear& wear,
                                const RemovedMetal& removed);
 
-/// Gives a project that has the dressed wheel the worn one, with V_k as its drive has it.
+/// Replaces the dressed wheel of a project by the worn one, with V_k by its drive.
 void wearWheel(Project& project, const WheelWear& wear, const RemovedMetal& removed);
 
-/// Whether a wheel that has removed so much can wear no further: it is as dull as can be, and keeps
-/// its diameter.
+/// Whether a wheel that has removed this metal can wear no further: it is fully dull, and keeps its
+/// diameter.
 [[nodiscard]] bool isWornOut(const Wheel& dressed, const WheelWear& wear,
                              const RemovedMetal& removed);
 

@@ -43,7 +43,7 @@ WornProject wornProject(const Setup& setup, std::size_t surface, const std::stop
     RemovedMetal removed;
     for (std::size_t i = 0; i < surface && setup.wear.isGiven() && !stop.stop_requested(); ++i) {
         WornProject before = wornProject(setup, i, removed);
-        if (removed.volume_mm3 <= 0) { // of a set-up that is unfinished
+        if (removed.volume_mm3 <= 0) { // in an unfinished set-up
             before.issues = errorsOf(before.project);
         }
         if (!before.issues.empty()) {

@@ -12,20 +12,21 @@ namespace sparkout {
 
 class RemovedVolumes;
 
-/// The project of a surface with the wheel as the surfaces before have left it, V_k as the drive
-/// has it then, and the errors that it has with that wheel, by their paths in the project. Where a
-/// surface before has such errors, that one.
+/// The project of a surface with the wheel as the earlier surfaces leave it, V_k as the drive then
+/// gives, and the errors with that wheel, by their paths in the project. If an earlier surface has
+/// such errors, these are returned.
 struct WornProject {
     std::size_t surface;
     Project project;
     Issues issues;
 };
 
-/// After so much was removed before.
+/// The project after a known removal by the earlier surfaces.
 [[nodiscard]] WornProject wornProject(const Setup& setup, std::size_t surface,
                                       const RemovedMetal& removed);
 
-/// The same; the surfaces before are run, if the wheel wears and it is not known what they remove.
+/// The project of a surface; runs the earlier surfaces if the wheel wears and their removal is not
+/// known.
 [[nodiscard]] WornProject wornProject(const Setup& setup, std::size_t surface,
                                       const std::stop_token& stop = {},
                                       RemovedVolumes* known = nullptr);

@@ -48,8 +48,8 @@ CoupledSections balanceOf(const Project& project, const std::vector<CompliantPoi
             wheelContact(project)};
 }
 
-/// C² under which the divided form, 2h/(C + √(C² + 4A·h)) with C = 4A = 0, gives this root; no
-/// root: infinite, and 2h/√C² is none again.
+/// C² for which the divided form, 2h/(C + √(C² + 4A·h)) with C = 4A = 0, gives this root; infinite
+/// for the root 0, which 2h/√C² then gives.
 double dividedC2(double root, double lag_mm) {
     const double q = 2 * lag_mm / root;
     return root > 0 ? q * q : std::numeric_limits<double>::infinity();
@@ -57,13 +57,13 @@ double dividedC2(double root, double lag_mm) {
 
 using Row = CoupledRadii::Row;
 
-// What a block of radii was cut by in the last revolution goes into `depth`, then its lag, and the
-// roots that the last three revolutions let expect: the parabola through them. `root` holds those
-// of the third and takes these. A row for each section, as everywhere here.
+// Moves the depth of cut of a block of radii in the last revolution to `depth`, sets its lag, and
+// extrapolates the roots of the last three revolutions by a parabola: `root` has those of the third
+// and receives these. All arrays have a row for each section.
 [[gnu::always_inline]] inline void expectRoots(std::size_t sections, const Row* last,
                                                const Row* second, const Row& fedTo, Row* depth,
                                                Row* lag, Row* root) {
-    const Row fed = fedTo; // which no store can change
+    const Row fed = fedTo; // so that no store can change it
     for (std::size_t j = 0; j < sections; ++j) {
 #pragma GCC unroll 12
         for (std::size_t k = 0; k < sideBySide; ++k) {
@@ -76,10 +76,10 @@ using Row = CoupledRadii::Row;
     }
 }
 
-// Σu and Σu² of the sections.
+// Sums up u and u² over the sections.
 [[gnu::always_inline]] inline void sumUp(std::size_t sections, const Row* root, Row& roots,
                                          Row& squares) {
-    Row sum = {}, sumOfSquares = {}; // which no store can change
+    Row sum = {}, sumOfSquares = {}; // so that no store can change it
     for (std::size_t j = 0; j < sections; ++j) {
         for (std::size_t k = 0; k < sideBySide; ++k) {
             sum.of[k] += root[j].of[k];
@@ -90,7 +90,7 @@ using Row = CoupledRadii::Row;
     squares = sumOfSquares;
 }
 
-// Written once, compiled for each vector unit, as in the pass.
+// One source, compiled for each vector unit, as in the pass.
 void expectRootsBaseline(std::size_t sections, const Row* last, const Row* second, const Row& fed,
                          Row* depth, Row* lag, Row* root) {
     expectRoots(sections, last, second, fed, depth, lag, root);
@@ -155,7 +155,7 @@ SectionCoupling::Outcome SectionCoupling::solve(const PassFeed& feed, const Plac
         m_fed[k / sideBySide].of[k % sideBySide] =
             feed.at(static_cast<double>(k + 1) / static_cast<double>(m_radii));
     }
-    m_root.swap(m_rootBefore); // the oldest of the three give way to the coming ones
+    m_root.swap(m_rootBefore); // the oldest of the three are overwritten by the next
     m_root.swap(m_rootTwoBefore);
     for (std::size_t block = 0; block < m_fed.size(); ++block) {
         if (stop.stop_requested()) {
@@ -203,7 +203,7 @@ bool SectionCoupling::balance(std::size_t block, const std::stop_token& stop) {
     return true;
 }
 
-// The start of a radius that not all sections cut; false where the wheel does not reach all.
+// The start of a radius that not all sections cut; false if the wheel does not reach all.
 bool SectionCoupling::begin(std::size_t block, std::size_t k) {
     for (std::size_t j = 0; j < m_sections; ++j) {
         m_oneLag[j] = m_lag[j].of[k];
@@ -229,7 +229,7 @@ bool SectionCoupling::balanceAlone(std::size_t block, std::size_t k, const std::
     }
     double* const rubbing = m_law.threshold ? m_oneRubbing.data() : nullptr;
     if (std::ranges::all_of(m_oneLag, [](double h) { return h <= 0; })) {
-        std::ranges::fill(m_oneRoot, 0.0); // nothing presses the wheel anywhere
+        std::ranges::fill(m_oneRoot, 0.0); // the wheel has no contact
         std::ranges::fill(m_oneRubbing, 0.0);
     } else if (!m_balance.solve(m_oneLag.data(), m_oneRoot.data(), stop, rubbing).converged) {
         return false;
@@ -244,7 +244,7 @@ bool SectionCoupling::balanceAlone(std::size_t block, std::size_t k, const std::
 }
 
 // The pass computes q = √(C² + 4A·h) and u = (q − C)/(2A), or 2h/(C + q) with a very dull wheel:
-// with C = 4A = 0 and the right C² both give the root that is asked for.
+// with C = 4A = 0 and the right C² both give the required root.
 void SectionCoupling::takeOver(CutWidth& width) {
     width.asGiven = true;
     std::ranges::fill(width.coefficients.C, 0.0);
@@ -257,7 +257,7 @@ void SectionCoupling::sumForces(std::size_t block) {
     Row roots, cuts;
     const auto kernel = widestUnit() == VectorUnit::avx2 ? sumUpAvx2 : sumUpBaseline;
     kernel(m_sections, &m_root[block * m_sections], roots, cuts);
-    if (m_law.threshold) { // v stands in the place of the root
+    if (m_law.threshold) { // v replaces the root
         roots = {};
         for (std::size_t j = 0; j < m_sections; ++j) {
             for (std::size_t k = 0; k < sideBySide; ++k) {
@@ -271,7 +271,7 @@ void SectionCoupling::sumForces(std::size_t block) {
     }
 }
 
-// Section by section, as the coefficients stand.
+// Sets the coefficients section by section.
 void SectionCoupling::imposeRubbing(CutWidth& width) {
     double* C = width.coefficients.C.data();
     for (std::size_t j = 0; j < m_sections; ++j) {
@@ -281,7 +281,7 @@ void SectionCoupling::imposeRubbing(CutWidth& width) {
     }
 }
 
-// Likewise.
+// Sets the coefficients section by section.
 void SectionCoupling::impose(CutWidth& width) {
     if (m_law.threshold) {
         imposeRubbing(width);
@@ -325,7 +325,7 @@ double SectionCoupling::forceOf(const Row* roots, std::size_t block, std::size_t
                            : m_law.normal(m_sliceWidth, u);
 }
 
-// A free gauge is moved by all forces.
+// All forces deflect a free gauge.
 void SectionCoupling::imposeGauge(CutWidth& width) {
     for (std::size_t k = 0; k < m_radii; ++k) {
         const double lag = m_fed[k / sideBySide].of[k % sideBySide] - m_gaugeDepth[k];
@@ -351,7 +351,7 @@ void SectionCoupling::imposeGauge(CutWidth& width) {
 
 void SectionCoupling::keepPeaks(const Place& at) {
     Place place = at;
-    std::size_t placed = m_radii; // of which radius the section is known
+    std::size_t placed = m_radii; // radius for which the section is known
     const auto keep = [&](Peak& peak, const std::vector<Row>& values, double factor) {
         std::size_t largest = 0;
         const auto value = [&](std::size_t k) {
@@ -373,7 +373,7 @@ void SectionCoupling::keepPeaks(const Place& at) {
     keep(peaks.power_w, m_tangential, m_wheelSpeed_m_s);
 }
 
-/// The section that radius k is cut deepest in, the first of them.
+/// The first of the sections with the deepest cut of radius k.
 std::size_t SectionCoupling::deepest(std::size_t k) const {
     const Row* roots = &m_root[k / sideBySide * m_sections];
     std::size_t most = 0;

@@ -14,19 +14,18 @@
 
 namespace sparkout {
 
-/// Coupling of sections [MODEL-6], by which a force in one section deflects the others of a plunge
-/// cycle too. Before a revolution it solves the balance of all sections for every radius, twelve at
-/// a time where that is possible, and sets the coefficients with which the pass then cuts exactly
-/// these depths. Stages, gauge, trajectory and sums are those of the cycle with independent
+/// Coupling of sections [MODEL-6], by which a force in one section also deflects the others of a
+/// plunge cycle. Before a revolution it solves the balance of all sections for every radius, twelve
+/// at a time where that is possible, and sets the coefficients with which the pass then cuts
+/// exactly these depths. Stages, gauge, trajectory and sums are those of the cycle with independent
 /// sections.
 ///
 /// The discrete influence of the sections is G(x_j,x_l)·Δx, Δx = L_p/J. A section of the
 /// independent model is one whose only entry of G is G_jj·Δx = γ_j·L_p. A free gauge is a place
 /// without a force of its own: a = h − Σ_l G(x,x_l)·p(a_l)·Δx, or h − γ·ΣP where the gauge's own γ
-/// is given; with the wheel's contact a + δ_c(L_p·p(a)) stands in place of a. Section by section
-/// the forces are those of the whole width at the section's pressure, L_p·p(a_j), as with
-/// independent sections; peak force and power, of a stage and of all, are integrals over the
-/// length.
+/// is given; with the wheel's contact a + δ_c(L_p·p(a)) replaces a. Section by section the forces
+/// are those of the whole width at the section's pressure, L_p·p(a_j), as with independent
+/// sections; peak force and power, of a stage and of all, are integrals over the length.
 class SectionCoupling {
 public:
     /// `points` are the sections, followed by the free gauge if there is one.
@@ -72,21 +71,21 @@ private:
     CoupledSections m_balance;
     std::optional<CoupledRadii> m_sideBySide; ///< present where the balance allows it
     std::vector<double> m_gaugeInfluence;     ///< G(x_gauge, x_l), empty without a free gauge
-    // Radii stand in dozens, the blocks; in each block a row for each section.
+    // Radii are grouped in blocks of twelve; each block has a row for each section.
     std::vector<Row> m_depth; ///< depth of each lane before the last revolution, as in the run [mm]
     std::vector<Row> m_root;  ///< u of the last revolution, after expect() of the next one [√mm]
     std::vector<Row> m_rootBefore, m_rootTwoBefore; ///< u of the two revolutions before that
     std::vector<Row> m_lag;                         ///< lags of one block [mm]
     std::vector<Row> m_rubbing; ///< v of the last revolution; empty: no threshold
-    std::vector<double> m_oneLag, m_oneRoot, m_oneRubbing; ///< of one radius
+    std::vector<double> m_oneLag, m_oneRoot, m_oneRubbing; ///< for one radius
     std::vector<bool> m_cutAll;       ///< by radius: all sections cut it in the last revolution
-    std::vector<double> m_gaugeDepth; ///< of each radius [mm]
+    std::vector<double> m_gaugeDepth; ///< for each radius [mm]
     std::vector<Row> m_fed;           ///< t_П, a row for each block [mm]
     std::vector<Row> m_normal,
-        m_tangential; ///< likewise the sums of the forces of all sections [N]
+        m_tangential; ///< the sums of the forces of all sections [N]
     double m_wheelSpeed_m_s;
-    double m_gaugeRoot = 0;          ///< of the last radius
-    std::vector<StagePeaks> m_peaks; ///< of each stage of the cycle
+    double m_gaugeRoot = 0;          ///< for the last radius
+    std::vector<StagePeaks> m_peaks; ///< for each stage of the cycle
 };
 
 } // namespace sparkout

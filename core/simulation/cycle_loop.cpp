@@ -8,7 +8,7 @@ namespace sparkout {
 namespace {
 
 /// A double stroke visits each radius many times, a revolution once: in a plunge the form of the
-/// blank may leave revolutions in a row that remove nothing.
+/// blank may cause successive revolutions without removal.
 constexpr int idleDoubleStrokes = 1, idleRevolutions = 100;
 
 } // namespace
@@ -34,7 +34,7 @@ SimulationResult runCycle(const Project& project, CycleSteps& steps) {
     CycleLoop loop(project, steps.run());
     while (!loop.finished() && !loop.isStuck() && !steps.run().mustEnd()) {
         if (!steps.step(loop.next(steps.run()))) {
-            break; // in the middle of a step, which then does not count
+            break; // within a step, which then does not count
         }
         loop.stepDone(takeReading(steps), [](double larger_mm) { return larger_mm >= 0; });
     }

@@ -10,7 +10,7 @@ namespace sparkout {
 
 /// Readings at the end of a step.
 struct StepReading {
-    double remaining_mm = 0; ///< stock per side, as the gauge reads it
+    double remaining_mm = 0; ///< stock per side, by the gauge
     double fed_mm = 0;       ///< t_П
     double time_s = 0;
     double root = 0; ///< largest √a of the step [√mm]
@@ -29,13 +29,13 @@ public:
     /// Returns whether the cycle waits for a size that it cannot reach.
     [[nodiscard]] bool isStuck() const { return m_isStuck; }
     [[nodiscard]] const StageControl& control() const { return m_control; }
-    /// Ends the running stage regardless of the control.
+    /// Ends the running stage whatever the control requires.
     void endStage() { m_control.endStage(); }
 
     /// Returns the feed of the next step.
     [[nodiscard]] StepFeed next(const Run& run) const;
-    /// Takes the reading after that step. Where the stock decides, `decide` returns whether the
-    /// stock is larger by at most its argument [mm].
+    /// Takes the reading after that step. If the stock decides, `decide` returns whether the stock
+    /// is larger by at most its argument [mm].
     template <class Decide>
     void stepDone(const StepReading& reading, const Decide& decide) {
         const std::size_t stage = m_control.stage();

@@ -29,12 +29,12 @@ class CycleSteps {
 public:
     virtual ~CycleSteps() = default;
     [[nodiscard]] virtual std::unique_ptr<CycleSteps> copy() const = 0;
-    /// Makes a step; returns false: the run must end within the step, which then does not count.
+    /// Makes a step; returns false if the run must end within the step, which then does not count.
     [[nodiscard]] virtual bool step(const StepFeed& feed) = 0;
     /// Returns the remaining stock per side that the gauge reads [mm].
     [[nodiscard]] double remaining() const { return m_run.remaining(m_gaugePoint); }
     [[nodiscard]] virtual SimulationResult finish(const std::vector<int>& stepsByStage) = 0;
-    /// Returns a follower of radii from the current state; null: radii depend on each other.
+    /// Returns a follower of radii from the current state; null if radii depend on each other.
     [[nodiscard]] virtual const RadiusFollower* follower() const { return nullptr; }
     [[nodiscard]] std::size_t gaugePoint() const { return m_gaugePoint; }
 

@@ -11,7 +11,7 @@ namespace sparkout {
 
 namespace {
 
-/// Collects a spread; a value that is not finite is left out.
+/// Collects a spread, without values that are not finite.
 class SpreadSum {
 public:
     void add(double value) {
@@ -52,7 +52,7 @@ double came_mm(const FeedSeries& series, const Visit& v) {
     return v.radius_mm + series.removalSign * v.actual_mm;
 }
 
-/// How the sums and radii stand after a pass.
+/// Reads the sums and radii after a pass.
 void readEnd(FeedPoint& point, const FeedSeries& series, const Visit* visits, std::size_t radii) {
     SpreadSum programmedSum, actualSum, left;
     for (std::size_t k = 0; k < radii; ++k) {
@@ -150,8 +150,8 @@ void FeedColumnBuilder::closeStroke() {
     m_open = false;
 }
 
-/// A stroke that joins others: feeds as their mean and extremes, sums and radii as they stand at
-/// the group's ends.
+/// Merges a stroke with others: feeds as their mean and extremes, sums and radii as at the ends of
+/// the group.
 void FeedColumnBuilder::keepStroke() {
     const std::size_t inGroup = m_strokes++ % m_group;
     if (inGroup == 0) {

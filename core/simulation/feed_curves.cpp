@@ -28,7 +28,7 @@ Shape shapeOf(Quantity quantity) {
     }
 }
 
-/// What an accumulated feed grew by over a point.
+/// The growth of an accumulated feed over a point.
 double grownBy(const FeedPoint& point, Quantity quantity, Edge edge) {
     return edgeOf(quantity == Quantity::programmedSum ? point.programmed_um : point.actual_um,
                   edge);

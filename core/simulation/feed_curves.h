@@ -33,7 +33,7 @@ struct XY {
     double x = 0, y = 0;
 };
 
-/// Returns the point at a time; null: the zone has none.
+/// Returns the point at a time; null if the zone has none.
 [[nodiscard]] const FeedPoint* feedPointAt(const FeedPoints& points, double time_s);
 
 /// Returns a curve: feeds and forces as steps that fall to zero where the wheel is elsewhere,

@@ -28,7 +28,7 @@ std::vector<FeedColumn> emptyColumns(const SimulationResult& result) {
     return columns;
 }
 
-/// Starts of strokes and stages, and the end of the last pass.
+/// Reads the starts of strokes and stages, and the end of the last pass.
 void readTimes(FeedSeries& series, const Trajectory& trajectory) {
     for (const Pass& pass : trajectory.passes) {
         const auto number = static_cast<std::size_t>(std::max(pass.place.cycleCount, 1));
@@ -48,7 +48,7 @@ void readTimes(FeedSeries& series, const Trajectory& trajectory) {
     }
 }
 
-/// Index of the column a pass belongs to.
+/// The index of the column of a pass.
 std::size_t columnOf(const Place& place) {
     switch (place.zone) {
     case Zone::rz1: return 0;
@@ -135,7 +135,7 @@ std::vector<int> shownSections(int count, int gauge, std::optional<int> wanted, 
     for (int i = 0; i < n; ++i) {
         shown.push_back(n == 1 ? gauge : (i * (count - 1) + (n - 1) / 2) / (n - 1));
     }
-    // Put a section in place of the nearest one that may go.
+    // Puts a section in place of the nearest one that may be replaced.
     const auto insert = [&](int section, std::optional<int> keep) {
         if (section < 0 || section >= count || std::ranges::count(shown, section) > 0) {
             return;

@@ -15,8 +15,8 @@ struct Spread {
     double min = 0, mean = 0, max = 0;
 };
 
-/// A stretch of time of one zone or section, summed up over its radii: one double stroke or
-/// revolution, one pass, or (all three of a spread equal) one radius of one pass.
+/// One zone or section within a span of time, summed up over its radii: one double stroke or
+/// revolution, one pass, or (with equal values of a spread) one radius of one pass.
 struct FeedPoint {
     Place place;
     int radius = -1; ///< k of a point of one radius; −1: all radii
@@ -39,10 +39,10 @@ struct FeedColumn {
     int section = 0;
     bool gauge = false;                 ///< plunge: the section that carries the gauge
     std::vector<std::size_t> passIndex; ///< its passes in the trajectory, in the order of time
-    FeedPoints strokes;                 ///< one point a double stroke or revolution, thinned
+    FeedPoints strokes;                 ///< one point for each double stroke or revolution, thinned
 };
 
-/// A stage as it was run; stages that ended before they began are not listed.
+/// A stage that was run; stages without a step are not listed.
 struct StageSpan {
     int stage = 1;
     double start_s = 0;
@@ -51,7 +51,7 @@ struct StageSpan {
 
 /// A step E1…E5 of one double stroke in one zone.
 struct StepSpan {
-    Place place; ///< of its first pass
+    Place place; ///< place of its first pass
     double start_s = 0;
     double end_s = 0;
 };
@@ -82,7 +82,7 @@ inline constexpr std::size_t mostStrokePoints = 500;
                                         const Trajectory& trajectory);
 
 /// Returns at most `most` evenly distributed sections, with the first, the last and the gauge's
-/// among them; a wanted one replaces its nearest neighbour that is not the gauge's.
+/// among them; a requested one replaces its nearest neighbour that is not the gauge's.
 [[nodiscard]] std::vector<int> shownSections(int count, int gauge, std::optional<int> wanted = {},
                                              int most = 4);
 

@@ -15,7 +15,7 @@ GaugeSignal::GaugeSignal(const Project& project, bool endsCycle)
     , m_endsCycle(endsCycle && project.gauge->control == Control::gauge) {}
 
 void GaugeSignal::read(double time_s, double remaining_mm) {
-    if (m_change_s == 0) { // the last one counts at once
+    if (m_change_s == 0) { // without a delay only the last one counts
         m_readings.assign(1, {time_s, remaining_mm});
         return;
     }
@@ -23,7 +23,7 @@ void GaugeSignal::read(double time_s, double remaining_mm) {
     const auto first = std::find_if(m_readings.begin(), m_readings.end(), [&](const Reading& each) {
         return each.time_s > time_s - m_change_s + delaySlack_s;
     });
-    if (first - m_readings.begin() > 1) { // of those that are old enough the newest counts
+    if (first - m_readings.begin() > 1) { // the newest of those that are old enough
         m_readings.erase(m_readings.begin(), first - 1);
     }
 }

@@ -32,14 +32,15 @@ public:
 
     /// Takes the reading after a step; times must rise.
     void read(double time_s, double remaining_mm);
-    /// Returns whether a stage with this stock of the later stages is over; `last`: it is the last
-    /// stage of the cycle.
+    /// Returns whether a stage with this stock of the later stages is finished; `last`: it is the
+    /// last stage of the cycle.
     [[nodiscard]] bool isOver(double later_mm, bool last) const {
         return overBy(later_mm, last) >= 0;
     }
-    /// Returns by how much all readings may be greater [mm] with the stage still over.
+    /// Returns by how much all readings may be greater [mm] without changing that the stage is
+    /// finished.
     [[nodiscard]] double overBy(double later_mm, bool last) const;
-    /// As overBy(), for the last reading to end a stage at once or after the delay.
+    /// Like overBy(), for the last reading to end a stage at once or after the delay.
     [[nodiscard]] double dueBy(double later_mm) const { return knownBy(later_mm, 0); }
 
 private:

@@ -14,17 +14,17 @@ namespace sparkout {
 
 namespace {
 
-/// How much of the way from entry to exit the wheel has gone, 0…1.
+/// The travelled share of the way from entry to exit, 0…1.
 double wayDone(const Trajectory& trajectory, const Progress& moment) {
     const Place& at = trajectory.passes[moment.open].place;
     const double share = (moment.radius + 1.0) / trajectory.radii;
     if (at.zone == Zone::rz2) {
-        return 1; // it stands at the exit
+        return 1; // it is at the exit
     }
     return at.step == Step::e3 ? share : at.step == Step::e4 ? 1 - share : 0;
 }
 
-/// Where the wheel is, the way done: from the entry's overrun to that of the exit.
+/// The wheel's position for a travelled share, from the entry's overrun to that of the exit.
 Stretch wheelAt(const Project& project, double way) {
     const double L = project.part->length_mm, B = project.wheel->width_mm;
     if (!project.operation->travels) {
@@ -86,7 +86,7 @@ private:
         const Blank blank = makeBlank(*m_result.project.part);
         const auto k = static_cast<std::size_t>(m_scene.radius);
         for (std::size_t i = 0; i < last.size(); ++i) {
-            // In a gap nothing is left to grind: the surface stands at its target.
+            // In a gap there is nothing to grind: the surface is at its target.
             const double depth = blank.isGap(k) ? blank.totalInfeed_mm : blank.depthAt(i)[k];
             const double untouched = m_first_mm - m_scene.removalSign * depth;
             const bool ground = last[i][k] && !last[i][k]->isGap();
@@ -96,7 +96,7 @@ private:
         }
     }
 
-    /// Every pass of the moment pushes what it cuts; in traverse one of them pushes the part.
+    /// Every simultaneous pass deflects its section; in traverse one of them deflects the part.
     void cut() {
         const bool travels = m_scene.operation->travels;
         if (m_moment.end - m_moment.open == 1) {

@@ -13,7 +13,7 @@ namespace sparkout {
 /// One zone or section at the wheel, with the radius that faces it.
 struct SceneSurface {
     Zone zone = Zone::section;
-    int section = 0;      ///< from 0
+    int section = 0;      ///< counted from 0
     Stretch stretch;      ///< its part of the ground length
     double radius_mm = 0; ///< R_k after its last cut
     double yield_mm = 0;  ///< deflection under the wheel, y = h − a ≥ 0
@@ -34,12 +34,12 @@ struct GrindingScene {
     double programmed_mm = 0; ///< t_П
     double cut_mm = 0;        ///< a of the leading surface
     double force_n = 0;       ///< P_y there
-    double gauge_mm = 0;      ///< where the gauge stands along the ground length
+    double gauge_mm = 0;      ///< position of the gauge along the ground length
     std::vector<SceneSurface> surfaces;
 };
 
-/// Returns the scene at a moment with open passes. At the blank the wheel stands at the entry, at
-/// first touch. Without a trajectory there are no surfaces.
+/// Returns the scene at a moment with open passes. At the blank the wheel is at the entry, at first
+/// touch. Without a trajectory there are no surfaces.
 [[nodiscard]] GrindingScene grindingScene(const SimulationResult& result,
                                           const Trajectory& trajectory, const Progress& moment);
 

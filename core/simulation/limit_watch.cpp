@@ -40,10 +40,10 @@ void LimitWatch::placeStep(std::size_t first, std::size_t count, const Place* pl
     }
 }
 
-// A lane that a step with infeed does not cut keeps what the last one before took off it: that is
-// the surface it has.
+// A lane that a step with infeed does not cut keeps the removal of the previous one, which made its
+// surface.
 void LimitWatch::keepStep(const Lanes& lanes, const Step& step) {
-    constexpr double rounding = 1e-9; // of an infeed
+    constexpr double rounding = 1e-9; // rounding of an infeed
     LastStep& last = m_last;
     const bool feeds = step.infeed_mm > 0;
     const bool isShort =
@@ -84,7 +84,7 @@ void LimitWatch::judge(const Lanes& lanes, const PassRange& range, double root,
                        const PassFeed& feed, const Place* places) {
     const double fed = feed.greatest();
     if (fed > m_quietEnd) {
-        constexpr double quietReach = 0.05; ///< of the whole infeed
+        constexpr double quietReach = 0.05; ///< share of the whole infeed
         m_quietEnd = fed + quietReach * m_total;
         m_quietLimit = m_burn->limit(m_total - m_quietEnd);
         m_quietRoot = m_usage * m_quietLimit;
@@ -103,11 +103,11 @@ void LimitWatch::judge(const Lanes& lanes, const PassRange& range, double root,
     }
 }
 
-/// From the most that is left anywhere to below what this pass may leave, as far as one polynomial
-/// reaches. Radii only grow deeper, so none leaves it at its upper end. The less is left the more
-/// the curve bends: what was too far once is not tried again.
+/// Fits a polynomial from the greatest stock left down to below the stock that this pass may leave,
+/// as far as one polynomial is accurate. Radii only grow deeper, so none leaves the stretch at its
+/// upper end. The curve bends more for less stock, so a range that failed once is not tried again.
 void LimitWatch::openStretch(const Lanes& lanes, double fed_mm) {
-    constexpr double leastSpread = 1e-3; ///< of the whole infeed
+    constexpr double leastSpread = 1e-3; ///< share of the whole infeed
     const double least = *std::min_element(lanes.depth_mm.begin(), lanes.depth_mm.end());
     const double left = std::max(0.0, m_total - fed_mm);
     const double high = std::max(m_total - least, left + leastSpread * m_total);
@@ -142,24 +142,24 @@ double LimitWatch::worst(const Lanes& lanes, const PassRange& range) const {
     const double* const root = lanes.root.data() + range.first;
     const double* const depth_mm = lanes.depth_mm.data() + range.first;
     for (std::size_t i = 0; i < range.count; ++i) {
-        if (root[i] > m_quietRoot) { // else no new worst
+        if (root[i] > m_quietRoot) { // otherwise no new worst
             most = std::max(most, m_burn->usage(root[i], m_total - depth_mm[i]));
         }
     }
     return most;
 }
 
-/// The visit of this pass that is the worst so far.
+/// Keeps the worst visit of this pass.
 void LimitWatch::keep(const Lanes& lanes, const PassRange& range, const Place* places) {
     const std::size_t end = range.first + range.count;
     if (m_lane < range.first || m_lane >= end || usage(lanes, m_lane) != m_usage) {
-        m_lane = range.first; // mostly it is the lane that it was before
+        m_lane = range.first; // mostly the same lane as before
         while (m_lane + 1 < end && usage(lanes, m_lane) != m_usage) {
             ++m_lane;
         }
     }
     std::size_t zone = 0, radius = m_lane - range.first;
-    for (; radius >= m_radii; radius -= m_radii) { // few zones: a division takes longer
+    for (; radius >= m_radii; radius -= m_radii) { // few zones: a division would be slower
         ++zone;
     }
     m_worst = {.depth_mm = lanes.root[m_lane] * lanes.root[m_lane],

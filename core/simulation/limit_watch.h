@@ -22,15 +22,15 @@ namespace sparkout {
 ///
 /// Burn is judged by √a over the greatest √a whose damaged layer stays within the remaining stock.
 /// Most passes need only a quick check: no lane is nearer than their largest √a would be at a stock
-/// a little less than any they leave. Passes that may be the worst so far are searched with the
-/// polynomial of a stretch of stocks, or where none fits with the table, accurate to two millionths
-/// of √a.
+/// slightly less than all of theirs. Passes that may be the worst so far are searched with the
+/// polynomial of a stretch of stocks, or if none fits with the table, accurate to two millionths of
+/// √a.
 class LimitWatch {
 public:
     LimitWatch(const Project& project, const Blank& blank);
 
     void prepare(const Lanes& lanes);
-    /// Takes a pass of `count` zones or sections from `first` on whose largest √a is `root`;
+    /// Records a pass of `count` zones or sections from `first` on whose largest √a is `root`;
     /// `places[i]` is the place of the i-th of them.
     void passDone(const Lanes& lanes, const PassRange& range, double root, const PassFeed& feed,
                   const Place* places, std::size_t first, std::size_t count) {
@@ -48,7 +48,7 @@ public:
         double duration_s = 0;
         double overlap = 1; ///< B·n/S_ax of a double stroke
         std::size_t stage = 0;
-        bool isSpiral = false; ///< a revolution in which the infeed grows with the angle
+        bool isSpiral = false; ///< a revolution with an infeed that grows with the angle
     };
     /// Takes the end of a revolution or double stroke.
     void stepDone(const Lanes& lanes, const Step& step) {
@@ -62,7 +62,7 @@ public:
         m_keepsLast = false;
         m_last = {};
     }
-    /// Discards the worst visit so far and begins again with these lanes.
+    /// Discards the worst visit and restarts with these lanes.
     void restart(const Lanes& lanes) {
         m_usage = m_quietRoot = 0;
         m_reach = farReach;
@@ -70,14 +70,14 @@ public:
         m_quietEnd = m_stretchEnd = std::numeric_limits<double>::lowest();
         prepare(lanes);
     }
-    /// From now on this much more stock [mm] is left below every cut, as in a larger blank.
+    /// Adds this much stock [mm] below every later cut, as in a larger blank.
     void leaveMore(double more_mm) {
         m_total += more_mm;
         m_quietEnd = m_stretchEnd = std::numeric_limits<double>::lowest();
     }
     /// Returns whether a visit burned by more than the error of the table of limits.
     [[nodiscard]] bool surelyBurned() const {
-        constexpr double generously = 1e-4; // of √a
+        constexpr double generously = 1e-4; // relative to √a
         return m_usage > 1 + generously && m_burn->isResolved();
     }
     /// Writes the kept values to a result with its sections and counts: the watched lanes are those
@@ -103,13 +103,13 @@ private:
         std::vector<double> taken_mm;  ///< depth taken off each lane; 0: not cut yet
         std::vector<double> pressed_mm;
         std::vector<Place> at;      ///< place of its first pass over each section
-        std::vector<Place> begun;   ///< likewise of the running step, where it has one
+        std::vector<Place> begun;   ///< for the running step, if it has one
         std::vector<char> hasBegun; ///< by section
         std::size_t stage = 0;      ///< stage of the last complete step
         double infeed_mm = 0;       ///< infeed of that step; 0: there is none
         double duration_s = 0;
         double overlap = 1;
-        double sparkOut_s = 0; ///< time of the steps since then
+        double sparkOut_s = 0; ///< time of the later steps
     };
     LastStep m_last;
     std::shared_ptr<const BurnTable> m_burn; ///< shared by the copies of a run

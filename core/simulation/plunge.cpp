@@ -18,7 +18,7 @@ namespace sparkout {
 
 namespace {
 
-/// The sections, and after them the free gauge position if there is one.
+/// The sections, followed by the free gauge position if there is one.
 std::vector<CompliantPoint> points(const Project& project, const std::stop_token& stop) {
     std::vector<CompliantPoint> sections = compliantPoints(project, stop);
     if (project.gauge->position_mm) {
@@ -27,7 +27,7 @@ std::vector<CompliantPoint> points(const Project& project, const std::stop_token
     return sections;
 }
 
-/// Revolutions: all sections are fed by the same t_П, each for itself or coupled [MODEL-6].
+/// Makes revolutions: all sections are fed to the same t_П, independent or coupled [MODEL-6].
 class PlungeSteps : public CycleSteps, public RadiusFollower {
 public:
     PlungeSteps(const Project& project, Trajectory* trajectory, const std::stop_token& stop)
@@ -96,7 +96,8 @@ public:
         return result;
     }
 
-    /// The free gauge position has no requirements, and is not told from sections.
+    /// The free gauge position has no requirements, and a follower does not distinguish it from
+    /// sections.
     const RadiusFollower* follower() const override { return m_balances ? this : nullptr; }
     FollowedRadii follow(const FollowedRadii::Lanes& lanes) const override {
         return radiiOf(m_run, lanes);
@@ -140,10 +141,10 @@ private:
     std::size_t m_sections;
     bool m_hasFreeGauge;
     std::stop_token m_stop;
-    std::shared_ptr<CutWidth> m_width; ///< one for all copies, but where the coupling changes it
+    std::shared_ptr<CutWidth> m_width; ///< shared by all copies, unless the coupling changes it
     std::vector<Place> m_places;
-    std::shared_ptr<const std::vector<LaneBalance>> m_balances; ///< by section; none: no follower
-    std::optional<SectionCoupling> m_coupling;                  ///< with sections coupled
+    std::shared_ptr<const std::vector<LaneBalance>> m_balances; ///< by section; null: no follower
+    std::optional<SectionCoupling> m_coupling;                  ///< only with coupled sections
 };
 
 } // namespace

@@ -45,7 +45,7 @@ LastVisits lastVisits(const Trajectory& trajectory, std::size_t sections,
     for (std::size_t i = progress.end; i-- > 0 && left > 0;) {
         const Pass& pass = trajectory.passes[i];
         std::vector<const Visit*>& visits = last[sectionOf(pass.place)];
-        // The last radius is visited last: with it the section is complete.
+        // The last radius is visited last, and completes the section.
         if (radii == 0 || visits.back()) {
             continue;
         }

@@ -31,7 +31,7 @@ struct Progress {
 /// Returns the index of a pass's zone or section in a result.
 [[nodiscard]] std::size_t sectionOf(const Place& place);
 
-/// Last visit of each radius, by zone or section; null: the wheel has not been there.
+/// Last visit of each radius, by zone or section; null if there is none.
 using LastVisits = std::vector<std::vector<const Visit*>>;
 [[nodiscard]] LastVisits lastVisits(const Trajectory& trajectory, std::size_t sections,
                                     const Progress& progress);

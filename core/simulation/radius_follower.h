@@ -41,13 +41,13 @@ struct FollowedFeed {
 class RadiusFollower {
 public:
     virtual ~RadiusFollower() = default;
-    /// Radii as they stand now.
+    /// The radii in their current state.
     [[nodiscard]] virtual FollowedRadii follow(const FollowedRadii::Lanes& lanes) const = 0;
     /// Returns the feed of a full step.
     [[nodiscard]] virtual FollowedFeed feed(const StepFeed& step) const = 0;
     virtual void stepAlone(FollowedRadii& radii, const FollowedFeed& feed) const = 0;
     /// Makes only the strokes of a step, which cut all zones. A radius that no other pass cuts is
-    /// then as after the step, any other one no deeper.
+    /// then in its final state, any other one is no deeper.
     virtual void strokesAlone(FollowedRadii& radii, const FollowedFeed& feed) const = 0;
     /// Returns whether strokes are the only passes that cut.
     [[nodiscard]] virtual bool hasStrokesAlone() const = 0;

@@ -14,7 +14,7 @@ namespace sparkout {
 /// A zone of traverse grinding, or a section of plunge grinding.
 enum class Zone { rz1, nz, rz2, section };
 
-/// The steps E1…E5 of a double stroke as a zone sees them; plunge passes have none.
+/// The steps E1…E5 of a double stroke for a zone; plunge passes have none.
 enum class Step { none, e1, e2, e3, e4, e5 };
 
 enum class RunStatus {
@@ -22,9 +22,9 @@ enum class RunStatus {
     cannotReachSize, ///< no progress, and no further feed
     tooLong,         ///< more visits than maxVisits
     stopped,         ///< stopped on request
-    notSolved,  ///< coupled sections: the balance did not converge; otherwise: a compliance is < 0
-    groundAway, ///< a radius of the part has reached 0
-    refused,    ///< validate() finds errors in the project: nothing was run
+    notSolved,       ///< the balance of coupled sections did not converge, or a compliance is < 0
+    groundAway,      ///< a radius of the part has reached 0
+    refused,         ///< validate() finds errors in the project: nothing was run
 };
 
 /// A run ends as tooLong beyond this number of visits (one radius under the wheel once).
@@ -40,7 +40,7 @@ struct Place {
     int revolution = 0; ///< revolution within the step (traverse)
 };
 
-/// Largest value of a quantity over the passes, and where it was first reached.
+/// Largest value of a quantity over the passes, and the place where it was first reached.
 struct Peak {
     double value = 0;
     Place at;
@@ -61,8 +61,8 @@ struct StageSums {
 };
 
 /// Basis of the roughness of a zone or section: the depth that the last step with infeed, a
-/// revolution or double stroke, took off the radius that lost most by it, and the spark-out after
-/// it. A step cut short by position control counts where it took more than the one before. A
+/// revolution or double stroke, took off the radius with the largest removal, and the spark-out
+/// after it. A step cut short by position control counts where it took more than the one before. A
 /// surface that no step with infeed has cut has the first step without infeed here.
 struct LastCut {
     double depth_mm = 0;   ///< a, taken by all passes of the step
@@ -114,7 +114,7 @@ struct SectionResult {
 
 /// Result of one cycle, a value that contains the inputs to which it belongs.
 struct SimulationResult {
-    Project project;           ///< the inputs as run, without kept runs
+    Project project;           ///< inputs of the run, without kept runs
     std::string engineVersion; ///< version of the program that ran it
     RunStatus status = RunStatus::completed;
     double time_s = 0;
@@ -124,10 +124,10 @@ struct SimulationResult {
     std::vector<StageSums> sumsByStage;
     std::vector<SectionResult> sections; ///< РЗ1, НЗ, РЗ2, or the sections from the headstock on
     /// Where zones have several sections: the sections zone by zone from the entry on. The zone
-    /// itself then has the radii of its middle and the worst of all other values.
+    /// then has the radii of its middle and the worst of all other values.
     std::vector<SectionResult> zoneSections;
     /// By zone or section, where the number of lobes printed by the machine is unknown: the
-    /// diameters with two lobes. All other values assume three, which leave diameters as they are.
+    /// diameters with two lobes. All other values assume three, which do not change diameters.
     std::vector<DeviationRange> ifEven;
     double gaugeReading_mm = 0;   ///< diameter the gauge reads at the end
     double remainingStock_mm = 0; ///< per side, from that reading; negative below target

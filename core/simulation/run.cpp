@@ -25,10 +25,10 @@ namespace sparkout {
 
 namespace {
 
-/// What stands for a radius of which nothing is left, so that the form of such a part is one.
+/// Replaces a radius that is ground away, so that the form of such a part is defined.
 constexpr double leastRadius_mm = 1e-3;
 
-/// Diameters with no end in a gap; empty where there are no gaps.
+/// Diameters without an end in a gap; empty if there are no gaps.
 std::vector<std::size_t> wholeDiameters(const Blank& blank) {
     const std::size_t half = blank.depth_mm.size() / 2;
     std::vector<std::size_t> whole;
@@ -40,7 +40,7 @@ std::vector<std::size_t> wholeDiameters(const Blank& blank) {
     return whole.size() < half ? whole : std::vector<std::size_t>();
 }
 
-/// c of every lane; null where the machine prints no form.
+/// c of every lane; null if the machine's form error is not given.
 std::shared_ptr<const std::vector<double>> printedLanes(const Project& project,
                                                         std::size_t points) {
     const auto radii = static_cast<std::size_t>(project.part->radii_per_section);
@@ -62,8 +62,8 @@ std::shared_ptr<const std::vector<double>> printedLanes(const Project& project,
     return all;
 }
 
-/// A load that is taken to bear evenly on both sides of a steady rest may press a section near it
-/// against the wheel: it has no balance of its own.
+/// Since a load is assumed to bear evenly on both sides of a steady rest, it may push a nearby
+/// section towards the wheel, which then has no balance of its own.
 bool isLifted(const CompliantPoint& point) {
     return point.gamma_mm_n < 0;
 }
@@ -88,7 +88,7 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     , m_trajectory(trajectory)
     , m_stop(std::move(stop))
     , m_wheelSpeed_m_s(project.machine->wheel_speed_m_s) {
-    if (!isCoupled(project)) { // else the contact is part of the coupled balance
+    if (!isCoupled(project)) { // otherwise the contact is part of the coupled balance
         m_contact = wheelContact(project);
     }
     if (!isCoupled(project) && std::ranges::any_of(m_points, isLifted)) {
@@ -110,13 +110,13 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     for (const CompliantPoint& point : m_points) {
         m_lengthBefore.push_back(m_lengthBefore.back() + point.length_mm);
     }
-    // finish() puts the project in: until then copies of the run, of which a search makes many,
-    // have none to copy.
+    // finish() adds the project: without it, copies of the run, of which a search makes many, are
+    // cheap.
     [[maybe_unused]] const Project none = std::move(m_result.project);
     m_result.timeByStage_s.assign(project.cycle->stages.size(), 0.0);
     m_result.sumsByStage.assign(project.cycle->stages.size(), {});
     if (m_trajectory) {
-        m_trajectory->passes.clear(); // keeps what the caller has reserved
+        m_trajectory->passes.clear(); // keeps the capacity reserved by the caller
         m_trajectory->visits.clear();
         m_trajectory->radii = m_radii;
     }
@@ -176,7 +176,7 @@ double Run::cutLanes(const CutWidth& width, const PassFeed& feed, const PassRang
                          : cutWithThreshold(m_lanes, width.coefficients, feed, range);
 }
 
-/// Gathers for this stage from the next pass on.
+/// Collects the sums of this stage from the next pass on.
 void Run::openStage(std::size_t stage) {
     if (stage != m_openStage) {
         closeStage();
@@ -184,7 +184,7 @@ void Run::openStage(std::size_t stage) {
     }
 }
 
-/// Σa is how far the radii have moved since the stage began; Σ√a (Σv with a threshold) was added up
+/// Σa is the movement of the radii since the stage began; Σ√a (Σv with a threshold) was added up
 /// lane by lane.
 void Run::closeStage() {
     StageSums& sums = m_result.sumsByStage[m_openStage];
@@ -199,7 +199,7 @@ void Run::closeStage() {
         sums.removed_mm2 += m_points[point].length_mm * depth / m_radii;
         sums.rootLength_mm15 += m_points[point].length_mm * root / m_radii;
     }
-    m_openDepth_mm = m_lanes.depth_mm; // as long: copied in place
+    m_openDepth_mm = m_lanes.depth_mm; // same length: copied in place
     std::fill(m_lanes.rootSum.begin(), m_lanes.rootSum.end(), 0.0);
 }
 
@@ -211,8 +211,8 @@ void Run::tally(double root, std::size_t first, std::size_t count, const CutWidt
     keepPeaks(sums, root, first, count, width, places);
 }
 
-// Both forces rise with a at one width, so the pass's largest √a carries all three peaks; where
-// nothing is cut they rise with the rubbing share.
+// Both forces rise with a at one width, so the pass's largest √a gives all three peaks; without a
+// cut they rise with the rubbing share.
 void Run::keepPeaks(StageSums& sums, double root, std::size_t first, std::size_t count,
                     const CutWidth& width, const Place* places) {
     const double depth = root * root;
@@ -319,7 +319,7 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
     }
     section.peakNormalForce_n = m_peakForces.of(m_lanes, point);
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const double radius : section.radii_mm) { // of a gap it is no number, and no extreme
+    for (const double radius : section.radii_mm) { // NaN in a gap, and no extreme
         low = std::min(low, radius);
         high = std::max(high, radius);
     }
@@ -370,7 +370,7 @@ std::pair<double, double> Run::diameterDeviations(std::size_t point) const {
 
 std::size_t Run::deepestLane(std::size_t point) const {
     const auto begin = m_lanes.depth_mm.begin() + static_cast<std::ptrdiff_t>(point) * m_radii;
-    const auto reached = [](double a, double b) { // a gap is no radius
+    const auto reached = [](double a, double b) { // NaN in a gap
         return (a < beyondReach_mm ? a : -beyondReach_mm)
                < (b < beyondReach_mm ? b : -beyondReach_mm);
     };

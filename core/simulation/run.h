@@ -73,8 +73,8 @@ public:
         m_result.timeByStage_s[stage] += seconds;
     }
     void setStatus(RunStatus status) { m_result.status = status; }
-    /// Takes the end of a step that began with this t_П [mm] and at this time: a double stroke with
-    /// its overlap B·n/S_ax, or without overlap a revolution of a plunge cycle.
+    /// Records the end of a step that began with this t_П [mm] and at this time: a double stroke
+    /// with its overlap B·n/S_ax, or without overlap a revolution of a plunge cycle.
     void stepDone(double fedBefore_mm, double timeBefore_s, std::size_t stage,
                   std::optional<double> overlap = {}) {
         m_watch.stepDone(m_lanes, {.infeed_mm = fed_mm - fedBefore_mm,
@@ -85,15 +85,15 @@ public:
                                    .isSpiral = !overlap});
     }
 
-    /// From now on only radii and time are computed, without forces, peaks, sums and limits.
+    /// Computes only radii and time from now on, without forces, peaks, sums and limits.
     void keepRadiiAlone() {
         m_keepsRadiiAlone = true;
         m_watch.stop();
     }
-    /// From now on burning is judged as on a blank that is larger by this much [mm] per side.
+    /// Judges burning from now on as on a blank larger by this much [mm] per side.
     void leaveMore(double more_mm) { m_watch.leaveMore(more_mm); }
 
-    /// Points from this one on count for sums, peaks, limits and accuracy; those before it, the
+    /// Counts points from this one on for sums, peaks, limits and accuracy; those before it, the
     /// middles of their zones, are only recorded.
     void countFrom(std::size_t point) { m_firstCounted = point; }
     [[nodiscard]] std::size_t firstCounted() const { return m_firstCounted; }
@@ -125,7 +125,7 @@ public:
     /// Lane of the deepest radius of a point, and lanes of the deepest diameter of all points.
     [[nodiscard]] std::size_t deepestLane(std::size_t point) const;
     [[nodiscard]] std::pair<std::size_t, std::size_t> deepestDiameter() const;
-    /// Returns whether each radius is cut by its own balance alone, without a contact in series.
+    /// Returns whether each radius has its own balance, without a contact in series.
     [[nodiscard]] bool isEachAlone() const { return !m_contact; }
     /// Depth of a lane below first touch, and the share of the revolution at which it is visited.
     [[nodiscard]] double depth_mm(std::size_t lane) const { return m_lanes.depth_mm[lane]; }
@@ -184,7 +184,7 @@ private:
     Blank m_blank;
     double m_sizeDepth_mm; ///< |R_first − R_t| plus half of the gauge's excess reading
     std::shared_ptr<const std::vector<double>> m_printed_mm; ///< c of each lane; null: no form
-    std::vector<std::size_t> m_diameters; ///< k of the diameters that no gap interrupts; empty: all
+    std::vector<std::size_t> m_diameters; ///< k of the diameters without a gap; empty: all
     int m_radii;
     std::vector<CompliantPoint> m_points;
     ForceLaw m_law;
@@ -205,7 +205,7 @@ private:
     double m_wheelSpeed_m_s;
 };
 
-/// Peak force and power of the cycle from those of its stages.
+/// Sets the peak force and power of the cycle from those of its stages.
 void keepLargestPeaks(SimulationResult& result);
 
 /// Deepest removal that still counts as none [mm].

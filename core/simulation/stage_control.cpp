@@ -117,8 +117,8 @@ namespace {
 /// `depthOf(i)` is depth_k + depth_{k+K/2} of the i-th of `count` diameters.
 template <class DepthOf>
 double remainingOf(int count, GaugeRule rule, double sizeDepth_mm, const DepthOf& depthOf) {
-    // D_k/2 stands (depth_k + depth_{k+K/2})/2 beyond first touch, in a shaft as in a bore; the
-    // smallest diameter of a shaft and the largest of a bore are the deepest.
+    // D_k/2 is (depth_k + depth_{k+K/2})/2 beyond first touch, for shafts and bores; the smallest
+    // diameter of a shaft and the largest of a bore are the deepest.
     double deepest = depthOf(0);
     double shallowest = deepest;
     double sum = 0;

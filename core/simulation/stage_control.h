@@ -37,21 +37,21 @@ public:
     /// Returns whether the running stage waits for size without feeding, so that it may wait
     /// forever.
     [[nodiscard]] bool waitsForSize() const;
-    /// Returns whether the running stage draws the wheel head back (negative feed): it then cuts by
+    /// Returns whether the running stage retracts the wheel head (negative feed): it then cuts by
     /// the stored deflection. It ends like any other stage, or when nothing is cut any more; this
     /// is an option beyond the sources [MODEL-7].
     [[nodiscard]] bool retracts() const;
     /// Ends the running stage, which is over or is a retraction that has lost contact.
     void endStage() { ++m_stage; }
-    /// Takes a step that ends at this time, and ends the stages that are over. Several may end at
-    /// one reading.
+    /// Records a step that ends at this time, and ends finished stages. One reading may end
+    /// several.
     void stepDone(double remainingStock_mm, double fed_mm, double time_s);
-    /// Takes a step without ending stages.
+    /// Records a step without ending stages.
     void read(double remainingStock_mm, double time_s);
     /// Returns by how much the stock may be larger [mm] with the running stage still ending at this
-    /// step: it ends where this is not below 0. Infinite where the stock does not decide.
+    /// step: it ends if this is not negative. Infinite if the stock does not decide.
     [[nodiscard]] double overBy(double fed_mm) const;
-    /// As overBy(), for a stage that only waits until the control receives the reading that ends
+    /// Like overBy(), for a stage that only waits until the control receives the reading that ends
     /// it.
     [[nodiscard]] double dueBy() const { return m_gauge.dueBy(m_laterStock[m_stage]); }
 
@@ -76,7 +76,7 @@ private:
 [[nodiscard]] double remainingStock(const double* depth_mm, int radii, GaugeRule rule,
                                     double sizeDepth_mm);
 
-/// As above, only for the diameters with these k, at least one, which no gap interrupts.
+/// Returns it only for the diameters with these k, at least one, which no gap interrupts.
 [[nodiscard]] double remainingStock(const double* depth_mm, int radii,
                                     std::span<const std::size_t> diameters, GaugeRule rule,
                                     double sizeDepth_mm);

@@ -11,16 +11,15 @@ namespace sparkout {
 
 namespace {
 
-/// Whether the time of a pass is that of another one beside it: all zones of a stroke and all
-/// sections of a revolution are ground at once.
+/// Whether a pass is simultaneous with another one: all zones of a stroke and all sections of a
+/// revolution are ground at once.
 bool isBeside(const Pass& pass) {
     const bool isStroke = pass.axialFeed_mm_min > 0;
     return pass.place.zone == Zone::section ? pass.place.section > 0
                                             : isStroke && pass.place.zone != Zone::rz1;
 }
 
-/// Mean over the radii of what a pass cuts, gaps left out; a value that is no number counts for
-/// nothing.
+/// Mean depth of cut of a pass over the radii outside gaps, without NaN values.
 double meanDepth(const Trajectory& trajectory, const Pass& pass) {
     double sum = 0;
     int ground = 0;

@@ -13,7 +13,7 @@ namespace sparkout {
 
 namespace {
 
-/// The value of the series' radius, or the mean of all that stand in no gap.
+/// The value at the series' radius, or the mean over the radii outside gaps.
 template <typename ValueOf>
 double overRadii(const LayerSeries& series, int radii, ValueOf valueOf) {
     if (series.radius) {
@@ -68,7 +68,7 @@ private:
         const std::vector<Stretch> stretches = groundStretches(m_result.project);
         for (std::size_t i = 0; i < m_result.sections.size(); ++i) {
             const SectionResult& section = m_result.sections[i];
-            const double depth = overRadii( // nothing is left to grind in a gap
+            const double depth = overRadii( // there is nothing to grind in a gap
                 [&](std::size_t k) {
                     return blank.isGap(k) ? blank.totalInfeed_mm : blank.depthAt(i)[k];
                 });
@@ -84,7 +84,8 @@ private:
         }
     }
 
-    /// Σa after every double stroke or revolution; without a pass in it, that of the one before.
+    /// Reads Σa after every double stroke or revolution; one without a pass repeats the previous
+    /// value.
     void readSums() {
         for (const Pass& pass : m_trajectory.passes) {
             const auto number = static_cast<std::size_t>(std::max(pass.place.cycleCount, 1));
@@ -124,7 +125,7 @@ private:
 
     const SimulationResult& m_result;
     const Trajectory& m_trajectory;
-    std::vector<int> m_stages; ///< of each double stroke or revolution
+    std::vector<int> m_stages; ///< stages of each double stroke or revolution
     LayerSeries m_series;
 };
 

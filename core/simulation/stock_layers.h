@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-/// The stock as the layers in which the cycle removes it, for the view "Layers".
+/// The layers of stock removed in the cycle, for the view "Layers".
 namespace sparkout {
 
 /// One double stroke or revolution, or several successive ones of one stage.
@@ -23,7 +23,7 @@ struct LayerSpan {
 /// The layers of one zone or section.
 struct LayerColumn {
     Zone zone = Zone::section;
-    int section = 0;            ///< from 0
+    int section = 0;            ///< counted from 0
     Stretch stretch;            ///< its part of the ground length
     double blank_mm = 0;        ///< radius before the first layer
     double final_mm = 0;        ///< radius after the last layer, from the result
@@ -63,7 +63,7 @@ struct LayersDone {
     std::vector<double> sum_mm; ///< Σa of each column at that moment
 };
 
-/// Greatest number of double strokes or revolutions that are not merged, stage by stage.
+/// Greatest number of double strokes or revolutions without merging.
 inline constexpr int mostLayers = 400;
 
 /// Makes the layers of one of the K radii, or of their mean.

@@ -7,7 +7,7 @@
 
 namespace sparkout {
 
-/// Physical step of a double stroke that a zone's step E1…E5 stands for.
+/// Physical step of a double stroke to which a zone's step E1…E5 belongs.
 enum class StrokeStep {
     plungeIn, ///< at the entry
     entryDwell,
@@ -21,7 +21,7 @@ enum class StrokeStep {
 inline constexpr std::size_t strokeSteps = static_cast<std::size_t>(StrokeStep::none) + 1;
 
 [[nodiscard]] StrokeStep strokeStep(Zone zone, Step step);
-/// Returns the zone's step for a physical step; none where the zone is not ground in that step.
+/// Returns the zone's step for a physical step; none if the zone is not ground in it.
 [[nodiscard]] Step stepOf(Zone zone, StrokeStep step);
 
 } // namespace sparkout

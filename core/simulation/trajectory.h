@@ -26,7 +26,7 @@ struct Visit {
     double programmed_mm = 0;  ///< t_П at this radius, total
     double actual_mm = 0;      ///< a, depth of cut
     double accumulated_mm = 0; ///< Σa of this radius
-    double radius_mm = 0;      ///< R_k of the part after the pass; not a number in a gap
+    double radius_mm = 0;      ///< R_k of the part after the pass; NaN in a gap
     double normalForce_n = 0;  ///< P_y(a)
     double printed_mm = 0;     ///< c(φ_k): additional remaining stock in the machine's frame
 

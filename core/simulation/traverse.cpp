@@ -44,7 +44,7 @@ int plungeInRevolutions(const Machine& machine, double infeed_mm) {
 
 namespace {
 
-/// Double strokes, step by step in the order of the table in MODEL-5.
+/// Makes double strokes, step by step in the order of the table in MODEL-5.
 class TraverseSteps : public CycleSteps, public RadiusFollower {
 public:
     TraverseSteps(const Project& project, Zone gaugeZone, Trajectory* trajectory,
@@ -164,19 +164,20 @@ public:
 private:
     static constexpr std::size_t zoneCount = 3;
 
-    /// The zones' middles, and their sections where they are several.
+    /// The zones' middles, followed by their sections if there are several.
     static std::vector<CompliantPoint> pointsOf(const Project& project,
                                                 const std::stop_token& stop) {
         std::vector<CompliantPoint> points = compliantPoints(project, stop);
         const std::vector<CompliantPoint> sections = zoneSectionPoints(project, stop);
         for (CompliantPoint& middle : points) {
-            middle.length_mm = sections.empty() ? middle.length_mm : 0; // its sections have it
+            middle.length_mm = sections.empty() ? middle.length_mm : 0; // counted by its sections
         }
         points.insert(points.end(), sections.begin(), sections.end());
         return points;
     }
 
-    /// How much of a stroke from the entry is done when the wheel's middle is nearest to each.
+    /// Computes the share of a stroke from the entry at which the wheel's middle is nearest to each
+    /// section.
     void placeSections() {
         const Machine& machine = *m_project.machine;
         const double first_mm = m_project.wheel->width_mm / 2 - machine.overrun_entry_mm;
@@ -213,15 +214,15 @@ private:
                 .revolution = revolution};
     }
 
-    /// What a double stroke feeds: S_t at the reversals and S_c all the time.
+    /// The feed of a double stroke: S_t at the reversals and S_c continuously.
     struct StrokeFeed {
         double infeed_mm = 0;
         double perRevolution_mm = 0;                              ///< S_c/n
         double perStroke_mm = 0;                                  ///< S_c·travel/S_ax
-        double most_mm = std::numeric_limits<double>::infinity(); ///< where S_c stops
+        double most_mm = std::numeric_limits<double>::infinity(); ///< t_П at which S_c stops
 
         [[nodiscard]] bool drifts() const { return perStroke_mm > 0; }
-        /// t_П after so much of the continuous infeed.
+        /// t_П after an amount of the continuous infeed.
         [[nodiscard]] double after(double fed, double drift) const {
             return drifts() ? std::max(fed, std::min(fed + drift, most_mm)) : fed;
         }
@@ -255,19 +256,19 @@ private:
         return feed.infeed_mm + revolutions * feed.perRevolution_mm + 2 * feed.perStroke_mm;
     }
 
-    /// A pass of a double stroke: of all zones in a stroke, else of one.
+    /// A pass of a double stroke: of all zones in a stroke, otherwise of one zone.
     struct Pass {
         Zone zone = Zone::rz1;
         bool isStroke = false;
-        std::array<Step, zoneCount> steps{}; ///< by zone in a stroke, else the first
+        std::array<Step, zoneCount> steps{}; ///< by zone in a stroke, otherwise only the first
         int revolution = 1;
         PassFeed feed;
         const StrokeFeed* drift = nullptr; ///< of a stroke with a continuous infeed
-        bool there = true;                 ///< of a stroke: from the entry
+        bool there = true;                 ///< for a stroke: from the entry
     };
 
-    /// The passes of a double stroke in order, until one is refused: false. `fed` is t_П, which
-    /// grows as it goes.
+    /// Calls `doPass` for the passes of a double stroke in order, until one returns false. `fed` is
+    /// t_П, which grows meanwhile.
     template <class Do>
     bool doubleStroke(double& fed, const StrokeFeed& feed, const Do& pass) const {
         const auto dwell = [&](Zone zone, Step step, int revolutions) {
@@ -286,7 +287,7 @@ private:
             return done;
         };
         const ReversalFeeds reversals = reversalsOf(feed.infeed_mm);
-        // Before the exit the continuous infeed may have come to its end.
+        // The continuous infeed may end before the exit.
         const auto left = [&](double infeed) {
             return feed.drifts() ? std::clamp(feed.most_mm - fed, 0.0, infeed) : infeed;
         };
@@ -299,7 +300,7 @@ private:
                && dwell(Zone::rz1, Step::e5, m_entryDwell);
     }
 
-    /// With the continuous infeed of a revolution, which ends no earlier than at `least`.
+    /// Adds the continuous infeed of a revolution, which does not end before `least`.
     static PassFeed drifting(PassFeed pass, double least, const StrokeFeed& feed) {
         if (feed.drifts()) {
             pass.drift = feed.perRevolution_mm;
@@ -308,8 +309,8 @@ private:
         return pass;
     }
 
-    /// A zone is visited when the wheel's middle is nearest to its own: in РЗ1 o1/2 from where the
-    /// wheel turns, in НЗ halfway, in РЗ2 o2/2 from where it turns. There, or on the way back.
+    /// A zone is visited when the wheel's middle is nearest to its own: in РЗ1 o1/2 from the
+    /// wheel's reversal, in НЗ halfway, in РЗ2 o2/2 from the reversal, on the way there or back.
     std::array<double, zoneCount> fedInStroke(double fed, const StrokeFeed& feed,
                                               bool there) const {
         const Machine& machine = *m_project.machine;
@@ -353,7 +354,7 @@ private:
         return true;
     }
 
-    /// False, and nothing done, when the run must end.
+    /// False, without a change, if the run must end.
     bool cut(const Pass& pass, double infeed) {
         if (pass.isStroke) {
             const double duration = m_travel_mm / m_axialFeed * units::secondsPerMinute;
@@ -394,7 +395,7 @@ private:
         return true;
     }
 
-    /// The sections of zones that hold several, as these are cut; their places are set.
+    /// Cuts the sections of zones with several sections; requires their places.
     void cutSections(std::size_t first, std::size_t count, const CutWidth& width, const Pass& pass,
                      const Run::PassInfo& info) {
         if (!pass.drift) {
@@ -409,15 +410,15 @@ private:
     }
 
     const Project& m_project;
-    std::size_t m_inZone;            ///< sections, 0 where a zone is its middle
-    std::vector<Place> m_places;     ///< of the sections in a pass
-    std::vector<double> m_wayShares; ///< of the sections
-    std::shared_ptr<const CutWidth> m_plunge1, m_plunge2, m_stroke; ///< the same in copies
+    std::size_t m_inZone;            ///< number of sections, 0 if a zone is its middle
+    std::vector<Place> m_places;     ///< places of the sections in a pass
+    std::vector<double> m_wayShares; ///< shares of the sections
+    std::shared_ptr<const CutWidth> m_plunge1, m_plunge2, m_stroke; ///< shared by copies
     std::array<LaneBalance, zoneCount> m_plungeBalances;
     int m_entryDwell, m_exitDwell;
     double m_travel_mm;
     double m_axialFeed = 0;
-    std::size_t m_stage = 0; ///< that it belongs to
+    std::size_t m_stage = 0; ///< stage of the cycle
 };
 
 SimulationResult simulateGauged(Zone gaugeZone, const Project& project, Trajectory* trajectory,

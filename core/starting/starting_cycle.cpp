@@ -49,13 +49,13 @@ bool isInternal(const Project& project) {
     return project.part->surface == Surface::internal;
 }
 
-/// The class of the roughness required, the middle one where none is.
+/// The class of the required roughness, the middle one if none is required.
 std::size_t roughnessClass(const Project& project) {
     const double Ra = project.part->tolerance.roughness_ra_um.value_or(starting::middleRoughness);
     return Ra >= starting::coarseRoughness ? 2 : Ra >= starting::middleRoughness ? 1 : 0;
 }
 
-/// T, width of the field of the diameter [mm].
+/// T, width of the tolerance of the diameter [mm].
 double fieldWidth_mm(const Part& part) {
     return (part.upper_deviation_um - part.lower_deviation_um) / units::umPerMm;
 }
@@ -71,7 +71,7 @@ bool isExitFree(const Machine& machine, const StartingEnds& ends) {
 
 enum class Rounding { down, nearest };
 
-/// What a setting can be set to: from the lowest to the highest in steps.
+/// The possible values of a setting: from the lowest to the highest in steps.
 struct Settings {
     double low = 0, high = std::numeric_limits<double>::infinity(), step = 1;
 
@@ -108,7 +108,7 @@ Settings axialFeeds(const Project& project) {
 
 // --- work speed ---------------------------------------------------------------------------------
 
-/// V [m/min], raised by a factor against burning.
+/// V [m/min], increased by a factor against burning.
 double peripheralSpeed(const Project& project, double rise) {
     const Material& material = *project.material;
     const bool isSoft =
@@ -124,7 +124,7 @@ double peripheralSpeed(const Project& project, double rise) {
     return std::min<double>(starting::greatestSpeed, rise * speed);
 }
 
-/// How far n_k/n is from a part at which waves of the wheel move on.
+/// The distance of n_k/n from a fraction at which the wheel's waves stay in place.
 double unrest(double ratio) {
     const double part = ratio - std::floor(ratio);
     double least = 1;
@@ -146,7 +146,7 @@ double usualWorkSpeed(const Project& project, double rise) {
                              / (std::numbers::pi * project.wheel->diameter_mm);
     double best = settings.at(wanted, Rounding::nearest);
     auto bestScore = std::pair(std::numeric_limits<double>::infinity(), 0.0);
-    constexpr double mostTries = 1000; // of a machine set nearly steplessly
+    constexpr double mostTries = 1000; // for a nearly stepless machine
     const double reach = starting::speedReach * wanted;
     const double step = settings.step * std::max(std::ceil(reach / settings.step / mostTries), 1.0);
     double n = settings.at(std::max(wanted - reach, settings.low), Rounding::down);
@@ -163,8 +163,8 @@ double usualWorkSpeed(const Project& project, double rise) {
 
 // --- deflection ---------------------------------------------------------------------------------
 
-/// The greatest γ at the ends, the quarters and the middle of the ground length, or of the zones or
-/// sections where it is given [mm/N].
+/// The greatest γ at the ends, the quarters and the middle of the ground length, or if given that
+/// of the zones or sections [mm/N].
 double greatestCompliance(const Project& project) {
     double greatest = 0;
     if (!std::holds_alternative<std::monostate>(project.machine->compliance_mm_per_n)) {
@@ -180,14 +180,14 @@ double greatestCompliance(const Project& project) {
     return greatest;
 }
 
-/// How far a radius stays behind the wheel, step by step, where each step passes it once or, as a
-/// double stroke does, twice.
+/// The lag of a radius behind the wheel, step by step, with one pass per step or, in a double
+/// stroke, two.
 class Lag {
 public:
     Lag(const ForceLaw& law, double gamma, double width_mm, int passes)
         : m_balance(gamma, width_mm * law.ks, width_mm * law.kr, law.threshold), m_passes(passes) {}
 
-    /// What a step leaves of a lag [mm].
+    /// The lag after a step [mm].
     [[nodiscard]] double after(double lag_mm) const {
         for (int pass = 0; pass < m_passes; ++pass) {
             const double root = m_balance.root(lag_mm);
@@ -195,7 +195,7 @@ public:
         }
         return lag_mm;
     }
-    /// The lag that a step of this infeed ends with when it is made on and on [mm].
+    /// The steady lag after many steps of this infeed [mm].
     [[nodiscard]] double steady(double infeed_mm) const {
         constexpr int mostSteps = 400;
         constexpr double nearEnough_mm = 1e-9;
@@ -209,7 +209,7 @@ public:
         }
         return lag_mm;
     }
-    /// What a number of steps without infeed remove of a lag [mm].
+    /// The removal of a number of steps without infeed from a lag [mm].
     [[nodiscard]] double removed(double lag_mm, int steps) const {
         double left_mm = lag_mm;
         for (int step = 0; step < steps; ++step) {
@@ -223,7 +223,7 @@ private:
     int m_passes;
 };
 
-/// The greatest depth of cut at which a value that rises with it is not above another [mm].
+/// The greatest depth of cut at which a rising value does not exceed a limit [mm].
 template <class Rising>
 double greatestDepth(const Rising& rising, double most) {
     constexpr double deepest_mm = 0.05;
@@ -238,11 +238,11 @@ double greatestDepth(const Rising& rising, double most) {
 
 // --- stages -------------------------------------------------------------------------------------
 
-/// A depth of cut, and what keeps it from being greater.
+/// A depth of cut and its bound.
 struct BoundDepth {
     double depth_mm;
     RoughBound bound = RoughBound::table;
-    bool isExceeded = false; ///< by the machine's lowest feed
+    bool isExceeded = false; ///< the machine's lowest feed exceeds the bound
 
     void keepTo(double most_mm, RoughBound by) {
         if (most_mm < depth_mm) {
@@ -250,7 +250,8 @@ struct BoundDepth {
             bound = by;
         }
     }
-    /// A feed of so much a depth [1/min, or 1 for an infeed itself] in the machine's steps.
+    /// The feed for a depth, with its value per depth [1/min, or 1 for an infeed itself], in the
+    /// machine's steps.
     [[nodiscard]] double feedIn(const Settings& settings, double perDepth) {
         const double wanted = depth_mm * perDepth;
         const double feed = settings.at(wanted, Rounding::down);
@@ -266,7 +267,7 @@ struct BoundDepth {
 
 struct Trial {
     StartingCycle cycle;
-    double removal = 0; ///< to be compared among those of one project
+    double removal = 0; ///< for comparison within one project
 };
 
 /// The rule at one work speed.
@@ -302,7 +303,7 @@ private:
     ForceLaw m_law, m_wornLaw;
 };
 
-/// One revolution where the wheel cannot run over the end, to the millisecond.
+/// One revolution where the wheel cannot overrun the end, to the millisecond.
 void Rule::dwellAtShoulders(const StartingEnds& ends) {
     Machine& machine = *m_project.machine;
     const auto dwell_s = [&](bool isFree) {
@@ -316,7 +317,7 @@ void Rule::dwellAtShoulders(const StartingEnds& ends) {
     }
 }
 
-/// The greatest depth whose damaged layer is not deeper than this, wheel worn [mm]; nothing where
+/// The greatest depth with a worn wheel whose damaged layer is not deeper than this [mm]; empty if
 /// burning is not known.
 std::optional<double> Rule::burnLimit(double stock_mm) const {
     const auto& rise_k = m_worn.material->burn_rise_k;
@@ -331,7 +332,7 @@ void Rule::limitRough(BoundDepth& depth, double width_mm, int passes) const {
         const double power = starting::powerShare * *drive_kw * mwPerKw;
         depth.keepTo(PowerModel(m_worn).wheelLimitDepth(width_mm, power), RoughBound::power);
     }
-    // In one pass of each step the lag that is left is what the cut bends: γ·P(a).
+    // With one pass per step the remaining lag is the deflection of the cut: γ·P(a).
     const Lag lag(m_law, m_gamma, width_mm, passes);
     const auto deflection = [&](double a) {
         return passes == 1 ? m_gamma * m_law.normal(width_mm, std::sqrt(a)) : lag.steady(a);
@@ -344,14 +345,14 @@ void Rule::limitRough(BoundDepth& depth, double width_mm, int passes) const {
     }
 }
 
-/// A depth of finishing, lessened to a share of what burns the surface [mm].
+/// A depth of finishing, reduced to a share of the burning depth [mm].
 double Rule::finishBelowBurn(double depth_mm) const {
     const auto burn_mm = burnLimit(0);
     return burn_mm ? std::min(depth_mm, starting::finishOfBurn * *burn_mm) : depth_mm;
 }
 
-/// The stock of a spark-out [mm]: what it removes, and half a step of finishing, which ends
-/// somewhere within its own; of a small stock no more than a quarter.
+/// The stock of a spark-out [mm]: its removal, plus half a step of finishing, whose end is
+/// uncertain by a step; at most a quarter of a small stock.
 double Rule::sparkOutStock(double removed_mm, double infeed_mm) const {
     const double step = starting::stockStep;
     const double stock_mm = std::max(step, std::round((removed_mm + infeed_mm / 2) / step) * step);
@@ -368,7 +369,7 @@ double Rule::finishStock(double wanted_mm) const {
 
 /// The three stages, whose stocks add up to the part's.
 Trial Rule::made(const BoundDepth& depth, Stage rough, Stage finish, Stage sparkOut) const {
-    constexpr double digits = 1e6, sumDigits = 1e9; // what the others leave is the first one's
+    constexpr double digits = 1e6, sumDigits = 1e9; // the first one gets the remainder
     const auto rounded = [](double value, double to) { return std::round(value * to) / to; };
     finish.stock_mm = rounded(finish.stock_mm, digits);
     sparkOut.stock_mm = rounded(sparkOut.stock_mm, digits);
@@ -497,7 +498,7 @@ Trial Rule::traverse(double axialShare) const {
 // --- choice among speeds and shares
 // ---------------------------------------------------------------
 
-/// Whether a lesser axial feed lets a deeper cut be taken.
+/// Whether a smaller axial feed allows a deeper cut.
 bool isOfWidth(RoughBound bound) {
     return bound == RoughBound::power || bound == RoughBound::deflection;
 }

@@ -5,7 +5,7 @@
 
 namespace sparkout {
 
-/// A number of the rule of starting cycles: what it is, and where it comes from.
+/// A number of the rule of starting cycles, with its meaning and source.
 struct StartingNumber {
     double value;
     const char* unit;
@@ -18,8 +18,8 @@ struct StartingNumber {
 /// One number for each class of roughness: Ra below 0.8 µm, from 0.8, from 1.6 µm.
 using StartingNumbers = std::array<StartingNumber, 3>;
 
-/// All numbers of the rule [MODEL-15]. Estimates without a source are practice from memory, tried
-/// on 800 random drawings: the cycles held their drawings and took a usual time.
+/// All numbers of the rule [MODEL-15]. Estimates without a source are from shop practice, tried on
+/// 800 random drawings: the cycles met their drawings in a usual time.
 namespace starting {
 
 // Classes of material and surface.
@@ -41,8 +41,8 @@ inline constexpr StartingNumber greatestBoreSpeed{35, "m/min", "V of a bore at m
 inline constexpr StartingNumber greatestSpeed{40, "m/min",
                                               "V at most, where it is raised against burning", ""};
 inline constexpr StartingNumber speedReach{0.05, "", "share by which n may leave that of V", ""};
-/// Of n_k/n, as far as can be from the ratios of small whole numbers, at which waves of the wheel
-/// stay where they are [BADGER2010].
+/// Fractional parts of n_k/n as far as possible from ratios of small whole numbers, at which the
+/// wheel's waves stay in place [BADGER2010].
 inline constexpr std::array<StartingNumber, 2> restfulParts{
     {{0.382, "", "fractional part of n_k/n that is sought", ""},
      {0.618, "", "fractional part of n_k/n that is sought", ""}}};
@@ -78,7 +78,7 @@ inline constexpr StartingNumber wornDullness{1.5, "", "dullness of a worn wheel 
                                              ""};
 inline constexpr StartingNumber wornStress{
     1.1, "", "flow stress of the strongest part over the given one", ""};
-/// S_ax of roughing: a lesser one where power or deflection binds and more is removed so.
+/// S_ax of roughing: reduced if power or deflection binds and removal then increases.
 inline constexpr std::array<StartingNumber, 5> axialShares{
     {{0.5, "B·n", "unhardened; MH31", "MH31"},
      {0.4, "B·n", "hardened; MH31 has 0.25", ""},
@@ -88,7 +88,7 @@ inline constexpr std::array<StartingNumber, 5> axialShares{
 inline constexpr StartingNumber hardAxialShare{0.4, "B·n", "S_ax at most, hardened or a bore", ""};
 inline constexpr StartingNumber worthAShare{1.1, "",
                                             "removal by a lesser S_ax over the one before it", ""};
-/// V is raised in these steps where burning keeps the depth below a share of the table's.
+/// V is increased in these steps if burning limits the depth to less than a share of the table's.
 inline constexpr std::array<StartingNumber, 3> speedRises{{{1.25, "V", "against burning", ""},
                                                            {1.5, "V", "against burning", ""},
                                                            {1.75, "V", "against burning", ""}}};
@@ -149,17 +149,17 @@ inline constexpr StartingNumber finishStockStep{0.005, "mm", "Π of finishing is
 inline constexpr StartingNumber greatestFinishStock{0.5, "Π", "Π of finishing at most", ""};
 inline constexpr StartingNumber stockStep{0.0005, "mm", "Π of the spark-out is rounded to", ""};
 
-// Steps of settings where the machine states none.
+// Steps of settings where the machine gives none.
 inline constexpr StartingNumber infeedStep{0.0005, "mm", "of S_t", ""};
 inline constexpr StartingNumber axialStep{10, "mm/min", "of S_ax", ""};
 inline constexpr StartingNumber plungeStep{0.01, "mm/min", "of S_p and S_rad", ""};
 inline constexpr StartingNumber speedStep{1, "rev/min", "of n", ""};
 
-// What practice asks of a traverse.
+// Requirements of shop practice in traverse grinding.
 inline constexpr StartingNumber leastOverlap{1.05, "", "B·n/S_ax of every stage", ""};
 inline constexpr StartingNumber leastOverlapLast{2, "", "B·n/S_ax of the last stage", ""};
 
-// What neither drawing nor catalogue say.
+// Values that neither drawing nor catalogue give.
 inline constexpr StartingNumber machineRunout{
     1.5, "µm", "of centres and spindle, where the machine has none", ""};
 inline constexpr StartingNumber quillBeyond{15, "mm", "quill beyond the length of the bore", ""};

@@ -24,7 +24,7 @@ constexpr const char* usualMachine = "3М151";
 constexpr const char* usualInternalMachine = "3К227";
 constexpr const char* usualMaterial = "40Х";
 
-/// The kind of operation whose wheel travels along the part, or does not.
+/// The kind of operation with or without a wheel travelling along the part.
 Operation operationThat(bool travels) {
     const std::size_t kinds = choicesOf<Operation>().size();
     for (std::size_t i = 0; i < kinds; ++i) {
@@ -36,7 +36,7 @@ Operation operationThat(bool travels) {
     return {};
 }
 
-/// The widest wheel that goes into a bore, else the smallest there is; for a shaft the first.
+/// The widest wheel that fits into a bore, otherwise the smallest; for a shaft the first.
 const WheelEntry* usualWheel(const std::vector<WheelEntry>& wheels,
                              const StartingDrawing& drawing) {
     if (wheels.empty()) {
@@ -53,7 +53,7 @@ const WheelEntry* usualWheel(const std::vector<WheelEntry>& wheels,
     return &*std::ranges::max_element(wheels, {}, fit_mm);
 }
 
-/// The entry that is meant, or the usual one where nothing is; what is known where none is.
+/// The named entry, or the usual one without a name; the known names if none matches.
 template <class Entry>
 const Entry* chosen(const std::string& name, const Entry* usual, const char* path, Issues& issues) {
     const std::vector<Entry>& entries = shippedEntries<Entry>();
@@ -69,7 +69,7 @@ const Entry* chosen(const std::string& name, const Entry* usual, const char* pat
     return entry;
 }
 
-/// A cylinder without steps, ground on its whole length.
+/// A cylinder without steps, ground along its whole length.
 Shaft plainCylinder(const Project& project) {
     Shaft shaft;
     shaft.segments = {{project.part->length_mm, project.part->diameter_mm}};
@@ -85,7 +85,7 @@ Shaft boreWithQuill(const Project& project) {
     return shaft;
 }
 
-/// All but the cycle: one stage stands there for the checks.
+/// Everything except the cycle; one stage serves the checks.
 Project withoutCycle(const StartingDrawing& drawing, const StartingEntries& entries) {
     Project project;
     Part& part = *project.part;
@@ -118,7 +118,7 @@ Project withoutCycle(const StartingDrawing& drawing, const StartingEntries& entr
     return project;
 }
 
-/// What keeps the drawing from being ground so, whatever the cycle is.
+/// The faults that prevent grinding the drawing with any cycle.
 Issues faultsOf(Project project) {
     Stage stage;
     stage.stock_mm = project.part->stock_mm;

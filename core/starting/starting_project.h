@@ -12,10 +12,10 @@
 
 namespace sparkout {
 
-/// What a drawing says of a surface to be ground.
+/// The data of a drawing about a surface to be ground.
 struct StartingDrawing {
-    std::string name;                   ///< of part and project
-    std::optional<Operation> operation; ///< not given: plunge where the wheel covers the length
+    std::string name;                   ///< name of part and project
+    std::optional<Operation> operation; ///< not given: plunge if the wheel covers the length
     Surface surface = Surface::external;
     double diameter_mm = 0;                              ///< d, nominal [mm]
     double upper_deviation_um = 0;                       ///< es, ES [µm]
@@ -25,13 +25,13 @@ struct StartingDrawing {
     double initial_runout_mm = Part().initial_runout_mm; ///< ΔR of the blank [mm]
     Tolerance tolerance;
     StartingEnds ends;
-    /// Not given: a plain cylinder between centres that is ground on its whole length, or a bore
-    /// with a quill that reaches through it.
+    /// Not given: a plain cylinder between centres, ground along its whole length, or a bore with a
+    /// quill that reaches through it.
     std::optional<Shaft> shaft;
 };
 
-/// The drawing's size: diameter, deviations, and of capital letters a bore. Nothing where the
-/// standard has no such field.
+/// The drawing's size: diameter, deviations, and for capital letters a bore. Empty if the standard
+/// has no such field.
 [[nodiscard]] std::optional<StartingDrawing> drawingOf(const SizeDesignation& designation);
 
 /// Names of the shipped catalogue, or parts of them; empty: usual ones.
@@ -46,9 +46,9 @@ struct StartingEntries {
     MaterialEntry material;
 };
 
-/// The entries that are meant by the names; nothing, with what is known instead, where a name means
-/// none or several. The usual ones are 3М151, for a bore 3К227; the first wheel of the catalogue,
-/// for a bore the widest that goes into it; hardened 40Х.
+/// The entries with these names; if a name matches none or several, the known names instead. The
+/// usual ones are 3М151, for a bore 3К227; the first wheel of the catalogue, for a bore the widest
+/// that fits; hardened 40Х.
 [[nodiscard]] std::optional<StartingEntries>
 startingEntries(const StartingNames& names, const StartingDrawing& drawing, Issues& issues);
 
@@ -56,25 +56,26 @@ startingEntries(const StartingNames& names, const StartingDrawing& drawing, Issu
 /// a blind bore has its wall at the headstock.
 [[nodiscard]] StartingEnds startingEnds(const Project& project);
 
-/// The project with a starting cycle for its part, wheel and machine as they are; unchanged where
-/// they cannot be ground with one another, whatever the cycle is.
+/// The project with a starting cycle for its part, wheel and machine; unchanged if no cycle can
+/// grind the part with these.
 [[nodiscard]] Project withStartingCycle(Project project);
 
-/// Whether the shaft is a plain cylinder, ground on its whole length, or the quill of a bore alone.
+/// Whether the shaft is a plain cylinder, ground along its whole length, or only the quill of a
+/// bore.
 [[nodiscard]] bool hasPlainShaft(const Project& project);
 /// The project with such a shaft for its diameter and length.
 [[nodiscard]] Project withPlainShaft(Project project);
 
-/// A starting cycle, or why there is none.
+/// A starting cycle, or the reason why there is none.
 struct StartingAnswer {
     std::optional<StartingCycle> start; ///< with a valid project
-    Issues issues;                      ///< errors, or warnings beside a project
+    Issues issues;                      ///< errors, or warnings with a project
 };
 
-/// A whole project for a drawing on a machine: part, shaft, material, wheel, machine as the entries
-/// have them, gauge control, a starting cycle [MODEL-15] and a usual batch, whose numbers of
-/// machine and gauge are the entry's. The wheel runs as fast as machine and wheel allow, where both
-/// say it. Without a search.
+/// A complete project for a drawing on a machine: part, shaft, material, wheel and machine by the
+/// entries, gauge control, a starting cycle [MODEL-15] and a usual batch, with the entry's data of
+/// machine and gauge. The wheel speed is the greatest that machine and wheel allow, if both give
+/// it. Without a search.
 [[nodiscard]] StartingAnswer startingProject(const StartingDrawing& drawing,
                                              const StartingEntries& entries);
 

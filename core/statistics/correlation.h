@@ -9,16 +9,16 @@
 
 namespace sparkout {
 
-/// Correlated factors by a Gaussian copula: independent shares u become normal scores z = Φ⁻¹(u),
+/// Correlates factors by a Gaussian copula: independent shares u become normal scores z = Φ⁻¹(u),
 /// L·z with R = L·Lᵀ are scores of correlation R, and back to shares. R is the correlation of the
 /// scores: of normal factors Pearson's own, of others the rank correlation is (6/π)·asin(R/2).
 ///
 /// Not by Iman and Conover's reordering [IMAN1982]: that needs the whole sample at once, and a part
-/// here must be known from its number alone. The price: of a Latin hypercube the first factor keeps
-/// its strata, the others only roughly.
+/// here must be known from its number alone. As a drawback, only the first factor of a Latin
+/// hypercube keeps its strata exactly.
 class Correlation {
 public:
-    /// Nothing when the matrix is not positive definite. Square, of ones on its diagonal.
+    /// Empty if the matrix is not positive definite. It must be square with ones on its diagonal.
     static std::optional<Correlation> of(const std::vector<std::vector<double>>& matrix);
 
     /// Turns independent shares into correlated ones.

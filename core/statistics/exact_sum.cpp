@@ -56,7 +56,7 @@ ExactSum ExactSum::ofDigits(const Limbs& digits) {
     return sum;
 }
 
-// Of a negative sum the digits are those of its complement: its opposite is summed up instead.
+// The digits of a negative sum are those of its complement, so its opposite is evaluated.
 double ExactSum::value() const {
     Limbs digits = this->digits();
     const bool negative = digits.back() < 0;

@@ -20,8 +20,8 @@ public:
     /// The sum, rounded once to within two units in its last place.
     [[nodiscard]] double value() const;
 
-    /// Digits to the base 2³², the lowest first, each in 0…2³²−1 but the last: the same sum, the
-    /// same digits.
+    /// Digits to the base 2³², the lowest first, each but the last in 0…2³²−1: equal sums have
+    /// equal digits.
     [[nodiscard]] Limbs digits() const;
     static ExactSum ofDigits(const Limbs& digits);
 
@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    Limbs m_limbs{}; ///< carries are left standing: 2³⁰ terms do not fill 63 bits
+    Limbs m_limbs{}; ///< delayed carries: 2³⁰ terms do not fill 63 bits
 };
 
 } // namespace sparkout

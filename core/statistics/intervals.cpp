@@ -42,12 +42,12 @@ Interval clopperPearson(std::int64_t hits, std::int64_t count, double confidence
     return found;
 }
 
-// With B the number of values below the quantile, x_(r) lies above it when B < r, x_(s) below it
-// when B ≥ s: r is the greatest with P(B < r) ≤ tail, s the least with P(B ≥ s) ≤ tail.
+// With B the number of values below the quantile, x_(r) is above it if B < r, x_(s) below it if B ≥
+// s: r is the greatest with P(B < r) ≤ tail, s the least with P(B ≥ s) ≤ tail.
 std::optional<Ranks> quantileRanks(std::int64_t count, double order, double confidence) {
     const double tail = tailOf(confidence);
     const boost::math::binomial below(static_cast<double>(count), order);
-    const auto least = [&](auto&& holds) { // of 0…count+1, the first that holds; monotone
+    const auto least = [&](auto&& holds) { // the first of 0…count+1 with a monotonic property
         std::int64_t low = 0, high = count + 1;
         while (low < high) {
             const std::int64_t middle = low + (high - low) / 2;

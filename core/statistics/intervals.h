@@ -6,21 +6,21 @@
 #include <cstdint>
 #include <optional>
 
-/// Confidence intervals of samples. All of them take the parts for independent draws: of a Latin
-/// hypercube or a Sobol sequence they are rather too wide than too narrow.
+/// Confidence intervals of samples. All assume independent draws: for a Latin hypercube or a Sobol
+/// sequence they are rather too wide.
 namespace sparkout {
 
-/// Of a mean: mean ± t·s/√n, t Student's quantile of n − 1 degrees of freedom; n ≥ 2.
+/// Of a mean: mean ± t·s/√n, t Student's quantile with n − 1 degrees of freedom; n ≥ 2.
 [[nodiscard]] Interval studentInterval(double mean, double deviation, std::int64_t count,
                                        double confidence);
 
-/// Of a share, Clopper and Pearson's, which holds at least its confidence for every share:
+/// Of a share, by Clopper and Pearson, with at least the given confidence for every share:
 /// quantiles of Beta(k, n−k+1) and Beta(k+1, n−k) [CLOPPER1934]; n ≥ 1.
 [[nodiscard]] Interval clopperPearson(std::int64_t hits, std::int64_t count, double confidence);
 
-/// Ranks r ≤ s, from 1, of the order statistics x_(r) ≤ x_(s) that hold the quantile of order p
-/// between them with at least the confidence, by the binomial law, each tail half; nothing where
-/// so few values cannot.
+/// Ranks r ≤ s, from 1, of the order statistics x_(r) ≤ x_(s) that contain the quantile of order p
+/// between them with at least the given confidence, by the binomial distribution with two equal
+/// tails; empty if there are too few values.
 struct Ranks {
     std::int64_t low = 1, high = 1;
 };
@@ -34,7 +34,7 @@ struct Ranks {
 /// [BISSELL1990]; n ≥ 2.
 [[nodiscard]] Interval ppkInterval(double ppk, std::int64_t count, double confidence);
 
-/// Quantile of the standard normal law, 0 < p < 1, and the law itself.
+/// Quantile of the standard normal distribution, 0 < p < 1, and the distribution itself.
 [[nodiscard]] double normalQuantile(double p);
 [[nodiscard]] double normalShare(double z);
 

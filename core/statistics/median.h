@@ -5,7 +5,7 @@
 
 namespace sparkout {
 
-/// What a normal law's standard deviation is to the median of the sizes of its values.
+/// Ratio of a normal distribution's standard deviation to the median of its absolute values.
 inline constexpr double deviationPerMedian = 1.482602218505602;
 
 /// The upper median of at least one value.

@@ -23,7 +23,7 @@ double polynomial(std::initializer_list<double> coefficients, double x) {
     return sum;
 }
 
-/// The share of the standard normal law above z, exact far out, too.
+/// The upper tail of the standard normal distribution, accurate also far out.
 double shareAbove(double z) {
     return std::erfc(z / std::numbers::sqrt2) / 2;
 }
@@ -77,8 +77,8 @@ double shapiroWilkProbability(double oneLessW, std::size_t count) {
 }
 
 /// A² = −n − (1/n)·Σ [(2i − 1)·ln Φ(z_i) + (2(n − i) + 1)·ln(1 − Φ(z_i))] over the values in rising
-/// order; Σ(2i − 1) of those between two ranks is the difference of the ranks' squares, so equal
-/// values can be taken together.
+/// order; Σ(2i − 1) between two ranks is the difference of the ranks' squares, so equal values can
+/// be taken together.
 class AndersonDarling {
 public:
     AndersonDarling(double count, double mean, double deviation)
@@ -125,7 +125,7 @@ Normality shapiroWilk(std::span<const double> sorted) {
             shapiroWilkProbability(std::max(1 - W, 1e-19), sorted.size())};
 }
 
-// Past the table's end the probability is nothing.
+// Beyond the end of the table the probability is 0.
 double andersonDarlingProbability(double statistic, double count) {
     const double a = statistic * (1 + 0.75 / count + 2.25 / (count * count));
     constexpr double end = 13;

@@ -10,26 +10,26 @@ namespace sparkout {
 
 enum class NormalityTest { shapiroWilk, andersonDarling };
 
-/// How normal values are: the probability that normal ones deviate at least so much.
+/// The normality of values: the probability that normal ones deviate at least as much.
 struct Normality {
     NormalityTest test = NormalityTest::shapiroWilk;
     double statistic = 0; ///< W, or A²
     double probability = 1;
 };
 
-/// Most values for which the law of Shapiro and Wilk's W is known.
+/// Greatest number of values for which the distribution of Shapiro and Wilk's W is known.
 inline constexpr std::size_t mostForShapiroWilk = 5000;
 
 /// Shapiro and Wilk's test of values in rising order, 6 to 5000, that are not all equal
 /// [SHAPIRO1965], with Royston's weights and law of W [ROYSTON1995].
 [[nodiscard]] Normality shapiroWilk(std::span<const double> sorted);
 
-/// Probability of at least such an A² of so many normal values whose mean and deviation are taken
-/// from themselves [DAGOSTINO1986, table 4.9].
+/// Probability of at least such an A² for this number of normal values with estimated mean and
+/// deviation [DAGOSTINO1986, table 4.9].
 [[nodiscard]] double andersonDarlingProbability(double statistic, double count);
 
-/// Anderson and Darling's test of values against the normal law of their own mean and deviation
-/// [STEPHENS1974, DAGOSTINO1986], of binned ones: the values of a bin are taken as even within it.
+/// Anderson and Darling's test of binned values against the normal distribution with their own mean
+/// and deviation [STEPHENS1974, DAGOSTINO1986]: the values are assumed uniform within a bin.
 [[nodiscard]] Normality andersonDarling(const ValueBins& bins, double resolution,
                                         std::int64_t count, double mean, double deviation);
 

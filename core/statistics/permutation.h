@@ -9,8 +9,8 @@
 
 namespace sparkout {
 
-/// Where a random permutation of 0…count−1 sends `value`, without a table of it: a Feistel network
-/// of four Philox rounds over the next even power of two, walked until it falls into the range.
+/// The image of `value` under a random permutation of 0…count−1, without a table: a Feistel network
+/// of four Philox rounds over the next even power of two, iterated until it falls into the range.
 [[nodiscard]] constexpr std::uint64_t permuted(std::uint64_t value, std::uint64_t count,
                                                std::uint32_t seed, std::uint32_t which) {
     const int half =

@@ -6,8 +6,8 @@
 
 namespace sparkout {
 
-/// Philox4x32-10, a random function of a counter and a key [SALMON2011]: what a part draws depends
-/// on its number alone, never on what was drawn before it.
+/// Philox4x32-10, a random function of a counter and a key [SALMON2011]: the values of a part
+/// depend on its number alone, never on earlier draws.
 using PhiloxCounter = std::array<std::uint32_t, 4>;
 using PhiloxKey = std::array<std::uint32_t, 2>;
 
@@ -23,7 +23,7 @@ using PhiloxKey = std::array<std::uint32_t, 2>;
     return c;
 }
 
-/// What random numbers are drawn for, so that no two purposes share them.
+/// The purpose of random numbers, so that no two purposes share them.
 enum class RandomStream : std::uint32_t { plain, jitter, permutation, shift, variant };
 
 /// 64 random bits of a batch's seed for a purpose, a part and a factor.

@@ -5,8 +5,8 @@
 
 namespace sparkout {
 
-/// Dimensions the sequence is tabulated for: two points of sixteen factors each, as the sensitivity
-/// indices of a batch with as many as there may be need them.
+/// Tabulated dimensions of the sequence: two points of sixteen factors each, needed for the
+/// sensitivity indices of the largest batch.
 inline constexpr int sobolDimensions = 32;
 
 /// Coordinate of point `index` (below 2³²) of the Sobol sequence as a fraction of 2³², directions

@@ -80,7 +80,7 @@ std::int64_t ValueBins::highest(int level) {
     return outermost >> level;
 }
 
-/// Each two neighbours become one: numbers are halved, rounded down.
+/// Merges neighbouring pairs: numbers are halved, rounded down.
 void ValueBins::coarsen() {
     Map wide;
     for (const auto& [number, bin] : m_bins) {

@@ -8,19 +8,19 @@
 
 namespace sparkout {
 
-inline constexpr std::size_t factorKinds = 16; ///< factors that a batch may have
+inline constexpr std::size_t factorKinds = 16; ///< greatest number of factors of a batch
 
-/// Ranks of a part's factors within their laws, from −2¹⁹ to 2¹⁹: whole numbers, so that sums of
-/// them are exact. Factors that are not given stand at 0 behind the others.
+/// Ranks of a part's factors within their laws, from −2¹⁹ to 2¹⁹: whole numbers, so that their sums
+/// are exact. Missing factors are 0 after the others.
 using RankScores = std::array<std::int32_t, factorKinds>;
 inline constexpr int rankScoreBits = 20;
 
-/// A histogram whose bins are as narrow as their number allows, and what the factors' ranks sum up
-/// to in each of them.
+/// A histogram with bins as narrow as their number allows, and the sums of the factors' ranks in
+/// each.
 ///
-/// The bins are ⌊x/(finest·2^level)⌋ of the least level at which no more than `most` are filled.
-/// That is a property of the values alone: any order and any grouping of them ends at the same
-/// level with the same counts, and nothing here grows with their number.
+/// The bins are ⌊x/(finest·2^level)⌋ for the least level at which no more than `most` are filled.
+/// This depends on the values alone: any order and any grouping of them gives the same level and
+/// counts, and memory does not grow with their number.
 class ValueBins {
 public:
     struct Bin {
@@ -35,7 +35,8 @@ public:
     static constexpr int levelOfResolution = 20;
     static constexpr int highestLevel = 41;
 
-    /// At most so many are filled of each of `characteristics`, so that they have room together.
+    /// The greatest number of filled bins for each of `characteristics`, limited by their total
+    /// memory.
     static std::size_t mostFor(std::size_t characteristics);
 
     void add(double value, double resolution, const RankScores& scores, std::size_t most);
@@ -43,12 +44,12 @@ public:
 
     [[nodiscard]] int level() const { return m_level; }
     [[nodiscard]] const Map& bins() const { return m_bins; }
-    /// Of a state that was read: the numbers of the bins must be in range.
+    /// For a state that was read: the numbers of the bins must be in range.
     static ValueBins of(int level, Map bins);
 
-    /// The same values in bins that are at least as wide as those of a level.
+    /// The values in bins at least as wide as those of a level.
     [[nodiscard]] ValueBins atLeast(int level) const;
-    /// Width of a bin of a characteristic of this resolution.
+    /// Bin width for a characteristic's resolution.
     [[nodiscard]] double width(double resolution) const;
     /// The outermost numbers of bins at a level.
     [[nodiscard]] static std::int64_t lowest(int level);

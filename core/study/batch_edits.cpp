@@ -19,7 +19,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int shownDigits = 6; ///< of a part's numbers
+constexpr int shownDigits = 6; ///< for a part's numbers
 
 Factor growingFactor(std::vector<double> ends) {
     Factor factor;
@@ -28,7 +28,7 @@ Factor growingFactor(std::vector<double> ends) {
     return factor;
 }
 
-/// To as many digits as a person reads; what a part measures then differs by less than its digits.
+/// Rounds to readable digits; the part's results change by less than their digits.
 void shorten(double& value) {
     if (value != 0 && std::isfinite(value)) {
         const int digits =
@@ -38,7 +38,7 @@ void shorten(double& value) {
     }
 }
 
-/// The numbers that the factors of a batch scale, where they are not the nominal ones.
+/// Shortens the numbers that the factors of a batch scale, where they differ from the nominal ones.
 Project shortened(Project made, const Project& nominal) {
     const auto tidy = [](double& value, double before) {
         if (value != before) {
@@ -81,7 +81,7 @@ Project shortened(Project made, const Project& nominal) {
     return made;
 }
 
-/// What does not make a part and stays with the user's project.
+/// Keeps the entries of the user's project that do not affect a part.
 void keepOwn(Project& of, Project from) {
     of.title = std::move(from.title);
     of.author = std::move(from.author);
@@ -106,20 +106,20 @@ std::optional<Factor>& lawOf(Batch& batch, FactorKind kind) {
     return field.as<std::optional<Factor>>(&batch.factors);
 }
 
-/// The place of a kind among the given factors, or where it would be.
+/// The position of a kind among the given factors, or where it would be inserted.
 std::size_t placeOf(FactorKind kind, const std::vector<GivenFactor>& given) {
     return static_cast<std::size_t>(
         std::ranges::count_if(given, [kind](const GivenFactor& f) { return f.kind < kind; }));
 }
 
-/// Whether there is a matrix of so many factors; a file may hold another one.
+/// Whether the matrix has this size; a file may have another one.
 bool isMatrixOf(const NumberRows& matrix, std::size_t count) {
     return matrix && matrix->size() == count
            && std::ranges::all_of(
                *matrix, [count](const std::vector<double>& row) { return row.size() == count; });
 }
 
-/// The correlations without those of laws over the batch, which have none; nothing when all are 0.
+/// Removes the correlations of laws over the batch, which have none; all of them if they are 0.
 void tidyCorrelation(Project& project) {
     NumberRows& matrix = project.batch->correlation;
     if (!matrix) {
@@ -141,7 +141,7 @@ void tidyCorrelation(Project& project) {
     }
 }
 
-/// Whether a law has its form with all its values; a file may hold one without.
+/// Whether a law has a form with all its values; that in a file may be incomplete.
 bool isWhole(const Factor& law) {
     const auto holds = [](const std::optional<std::vector<double>>& values, std::size_t count) {
         return values && values->size() == count;
@@ -150,7 +150,7 @@ bool isWhole(const Factor& law) {
            || holds(law.grows, 2) || (law.measured && !law.measured->empty());
 }
 
-/// A given factor of the batch, a usual one in place of a broken law.
+/// A given factor of the batch, with a usual law in place of an incomplete one.
 GivenFactor factorOf(const Project& project, FactorKind kind) {
     const std::vector<GivenFactor> given = givenFactors(project);
     GivenFactor found = *std::ranges::find(given, kind, &GivenFactor::kind);

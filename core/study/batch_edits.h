@@ -23,8 +23,8 @@ enum class FactorForm { constant, uniform, normal, triangular, measured, grows }
 /// all.
 [[nodiscard]] Factor withTruncation(const Project& project, FactorKind kind, bool truncated);
 
-/// Returns the project whose batch has this law of a factor, or no law of it; the correlations of
-/// the other factors stay.
+/// Returns the project whose batch has this law of a factor, or none; the correlations of the other
+/// factors are unchanged.
 [[nodiscard]] Project withFactor(Project project, FactorKind kind, std::optional<Factor> law);
 
 /// Returns the project with another correlation of two of its given factors; the matrix is

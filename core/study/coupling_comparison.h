@@ -23,7 +23,7 @@ struct CouplingComparison {
 /// Whether the two can be compared, and the reason why not.
 enum class CouplingAnswer {
     comparable,
-    traverse,        ///< the wheel is on one zone at a time: there is nothing to couple
+    traverse,        ///< the wheel is on one zone at a time, so that nothing is coupled
     givenCompliance, ///< γ of each section does not contain the influence of one section on another
 };
 [[nodiscard]] CouplingAnswer couplingOf(const Project& project);

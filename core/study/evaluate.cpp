@@ -17,14 +17,14 @@ OutcomePtr evaluate(const Project& project, const std::stop_token& stop) {
         outcome->result.status = RunStatus::refused;
         return outcome;
     }
-    // Once to learn how much there is to record, then again to record it: a run is short, and a
-    // trajectory of the longest ones would not fit into memory.
+    // Runs once to count the records, then again to record: a run is short, and the longest
+    // trajectories would not fit into memory.
     outcome->result = simulateUnchecked(project, nullptr, stop);
     if (!stop.stop_requested() && outcome->result.visits <= maxRecordedVisits) {
         outcome->trajectory.visits.reserve(static_cast<std::size_t>(outcome->result.visits));
         outcome->result = simulateUnchecked(project, &outcome->trajectory, stop);
     }
-    constexpr int places = 241; // as closely as a curve is drawn
+    constexpr int places = 241; // the resolution of a drawn curve
     outcome->compliance = complianceAlong(project, places, stop);
     if (stop.stop_requested() || outcome->result.status == RunStatus::stopped) {
         return nullptr;

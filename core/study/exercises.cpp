@@ -21,13 +21,13 @@ namespace sparkout {
 
 namespace {
 
-// What can be read: of any quantity so much of its value, of a form so much as a gauge shows, of a
-// count more than the phase of the gauge makes by chance.
+// Least readable changes: for any quantity a share of its value, for a form the resolution of a
+// gauge, for a count more than chance by the gauge's phase.
 constexpr double readShare = 0.02;
 constexpr double leastForm_um = 0.1;
 constexpr double leastCount = 2;
 
-/// A change of one input; nothing where it cannot be made.
+/// A change of one input; empty if it is not possible.
 struct Change {
     ExerciseRun run;
     std::vector<Asked> asked;
@@ -42,7 +42,7 @@ MadeChange duller(const Project& project) {
     Change change = changeOf(project, ExerciseChange::dullerWheel,
                              {Asked::stepFeed_um, Asked::stepForce_n, Asked::time_min});
     setDullness(*change.run.changed.wheel, dullnessOf(*project.wheel) * dullerBy);
-    // By the law with a threshold the dullness does not enter the force.
+    // With a threshold, the dullness does not enter the force.
     return dullnessOf(*project.wheel) > 0 && !hasThreshold(project) ? MadeChange(change)
                                                                     : std::nullopt;
 }
@@ -107,7 +107,7 @@ MadeChange thicker(const Project& project) {
     return change;
 }
 
-/// Runs the changed project and reads off both what is asked for; nothing where there is nothing
+/// Runs the changed project and reads the requested quantities of both; empty if there is nothing
 /// to read.
 std::optional<ExerciseRun> solved(Change change, const Outcome& outcome,
                                   const std::optional<RecordedStep>& step) {
@@ -116,7 +116,7 @@ std::optional<ExerciseRun> solved(Change change, const Outcome& outcome,
     Trajectory trajectory;
     SimulationResult result = simulate(run.changed, needsStep ? &trajectory : nullptr, {});
     if (result.status != RunStatus::completed) {
-        return {}; // its numbers are of a cycle that was broken off
+        return {}; // the cycle was interrupted
     }
     const Visit *before = nullptr, *after = nullptr;
     if (needsStep) {

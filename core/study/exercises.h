@@ -49,7 +49,7 @@ struct ExerciseRun {
     std::size_t stage = 0;                 ///< the stage whose feed is slower
     std::optional<Place> at{};             ///< the step in question, in both runs
     std::vector<ExerciseAnswer> answers{}; ///< answers that can be read off
-    std::vector<double> timeByStage_s{};   ///< of the changed project
+    std::vector<double> timeByStage_s{};   ///< times of the changed project
 };
 
 inline constexpr std::size_t mostExercises = 5;
@@ -66,7 +66,7 @@ inline constexpr std::size_t mostExercises = 5;
 /// shop.
 [[nodiscard]] bool canBeRead(const ExerciseAnswer& answer);
 
-/// Returns the quantity in a result; nothing: it belongs to a step, and the visit is not given.
+/// Returns the quantity in a result; empty if it belongs to a step and the visit is not given.
 [[nodiscard]] std::optional<double> askedValue(Asked asked, const SimulationResult& result,
                                                const Visit* visit);
 

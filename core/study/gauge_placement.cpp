@@ -18,7 +18,7 @@ namespace sparkout {
 
 namespace {
 
-/// The zone a place of the ground length lies in.
+/// The zone that contains a place of the ground length.
 Zone zoneAt(const Project& project, double position_mm) {
     const ZoneLengths zones = zoneLengths(project);
     const double fromEntry = project.machine->entry_side == EntrySide::headstock
@@ -30,7 +30,7 @@ Zone zoneAt(const Project& project, double position_mm) {
     return fromEntry <= zones.rz1 + zones.nz ? Zone::nz : Zone::rz2;
 }
 
-/// Rise of the straight fit over the positions, from the smallest to the largest.
+/// Rise of the linear fit over the positions, from the smallest to the largest.
 double straightRise(const std::vector<SectionResult>& sections, const std::vector<double>& values) {
     const auto count = static_cast<double>(values.size());
     double x = 0;
@@ -120,7 +120,7 @@ private:
     std::array<std::optional<GaugePosition>, 3> m_byZone; ///< runs differ by zone only
 };
 
-/// Whole revolutions make steps of equal margins: the middle of one is the safest place on it.
+/// Whole revolutions give plateaus of equal margins: the middle of one is the safest place on it.
 std::optional<std::size_t> bestOf(const std::vector<GaugePosition>& positions) {
     std::optional<std::size_t> first;
     for (std::size_t i = 0; i < positions.size(); ++i) {

@@ -13,7 +13,7 @@ namespace sparkout {
 
 /// The part after a cycle with the gauge at one position.
 struct GaugePosition {
-    double position_mm = 0;         ///< of the gauge, from the headstock end of the ground length
+    double position_mm = 0;         ///< position from the headstock end of the ground length
     Zone zone = Zone::section;      ///< the gauge's zone (traverse)
     double compliance_mm_per_n = 0; ///< γ at the gauge
     RunStatus status = RunStatus::completed;
@@ -24,13 +24,13 @@ struct GaugePosition {
     std::size_t sectionOfMin = 0, sectionOfMax = 0;
     /// Mean diameter less nominal of each section or zone, headstock first or РЗ1, НЗ, РЗ2.
     std::vector<double> meanDeviations_mm;
-    double taper_mm = 0;  ///< of the mean radius: tailstock end less headstock end, straight fit
+    double taper_mm = 0;  ///< of the mean radius: tailstock end less headstock end, linear fit
     double margin_mm = 0; ///< least distance of a diameter to the limits; negative outside
 };
 
 /// Accuracy over the length depending on the position of the gauge [MODEL-7, AKINTSEVA2020 section
 /// 3]: a gauge on the stiffest place leaves all other diameters larger, on the most compliant one
-/// smaller. Under position control the gauge has no effect and all positions are alike.
+/// smaller. Under position control the gauge has no effect.
 struct GaugePlacement {
     std::vector<GaugePosition> positions; ///< in the order requested, as far as they were run
     bool stopped = false;                 ///< by a stop request
@@ -39,15 +39,15 @@ struct GaugePlacement {
 };
 
 /// Returns useful positions: in plunge grinding `count` ≥ 2 from end to end of the ground length,
-/// in traverse grinding the middles of the zones, because the model has one γ a zone.
+/// in traverse grinding the middles of the zones, because the model has one γ per zone.
 [[nodiscard]] std::vector<double> gaugeCandidates(const Project& project, int count);
 
 /// Receives the progress after each position.
 using PlacementProgress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Runs the cycle of a valid project once for each position [mm] of the gauge within 0…L_p. The
-/// gauge's own place and compliance are not read: γ comes from the shaft, or from between the
-/// sections. In traverse a position stands for the zone it lies in.
+/// gauge's own place and compliance are not used: γ is computed from the shaft, or interpolated
+/// between the sections. In traverse a position represents its zone.
 [[nodiscard]] GaugePlacement placeGauge(const Project& project,
                                         const std::vector<double>& positions_mm,
                                         const PlacementProgress& progress = {},

@@ -10,7 +10,7 @@
 namespace sparkout {
 
 /// Judges an outcome for every stock within one infeed, which is decided here, and for a batch of
-/// the same inputs; null: there is none. Used by reports, which wait for the decision.
+/// the same inputs, which may be null. Used by reports, which wait for the decision.
 [[nodiscard]] Judgement judgementOf(const Outcome& outcome, const BatchOutcome* batch = nullptr,
                                     const std::stop_token& stop = {});
 

@@ -40,7 +40,7 @@ std::optional<KeptSearchFault> KeptSearch::open() {
         }
         record = std::move(read.record);
     }
-    // What cannot be kept is said before the search, not after it.
+    // A file that cannot be written is reported before the search, not after it.
     if (const auto failed = writeFileSafely(m_file, writeSearchState(m_question, record))) {
         return *failed;
     }
@@ -56,7 +56,7 @@ std::optional<KeptSearchFault> KeptSearch::open() {
 
 void KeptSearch::write(const SearchRecord& record) {
     const std::string text = writeSearchState(m_question, record);
-    const auto error = text.size() > mostStateBytes // it could not be gone on from
+    const auto error = text.size() > mostStateBytes // the search could not be continued from it
                            ? FileError{utf8(m_file), FileStep::content, 0, {}}
                            : writeFileSafely(m_file, text);
     m_written = std::chrono::steady_clock::now();

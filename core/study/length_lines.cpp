@@ -11,7 +11,7 @@ namespace sparkout {
 
 namespace {
 
-/// A radius, or half a diameter, in the unit of the quantity.
+/// The value of a radius, or half a diameter, in the unit of the quantity.
 double valueOf(double radius_mm, const ProfileSeries& series, LengthQuantity quantity) {
     switch (quantity) {
     case LengthQuantity::radius_um: return (radius_mm - series.target_mm) * units::umPerMm;
@@ -89,7 +89,7 @@ std::vector<ProfilePoint> lengthLine(const ProfileSeries& series, LengthLine lin
     std::vector<ProfilePoint> points;
     const std::vector<Profile>& profiles = alongThePart(series);
     const std::size_t count = profiles.size();
-    // With the entry at the tailstock the zones come from the far end.
+    // With the entry at the tailstock the zones begin at that end.
     const bool backwards = count > 1 && profiles.front().from_mm > profiles.back().from_mm;
     for (std::size_t i = 0; i < count; ++i) {
         const Profile& p = profiles[backwards ? count - 1 - i : i];

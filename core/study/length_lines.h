@@ -15,7 +15,7 @@ enum class LengthQuantity {
     radius_mm,   ///< R itself, for the shaft drawn to scale
 };
 
-/// One line over the length.
+/// A line over the length.
 enum class LengthLine { lowerLimit, upperLimit, target, blankMin, blankMax, min, max, mean };
 inline constexpr LengthLine lengthLines[] = {
     LengthLine::lowerLimit, LengthLine::upperLimit, LengthLine::target, LengthLine::blankMin,

@@ -11,7 +11,7 @@ namespace sparkout {
 
 namespace {
 
-/// To a hundredth of a micrometre, as such instruments state it.
+/// Rounds to a hundredth of a micrometre, the resolution of such instruments.
 double rounded_um(double value_um) {
     return std::round(value_um * 100) / 100;
 }
@@ -64,7 +64,7 @@ std::optional<MachineForm> measuredForm(const Project& project) {
     }
     for (std::size_t i = 0; form.roundness_um && form.runout_um && i < form.runout_um->size();
          ++i) {
-        double& runout_um = (*form.runout_um)[i]; // measured apart it may come out smaller
+        double& runout_um = (*form.runout_um)[i]; // measured separately, it may be smaller
         runout_um = std::max(runout_um, (*form.roundness_um)[i]);
     }
     return form;

@@ -23,7 +23,7 @@ Project newProject(Operation operation) {
     rough.axial_feed_mm_min = 1800;
     rough.stock_mm = 0.11;
     Stage finish;
-    // becomes 0.1 mm/min of plunge feed: twice as much falls below the field at the stiff end
+    // becomes 0.1 mm/min of plunge feed: twice as much would miss the tolerance at the stiff end
     finish.radial_feed_mm = operation == Operation::traverse ? 0.002 : 0.001;
     finish.axial_feed_mm_min = 1000;
     finish.stock_mm = 0.04;
@@ -50,7 +50,7 @@ StartingAnswer drawnProject(const StartingDrawing& drawing, const StartingEntrie
 }
 
 Project undrawnProject(Operation operation) {
-    constexpr double never = 1.7e-7; // is added by no one
+    constexpr double never = 1.7e-7; // a value that nobody enters
     StartingDrawing drawing;
     drawing.operation = operation;
     drawing.diameter_mm = 30;
@@ -65,13 +65,13 @@ Project undrawnProject(Operation operation) {
     project.part->diameter_mm += never;
     project.part->upper_deviation_um += never;
     project.part->lower_deviation_um -= never;
-    project.part->length_mm -= never; // a plunge reaches as far as the wheel
+    project.part->length_mm -= never; // the length that the wheel covers
     project.part->stock_mm += never;
     return project;
 }
 
 Project withoutDeviations(Project project) {
-    constexpr double never_um = 1.7e-7; // is added by no one
+    constexpr double never_um = 1.7e-7; // a value that nobody enters
     project.part->upper_deviation_um += never_um;
     project.part->lower_deviation_um -= never_um;
     return project;

@@ -23,7 +23,7 @@ constexpr double usualCompliance_mm_per_n = 1.5e-4;
 /// mm/min of plunge feed for one mm per double stroke: a usual pair is 0.4 and 0.004.
 constexpr double plungePerTraverseFeed = 100;
 
-/// Cut to six significant digits, as one would enter it.
+/// Cut to six significant digits, as people enter numbers.
 double rounded(double value) {
     if (value == 0) {
         return 0;
@@ -32,13 +32,13 @@ double rounded(double value) {
     return std::round(value * scale) / scale;
 }
 
-/// The compliance at a share 0…1 of the ground length, between the zones' values.
+/// Interpolates the compliance at a share 0…1 of the ground length between the zones' values.
 double between(const ZoneCompliance& zones, double share) {
     return share < 0.5 ? zones.rz1 + (zones.nz - zones.rz1) * 2 * share
                        : zones.nz + (zones.rz2 - zones.nz) * (2 * share - 1);
 }
 
-/// The listed compliance at a share of the ground length.
+/// Interpolates the listed compliance at a share of the ground length.
 double between(const std::vector<double>& sections, double share) {
     const double at =
         std::clamp(share * double(sections.size()) - 0.5, 0.0, double(sections.size() - 1));
@@ -58,7 +58,7 @@ double complianceAt(const Project& project, double share) {
     return sections && !sections->empty() ? between(*sections, share) : usualCompliance_mm_per_n;
 }
 
-/// Of sections on the first `reach_mm` of the ground length.
+/// The compliance of sections on the first `reach_mm` of the ground length.
 std::vector<double> sectionCompliance(const Project& project, int count, double reach_mm) {
     const double share = reach_mm / project.part->length_mm;
     std::vector<double> values;
@@ -75,7 +75,8 @@ ZoneCompliance zoneCompliance(const Project& project) {
             rounded(complianceAt(project, turned ? 0 : 1))};
 }
 
-/// As an operation is given it: a value a zone, or one a section on the first `reach_mm`.
+/// The compliance in the form of an operation: a value for each zone, or for each section on the
+/// first `reach_mm`.
 GivenCompliance givenCompliance(const Project& project, const Operation& operation,
                                 double reach_mm) {
     if (operation->hasZones) {
@@ -97,7 +98,7 @@ void makePlunge(Project& project) {
     project = fitted(std::move(project), Operation::plunge);
 }
 
-/// The wheel turns at the wall of a blind bore, or before it; no other overrun is negative.
+/// Keeps the wheel from passing the wall of a blind bore; no other overrun is negative.
 void keepOffTheWall(Project& project) {
     Machine& machine = *project.machine;
     const bool wall = project.part->surface == Surface::internal && project.part->blind_bore;
@@ -109,9 +110,9 @@ void keepOffTheWall(Project& project) {
     machine.overrun_exit_mm = kept(machine.overrun_exit_mm, !atEntry);
 }
 
-/// Overruns that leave a zone between the reversals, L_p > (B − o1) + (B − o2), each bracket above
-/// zero: a third of the wheel, or half of it, where those there are do not. The wheel stays; where
-/// none of them does the length is refused.
+/// Sets overruns that leave a zone between the reversals, L_p > (B − o1) + (B − o2), each bracket
+/// above zero: a third or half of the wheel, where the current ones do not. The wheel is unchanged;
+/// if neither leaves one, the length is refused.
 void fitZones(Project& project) {
     const double width = project.wheel->width_mm;
     Machine& machine = *project.machine;
@@ -149,7 +150,7 @@ void makeTraverse(Project& project) {
     project = fitted(std::move(project), Operation::traverse);
 }
 
-/// Other zones or sections come: what was stated of single ones is of none of them.
+/// Drops values of single zones or sections, which do not apply to the new ones.
 void forgetZones(Project& project) {
     project.part->zone_stock_mm.reset();
     project.part->zone_runout_mm.reset();
@@ -189,7 +190,7 @@ Quill usualQuill(const Project& project) {
 
 Project fitted(Project project, Operation operation) {
     operation.match([&](Traverse) { fitZones(project); },
-                    [&](Plunge) { // grinds what the wheel that is there covers
+                    [&](Plunge) { // grinds the length that the current wheel covers
                         Part& part = *project.part;
                         part.length_mm = std::min(part.length_mm, project.wheel->width_mm);
                     });

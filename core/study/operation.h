@@ -9,9 +9,9 @@
 namespace sparkout {
 
 /// Returns the project under another operation: feeds, compliance, overruns and gauge get values
-/// that the new operation can run with; inputs that it does not read are cleared. The wheel stays,
-/// so a length may be too short to be traversed with it. A search gets levels for the feeds of the
-/// new operation.
+/// that the new operation can run with; inputs that it does not use are cleared. The wheel is
+/// unchanged, so a length may be too short to be traversed with it. A search gets levels for the
+/// feeds of the new operation.
 [[nodiscard]] Project withOperation(Project project, Operation operation);
 
 /// Returns the project with lengths that suit an operation: for traverse grinding overruns that

@@ -18,7 +18,7 @@ namespace sparkout {
 
 namespace {
 
-/// Gives a member back its value of `last` where it still is what the way from there made of it.
+/// Restores a member's value from `last` unless it was edited after the switch.
 template <class T>
 void giveBack(T& made, const T& now, const T& thence, const T& last) {
     if (now == thence) {
@@ -31,8 +31,8 @@ bool sameFeeds(const Stage& a, const Stage& b) {
            && a.feeds() == b.feeds();
 }
 
-/// Which stage of the last time is stage i of now: the same number, or, where stages were added or
-/// removed, the one with the feeds that the way from there made; null when it is another stage.
+/// The stage of the last project that corresponds to stage i: the same number or, if stages were
+/// added or removed, the one with the feeds that the switch made; null if there is none.
 const Stage* stageOfLastTime(std::size_t i, const Project& now, const Project& thence,
                              const Project& last) {
     const auto& stages = last.cycle->stages;
@@ -47,7 +47,7 @@ const Stage* stageOfLastTime(std::size_t i, const Project& now, const Project& t
     return nullptr;
 }
 
-/// Feeds belong to one operation: they come back whatever was done under the other.
+/// Feeds belong to one operation: they are restored whatever was edited under the other.
 void giveBackFeeds(Project& made, const Project& now, const Project& thence, const Project& last) {
     for (std::size_t i = 0; i < made.cycle->stages.size(); ++i) {
         Stage& stage = made.cycle->stages[i];
@@ -71,7 +71,7 @@ void giveBackGauge(Gauge& made, const Gauge& now, const Gauge& thence, const Gau
              last.compliance_mm_per_n);
 }
 
-/// What the way from there added to the search goes with it.
+/// Removes what the switch added to the search.
 void giveBackLevels(Project& made, const Project& now, const Project& thence, const Project& last) {
     if (!made.optimisation || !now.optimisation || !thence.optimisation || !last.optimisation) {
         return;
@@ -83,7 +83,7 @@ void giveBackLevels(Project& made, const Project& now, const Project& thence, co
     }
 }
 
-/// What the way to another kind of grinding forgot of single zones or sections.
+/// Restores values of single zones or sections that the switch to another operation dropped.
 void giveBackZones(Project& made, const Project& last) {
     made.part->zone_stock_mm = last.part->zone_stock_mm;
     made.part->zone_runout_mm = last.part->zone_runout_mm;

@@ -24,7 +24,7 @@ struct Outcome {
     SimulationResult result;
     Trajectory trajectory;
     FeedSeries feeds;      ///< the trajectory summed up pass by pass
-    LayerSeries layers;    ///< layer by layer, the means over the radii
+    LayerSeries layers;    ///< layers with the means over the radii
     StepShares steps;      ///< by stage and step of the double strokes
     PartAccuracy accuracy; ///< form of every zone or section and of the part
     std::vector<ConstraintResult> constraints;

@@ -24,9 +24,9 @@ namespace sparkout {
 
 namespace {
 
-constexpr double fieldTolerance_mm = 1e-9; ///< as the verdict allows [MODEL-8]
+constexpr double fieldTolerance_mm = 1e-9; ///< tolerance of the verdict [MODEL-8]
 
-/// Of a zone or section, or as the part has them.
+/// The radii of the blank, for a zone or section or for the whole part.
 std::vector<double> blankRadii(const Part& part, std::optional<std::size_t> place = {}) {
     const Blank blank = makeBlank(part);
     const std::vector<double>& depth_mm = place ? blank.depthAt(*place) : blank.depth_mm;
@@ -39,7 +39,7 @@ std::vector<double> blankRadii(const Part& part, std::optional<std::size_t> plac
     return radii;
 }
 
-/// The stretches of the ground length that the zones or sections stand for.
+/// Sets the parts of the ground length that the zones or sections represent.
 void setStretches(ProfileSeries& series, const Project& project) {
     const std::vector<Stretch> stretches = groundStretches(project);
     for (std::size_t i = 0; i < series.profiles.size(); ++i) {
@@ -48,7 +48,7 @@ void setStretches(ProfileSeries& series, const Project& project) {
     }
 }
 
-/// Each with its slice of the ground length, from the headstock on.
+/// Adds each section with its slice of the ground length, from the headstock end.
 void addZoneSections(ProfileSeries& series, const SimulationResult& result) {
     const std::vector<CompliantPoint> points = zoneSectionPoints(result.project);
     for (std::size_t i = 0; i < result.zoneSections.size(); ++i) {
@@ -112,12 +112,12 @@ ProfileSeries endOfCycle(const SimulationResult& result) {
     return series;
 }
 
-/// Deviations and runout of the radii, as Run::sectionResult has them at the end.
+/// Computes deviations and runout of the radii, like Run::sectionResult at the end.
 void measure(Profile& profile, double nominal_mm, double geometricRunout_mm) {
     const int half = static_cast<int>(profile.radii_mm.size()) / 2;
     profile.diameterMin_mm = std::numeric_limits<double>::infinity();
     profile.diameterMax_mm = -profile.diameterMin_mm;
-    for (int k = 0; k < half; ++k) { // across a gap no number, and no extreme
+    for (int k = 0; k < half; ++k) { // NaN across a gap, and no extreme
         const double deviation = diameterAt(profile, k) - nominal_mm;
         profile.diameterMin_mm = std::min(profile.diameterMin_mm, deviation);
         profile.diameterMax_mm = std::max(profile.diameterMax_mm, deviation);
@@ -126,7 +126,7 @@ void measure(Profile& profile, double nominal_mm, double geometricRunout_mm) {
     profile.radialRunout_mm = runout({&shape, 1}, geometricRunout_mm);
 }
 
-/// Puts the radii as they were at a moment in place of those at the end.
+/// Replaces the final radii by those at a moment.
 void rewindTo(ProfileSeries& series, const Trajectory& trajectory, const Progress& moment) {
     const LastVisits visits = lastVisits(trajectory, series.profiles.size(), moment);
     for (std::size_t i = 0; i < visits.size(); ++i) {
@@ -153,7 +153,7 @@ ProfileSeries makeProfileSeries(const SimulationResult& result, const Trajectory
     }
     if (moment && moment->end <= trajectory.passes.size() && !trajectory.passes.empty()) {
         rewindTo(series, trajectory, *moment);
-        if (!series.atEnd()) { // passes are recorded of the zones' middles
+        if (!series.atEnd()) { // passes are recorded for the zones' middles
             series.zoneSections.clear();
         }
         const double geometric = addedRunout_um(*result.project.machine) / units::umPerMm;

@@ -29,7 +29,7 @@ struct FittedCircle {
 struct Profile {
     Zone zone = Zone::section;
     int section = 0;
-    bool gauge = false;           ///< it carries the gauge or is nearest to it
+    bool gauge = false;           ///< it has the gauge or is nearest to it
     double position_mm = 0;       ///< its middle, from the headstock end of the ground length
     double from_mm = 0;           ///< beginning of its part of the ground length
     double to_mm = 0;             ///< its end, from < to
@@ -38,10 +38,10 @@ struct Profile {
     double diameterMin_mm = 0;    ///< min of D_k less the nominal diameter
     double diameterMax_mm = 0;    ///< max of D_k less the nominal diameter
     double radialRunout_mm = 0;   ///< R_max − R_min plus the machine's geometric runout
-    double mean_mm = 0;           ///< of the radii
+    double mean_mm = 0;           ///< mean of the radii
     RoundnessZone leastSquares;
     RoundnessZone minimumZone; ///< after addMinimumZone()
-    /// After addHeldCircles(); not given: beside a wide gap no such circle exists.
+    /// After addHeldCircles(); not given if no such circle exists beside a wide gap.
     std::optional<RoundnessZone> inscribed, circumscribed;
 };
 
@@ -54,16 +54,16 @@ struct ProfileSeries {
     double lowerLimit_mm = 0;     ///< radius at the lower deviation of the diameter
     double upperLimit_mm = 0;     ///< radius at the upper deviation
     double length_mm = 0;         ///< L_p
-    double gauge_mm = 0;          ///< where the gauge stands along the ground length
+    double gauge_mm = 0;          ///< position of the gauge along the ground length
     std::vector<double> blank_mm; ///< the K radii of the part before the first touch
     std::vector<Profile> profiles;
     std::vector<Profile>
         zoneSections;                ///< at the end of the cycle, where zones have several sections
     std::vector<ZoneForm> zoneForms; ///< forms of those zones; empty: not computed
     int stroke = 0;         ///< number of the last double stroke or revolution; 0: the blank
-    int strokeCount = 0;    ///< of the whole cycle
-    bool strokeDone = true; ///< else the moment is within that stroke
-    int stage = 0;          ///< of that stroke; 0: the blank, or not known
+    int strokeCount = 0;    ///< number of strokes of the whole cycle
+    bool strokeDone = true; ///< false: the moment is within that stroke
+    int stage = 0;          ///< stage of that stroke; 0: the blank, or not known
     double time_s = 0;      ///< from the start of the cycle
     bool knowsRunout = true,
          knowsRoundness = true; ///< whether the machine's own runout and roundness are included
@@ -96,10 +96,11 @@ void filterProfile(Profile& profile, int cutoff_upr);
 /// Returns a measured profile of K ≥ 4 radii at even angles.
 [[nodiscard]] Profile measuredProfile(const ProfileSeries& series, std::vector<double> radii_mm);
 
-/// Returns the index of the zone or section that carries the gauge or is nearest to it.
+/// Returns the index of the zone or section that has the gauge or is nearest to it.
 [[nodiscard]] int gaugeProfile(const SimulationResult& result);
 
-/// Returns whether a diameter of the profile is outside the drawing's field by more than 1e-9 mm.
+/// Returns whether a diameter of the profile is outside the drawing's tolerance by more than 1e-9
+/// mm.
 [[nodiscard]] bool outOfField(const ProfileSeries& series, const Profile& profile);
 
 /// Returns the distance from the axis at which the ray at an angle meets a circle that contains the

@@ -25,7 +25,7 @@ RecalledRun recallRun(const std::string& inputs, const std::stop_token& stop) {
         run.summary = summarise(outcome->result, outcome->accuracy, outcome->constraints);
         FeedSeries feeds = outcome->feeds;
         for (FeedColumn& column : feeds.columns) {
-            column.passIndex = {}; // the trajectory is gone
+            column.passIndex = {}; // the trajectory does not exist any more
         }
         run.feeds = std::make_shared<const FeedSeries>(std::move(feeds));
     }

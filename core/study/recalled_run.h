@@ -16,8 +16,8 @@ namespace sparkout {
 
 /// A kept run recomputed by this version of the engine.
 struct RecalledRun {
-    Issues issues;                           ///< with errors the run is not made
-    std::optional<RunSummary> summary;       ///< nothing: the inputs were refused
+    Issues issues;                           ///< with errors it is not run
+    std::optional<RunSummary> summary;       ///< empty: the inputs were refused
     std::shared_ptr<const FeedSeries> feeds; ///< null: not kept
 };
 

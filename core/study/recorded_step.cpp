@@ -8,7 +8,7 @@ namespace sparkout {
 
 namespace {
 
-/// But for the double stroke or revolution of the cycle.
+/// Whether two places differ only in the double stroke or revolution of the cycle.
 bool alike(const Place& a, const Place& b) {
     return a.zone == b.zone && a.step == b.step && a.section == b.section && a.stage == b.stage
            && a.revolution == b.revolution;

@@ -12,13 +12,13 @@ namespace sparkout {
 /// Results of a robust search that a refinement of its answer needs.
 struct RobustTrail {
     std::vector<Project> scenarios; ///< scenarios that it added
-    int candidates = 0;             ///< number of cycles that it tried on fresh phases
+    int candidates = 0;             ///< number of cycles tried on fresh phases
 };
 
 /// The answer of a search of a grid.
 struct GridAnswer {
     const Project& asked; ///< the project that was searched
-    const Project& best;  ///< with the machine settings of the answer
+    const Project& best;  ///< the project with the machine settings of the answer
     const Cycle& cycle;
     std::optional<RobustTrail> robust; ///< only for a robust search
 };

@@ -30,7 +30,7 @@ bool leftStrips(const RunSummary& summary) {
     });
 }
 
-/// Whether a value of a summary is of the finished surface.
+/// Whether a value of a summary belongs to the finished surface.
 bool isOfSurface(std::string_view key) {
     return key.starts_with("diameter_deviation") || key == "radial_runout_um"
            || key == "roundness_um" || key == "cylindricity_um" || key == "total_runout_um"
@@ -77,7 +77,7 @@ void addRequirements(const RunSummary& summary, const Project* inputs, RunValues
 
 // --- whether two are the same -------------------------------------------------------------------
 
-/// A number as it is stated, with a point; never −0. No text where it is not finite.
+/// A number in its stated digits, with a point; never −0. Empty if it is not finite.
 std::string stated(double value, const ResultDigits& digits) {
     if (!std::isfinite(value)) {
         return {};
@@ -139,7 +139,7 @@ bool same(const std::optional<RunValue>& a, const std::optional<RunValue>& b, bo
                a->value);
 }
 
-/// The rows in which the runs differ; what only one of them has stands where it has it.
+/// Adds the rows in which the runs differ; values of only one run keep their position.
 void addDiffering(const std::vector<RunValues>& runs, bool isResult,
                   std::vector<ComparedRow>& rows) {
     std::vector<std::string> order;
@@ -163,7 +163,7 @@ void addDiffering(const std::vector<RunValues>& runs, bool isResult,
         const std::optional<RunValue>* first = nullptr;
         bool differs = false;
         for (std::size_t run = 0; run < runs.size(); ++run) {
-            if (!runs[run].empty()) { // else nothing is known of it
+            if (!runs[run].empty()) { // otherwise it is unknown
                 first = first ? first : &row.runs[run];
                 differs = differs || !same(*first, row.runs[run], isResult);
             }
@@ -174,7 +174,7 @@ void addDiffering(const std::vector<RunValues>& runs, bool isResult,
     }
 }
 
-/// Along the ground length, from 0 to 1.
+/// A position along the ground length, from 0 to 1.
 double placeShare(const RunPlaces& run, std::size_t zone) {
     const double length_mm = run.project.part->length_mm;
     return length_mm > 0 ? run.summary.zones.at(zone).position_mm / length_mm : 0;
@@ -277,7 +277,7 @@ std::optional<ConstraintResult> leastMargin(std::span<const ConstraintResult> co
         if (marginKnown(constraint) != MarginKnown::exactly) {
             continue;
         }
-        // the end of a range, or the least number of steps, is nothing to keep away from
+        // the end of a range, or the least number of steps, may be reached
         const bool mayBeMet = requirementOf(constraint.kind).source == LimitSource::range
                               || constraint.kind == ConstraintKind::leastSteps;
         const bool counts = !mayBeMet || !constraint.holds;

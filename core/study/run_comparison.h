@@ -49,7 +49,7 @@ struct RunValue {
 struct ComparedRow {
     std::string path;
     bool isResult = false;
-    std::vector<std::optional<RunValue>> runs; ///< by run; nothing: the run has no such value
+    std::vector<std::optional<RunValue>> runs; ///< by run; empty: the run has no such value
 };
 
 /// Digits to which a result is stated: decimals, or significant digits where decimals are below 0.
@@ -58,12 +58,12 @@ struct ResultDigits {
     int significant = 3;
 };
 [[nodiscard]] ResultDigits digitsOf(const Field& result);
-inline constexpr int worstDigits = 2; ///< significant, of the worst margin in per cent
+inline constexpr int worstDigits = 2; ///< significant digits of the worst margin in per cent
 
 /// Returns the inputs that the model reads, in the order of the tables, without kept runs and
 /// sweep.
 [[nodiscard]] std::vector<RunValue> inputsRead(const Project& project);
-std::vector<RunValue> inputsRead(Project&&) = delete; // its leaves would be gone
+std::vector<RunValue> inputsRead(Project&&) = delete; // its leaves would dangle
 
 /// Returns the results in a summary in the order of its table, then its margins, the worst margin
 /// and the verdict. Missing values are left out; where strips stay uncut, so are all values of the
@@ -73,8 +73,8 @@ std::vector<RunValue> inputsRead(Project&&) = delete; // its leaves would be gon
 std::vector<RunValue> resultsStated(ReadSummary&&, const Project* inputs = nullptr) = delete;
 
 /// Returns the inputs, then the results, in which the runs differ, in the order of the tables:
-/// inputs in any digit, results in those to which they are stated. A value that only some runs have
-/// differs; a run without inputs and summary differs in nothing.
+/// inputs in any digit, results in their stated digits. A value that only some runs have differs; a
+/// run without inputs and summary differs in nothing.
 [[nodiscard]] std::vector<ComparedRow> compareRuns(const std::vector<ComparedRun>& runs);
 
 /// Converts a requirement of a summary to that of the verdict; nothing: this version does not know
@@ -96,11 +96,11 @@ leastMargin(std::span<const ConstraintResult> constraints);
 [[nodiscard]] std::optional<Light> verdictOf(const RunSummary& summary,
                                              const Project* inputs = nullptr);
 
-/// Returns the largest difference of two lists of numbers; nothing: their lengths differ.
+/// Returns the largest difference of two lists of numbers; empty if their lengths differ.
 [[nodiscard]] std::optional<double> largestDifference(const std::vector<double>& a,
                                                       const std::vector<double>& b);
 
-/// A run and its summary, for curves of one run over those of another.
+/// A run and its summary, for drawing curves of one run over those of another.
 struct RunPlaces {
     const Project& project;
     const RunSummary& summary;
@@ -109,8 +109,8 @@ struct RunPlaces {
 /// Returns whether the zones or sections of two runs are the same.
 [[nodiscard]] bool haveSamePlaces(const RunPlaces& a, const RunPlaces& b);
 
-/// Returns the zone or section of another run that corresponds to one of this run: the same one
-/// where both have the same, else the nearest along the ground length, each as a share of it.
+/// Returns the zone or section of another run that corresponds to one of this run: the same one if
+/// both have the same, otherwise the nearest along the ground length, each as a share of it.
 [[nodiscard]] std::size_t matchingPlace(const RunPlaces& run, std::size_t zone,
                                         const RunPlaces& other);
 

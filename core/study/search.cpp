@@ -24,7 +24,7 @@ namespace sparkout {
 
 namespace {
 
-/// The search of one grid, in the way that a project asks for.
+/// The search of one grid, as the project specifies it.
 struct SearchedGrid {
     SearchSummary search;
     std::optional<RobustSummary> robust{};
@@ -33,7 +33,7 @@ struct SearchedGrid {
     [[nodiscard]] bool hasBest() const { return search.best && (!robust || robust->holdsInSample); }
 };
 
-/// What keeps a project from being searched, before anything is.
+/// The faults that prevent a search, found before it begins.
 std::shared_ptr<SearchOutcome> checked(const Project& project, const SearchWish& wish,
                                        const std::stop_token& stop) {
     auto outcome = std::make_shared<SearchOutcome>();
@@ -77,7 +77,7 @@ GivenCycle givenCycle(const Project& project, const std::stop_token& stop) {
     return given;
 }
 
-/// The whole grid with each round of its levels, then what is asked beyond its answer.
+/// Searches the whole grid with each round of its levels, then computes the additional results.
 class Search {
 public:
     using Clock = std::chrono::steady_clock;
@@ -120,17 +120,17 @@ public:
     }
 
 private:
-    /// What a cycle of the grid is to the list of those found.
+    /// The status of a cycle of the grid in the list of found ones.
     struct Noted {
         FeasibleCycle cycle;
         FoundBy by = FoundBy::search;
-        int candidate = 0; ///< on fresh phases
+        int candidate = 0; ///< among those tried on fresh phases
         std::shared_ptr<const IntervalSummary> interval{};
         bool isAnswer = false, isBestOfItsNumber = false;
-        bool isOtherSample = false; ///< it holds in other scenarios than the answer
+        bool isOtherSample = false; ///< it is fit in other scenarios than the answer
     };
 
-    /// What is known of the grid with the levels of a round.
+    /// The results for the grid with the levels of a round.
     struct Round {
         Round(const Project& project, const std::stop_token& stop)
             : searched(project), variants(std::make_shared<Variants>(project, stop)) {}
@@ -187,7 +187,7 @@ private:
         }
     }
 
-    /// As long as further levels may better the answer.
+    /// Continues while further levels may improve the answer.
     void searchLevels() {
         searchRound();
         const auto isStopped = [this] { return m_now.grid.search.status == SearchStatus::stopped; };
@@ -197,7 +197,7 @@ private:
             Round before = std::exchange(m_now, Round(m_levels.searched(), m_stop));
             searchRound();
             if (isStopped()) {
-                m_now = std::move(before); // its answer stands
+                m_now = std::move(before); // keeps its answer
                 m_outcome->areLevelsCutShort = true;
                 break;
             }
@@ -211,7 +211,7 @@ private:
             m_outcome->edges = edgesReached(m_now.searched, m_outcome->search.cycle);
             m_outcome->settingEdges = settingEdgesReached(m_now.searched, m_outcome->search.cycle,
                                                           m_outcome->search.machine);
-            // As the search lists them: without its spark-out.
+            // Counts stages as the search lists them: without the spark-out.
             addNumber(static_cast<int>(
                           std::ranges::count_if(m_outcome->search.cycle.stages, &Stage::feeds)),
                       m_now.grid);
@@ -247,7 +247,7 @@ private:
                                      : none;
     }
 
-    /// What is to be known of the answer, and of the cycle that is given.
+    /// Computes the results for the answer, and for the given cycle.
     void weigh() {
         {
             const GraceStop grace(m_stop);
@@ -323,7 +323,7 @@ private:
 
     // --- beyond the answer ----------------------------------------------------------------------
 
-    /// What stands before the front is looked for.
+    /// Shows the results before the search for the front.
     void showAnswer() {
         if (m_events.answer) {
             auto answer = std::make_shared<SearchOutcome>(*m_outcome);
@@ -341,7 +341,7 @@ private:
         m_outcome->numbers.push_back(number);
     }
 
-    /// Those beside the answer's.
+    /// Searches the numbers of stages other than the answer's.
     void searchOtherNumbers() {
         std::vector<SearchedNumber> answered = std::exchange(m_outcome->numbers, {});
         int candidates = m_outcome->robust ? m_outcome->robust->candidates : 0;
@@ -357,11 +357,11 @@ private:
             Project project = m_now.searched;
             project.optimisation->stages = {each};
             if (m_stop.stop_requested() || Variants(project, m_stop).fault() != GridFault::none) {
-                continue; // else the stock cannot be divided so often
+                continue; // otherwise the stock cannot be divided into so many stages
             }
             SearchOptions options = optionsFor(stages);
             if (options.method == SearchMethod::full) {
-                options.method = SearchMethod::pruned; // which proves the same sooner
+                options.method = SearchMethod::pruned; // it proves the same sooner
             }
             const SearchedGrid grid = searchGrid(project, options);
             if (grid.hasBest()) {
@@ -372,7 +372,7 @@ private:
         }
     }
 
-    /// Time against margin, about as long as the search took.
+    /// Searches time against margin, for about as long as the first search took.
     void lookForMargins(Clock::duration took) {
         constexpr std::size_t most = 40;
         constexpr std::chrono::seconds grace(2);
@@ -428,7 +428,7 @@ private:
         }
     }
 
-    /// Whether it takes no longer than the answer may; others are of the front alone.
+    /// Whether it takes no longer than the answer may; others belong only to the front.
     [[nodiscard]] bool mayAnswer(const Noted& each) const {
         return !each.isOtherSample
                && (!m_outcome->marginWithin_us
@@ -495,7 +495,7 @@ private:
     SearchLevels m_levels;
     Round m_now;
     bool m_robust;
-    std::optional<double> m_best_s; ///< of the rounds before
+    std::optional<double> m_best_s; ///< best time of the earlier rounds
     std::stop_token m_stop;
     SearchEvents m_events;
 };

@@ -29,7 +29,7 @@ double roundStep(double value) {
     return power * (digits < 1.5 ? 1 : digits < 3.5 ? 2 : digits < 7.5 ? 5 : 10);
 }
 
-/// The preferred numbers R5 from one to the other, both of which are among them [ISO 3].
+/// The preferred numbers R5 between two of them, inclusive [ISO 3].
 std::vector<double> preferred(double from, double to) {
     constexpr std::array series{1.0, 1.6, 2.5, 4.0, 6.3};
     std::vector<double> values{from};
@@ -47,9 +47,8 @@ std::vector<double> preferred(double from, double to) {
     return values;
 }
 
-/// Levels of a feed: preferred numbers over the machine's range, in its steps; where it has none
-/// from a fortieth of the fastest of these to twice that. None where the range lies beyond what a
-/// level may be.
+/// Levels of a feed: preferred numbers over the machine's range, in its steps; without a range from
+/// a fortieth of the fastest of these to twice that. Empty if the range has no valid level.
 Levels usualLevels(const std::vector<double>& feeds,
                    const std::optional<std::vector<double>>& range, double highest) {
     constexpr double below = 20, above = 2;
@@ -143,7 +142,7 @@ bool sameSearch(const Project& a, const Project& b) {
         project.measured.reset();
         project.runs.clear();
         project.sweep.reset();
-        if (project.optimisation) { // what is searched need not be as it was
+        if (project.optimisation) { // the search need not stay unchanged
             const Optimisation& asked = *project.optimisation;
             const auto free = [](const Levels& levels, double own) {
                 return levels == Levels() ? own : 0;

@@ -13,7 +13,7 @@ namespace sparkout {
 
 /// Returns the project with the usual practical limits of a stage where it states none: least
 /// overlap of every stage and of the last, least number of steps. A cycle that a shop would not run
-/// then breaks a requirement, the current one too.
+/// then violates a requirement, possibly also the current one.
 [[nodiscard]] Project withPracticalLimits(Project project);
 
 /// Returns the project with the usual search that is offered: with practical limits, so that its
@@ -21,7 +21,7 @@ namespace sparkout {
 [[nodiscard]] Project withOfferedSearch(Project project);
 
 /// Returns the project with usual levels in its search for those feeds of its operation that have
-/// none. All other inputs of the search stay, also those for the other operation.
+/// none. All other inputs of the search are kept, including those for the other operation.
 [[nodiscard]] Project withSearchFor(Project project);
 
 /// Returns whether a search of two projects has the same answer: only their cycles, names, notes

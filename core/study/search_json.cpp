@@ -47,7 +47,7 @@ ordered_json keysJson(const std::vector<ConstraintKind>& kinds) {
     return keys;
 }
 
-/// Null: not searched, or the wheel does not wear.
+/// Null if not searched, or if the wheel does not wear.
 ordered_json dressingJson(const SearchOutcome& outcome) {
     if (!outcome.interval || !outcome.interval->held) {
         return nullptr;
@@ -120,7 +120,7 @@ ordered_json limitBoundsJson(const SteplessLimit& limit) {
     return bounds;
 }
 
-/// Null: no limit is known.
+/// Null without a known limit.
 ordered_json limitCyclesJson(const SteplessLimit& limit) {
     if (!isKnownLimit(limit.time_s)) {
         return nullptr;
@@ -141,7 +141,7 @@ ordered_json givenJson(const SearchOutcome& outcome) {
 
 ordered_json freshPhasesJson(const SearchOutcome& outcome) {
     const RobustSummary& robust = *outcome.robust;
-    const int phases = robust.freshPhases; // 0: there is no answer that was tried
+    const int phases = robust.freshPhases; // 0: no tried answer
     const int candidate = outcome.refined() ? outcome.refined()->candidate : robust.candidate;
     return {{"tried", phases},
             {"failed", 0},
@@ -152,7 +152,7 @@ ordered_json freshPhasesJson(const SearchOutcome& outcome) {
             {"cycles_that_failed", robust.freshFailures}};
 }
 
-/// Of a batch whose corners were searched; null: there is no answer that was tried on any.
+/// For a batch whose corners were searched; null if no answer was tried on any.
 ordered_json freshPartsJson(const RobustSummary& robust) {
     if (robust.freshParts == 0) {
         return nullptr;
@@ -165,7 +165,7 @@ ordered_json freshPartsJson(const RobustSummary& robust) {
             {"confidence", 0.95}};
 }
 
-/// Those of none of which another is both quicker and farther from its limits.
+/// The cycles for which no other is both quicker and farther from its limits.
 ordered_json frontJson(const SearchOutcome& outcome) {
     ordered_json front = ordered_json::array();
     for (const FoundCycle* each : outcome.front()) {

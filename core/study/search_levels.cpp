@@ -29,7 +29,7 @@ std::vector<double> sortedLevels(const Optimisation& search, const StageFeed& fe
     return values;
 }
 
-/// What a level of a feed may be.
+/// The allowed range of a feed's levels.
 struct LevelRange {
     double low = 0, high = 0;
     double step = 0; ///< 0: three significant digits
@@ -60,7 +60,7 @@ struct LevelRange {
     }
 };
 
-/// Limit of the range and the stage's own bounds.
+/// The limit of the range and the stage's own bounds.
 double limitOf(const Optimisation& search, const StageFeed& feed, std::size_t stage,
                const LevelRange& range, bool isMost) {
     const double own = isMost ? range.high : range.low;
@@ -72,7 +72,7 @@ double limitOf(const Optimisation& search, const StageFeed& feed, std::size_t st
     return isMost ? std::min(own, ends[1]) : std::max(own, ends[0]);
 }
 
-/// Three levels beyond the last of them, by the ratio of the last two.
+/// Adds three levels beyond the last of them, by the ratio of the last two.
 void addBeyond(std::vector<double>& levels, const LevelRange& range, bool isMost) {
     constexpr int added = 3;
     constexpr double leastRatio = 1.1;
@@ -85,7 +85,7 @@ void addBeyond(std::vector<double>& levels, const LevelRange& range, bool isMost
     }
 }
 
-/// One between each of these and its neighbours, where they are far enough apart.
+/// Adds a level between each of these and its neighbours, if they are far enough apart.
 void addBetween(std::vector<double>& levels, const LevelRange& range,
                 const std::vector<double>& used) {
     constexpr double nearest = 1.05;

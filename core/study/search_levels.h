@@ -16,9 +16,9 @@ namespace sparkout {
 /// A feed of a cycle that is the least or the greatest level of its grid.
 struct LevelEdge {
     const StageFeed* feed = nullptr;
-    std::size_t stage = 0; ///< from 0
+    std::size_t stage = 0; ///< counted from 0
     double level = 0;
-    bool isMost = false;         ///< the greatest, else the least
+    bool isMost = false;         ///< the greatest, otherwise the least
     std::optional<double> limit; ///< limit of the machine or of the stage's own bounds
     bool isLimit = false;        ///< the level itself is the limit, which no grid exceeds
 };
@@ -31,7 +31,7 @@ struct LevelEdge {
 struct SettingEdge {
     const char* key = ""; ///< of its row in the search: "work_speed_rpm"
     double level = 0;
-    bool isMost = false;         ///< the greatest, else the least
+    bool isMost = false;         ///< the greatest, otherwise the least
     std::optional<double> limit; ///< limit of the machine's range or of the row
     bool isLimit = false;        ///< the level itself is the limit, which no grid exceeds
 };
@@ -66,7 +66,7 @@ public:
 private:
     Project m_searched;
     int m_round = 1;
-    std::optional<double> m_time_s, m_margin; ///< of the round before
+    std::optional<double> m_time_s, m_margin; ///< best values of the previous round
 };
 
 } // namespace sparkout

@@ -34,7 +34,7 @@ const char* aimKey(const Found& f) {
     return "least_time";
 }
 
-/// The answer's cases, where it was decided.
+/// The answer's cases, if it was decided.
 std::optional<PhaseCases> decidedBy(const Found& f) {
     return f.answer() ? f.answer()->decided : std::nullopt;
 }

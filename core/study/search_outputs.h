@@ -12,8 +12,7 @@ namespace sparkout {
 
 [[nodiscard]] std::span<const Output<SearchOutcome>> searchOutputs();
 
-/// Returns the cost of a part that is ground with the answer; nothing: there is no answer, or there
-/// are no rates.
+/// Returns the cost of a part ground with the answer; empty without an answer or without rates.
 [[nodiscard]] std::optional<double> costOfAnswer(const SearchOutcome& outcome);
 
 /// A machine setting that the search was free to choose, with its value in a cycle found.

@@ -23,7 +23,7 @@ bool isPerMinute(const Field& column) {
     return std::string_view(column.unit) == "mm/min";
 }
 
-/// The one along the work, or none.
+/// Whether the column holds the feed along the work.
 bool isAlong(const Project& project, const Field& column) {
     const StageFeed* axial = project.operation->axial();
     return axial && std::string_view(axial->key) == column.key;

@@ -17,13 +17,13 @@ struct FeedForms {
     std::optional<double> ofWidth;
 };
 
-/// Returns the forms of a feed in mm/min from a column of the stages; nothing: another column, or
-/// the work does not turn.
+/// Returns the forms of a feed in mm/min from a column of the stages; empty for other columns, or
+/// if the work does not turn.
 [[nodiscard]] std::optional<FeedForms> feedForms(const Project& project, const Field& column,
                                                  double feed_mm_min);
 
 /// Returns a feed typed as "12 mm/rev" or, for an axial feed, "0.3B", in mm/min, rounded to a step
-/// of the machine where it has one; nothing: the text is not of this form.
+/// of the machine where it has one; empty if the text is not of this form.
 [[nodiscard]] std::optional<double> feedFromForm(const Project& project, const Field& column,
                                                  std::string_view text);
 

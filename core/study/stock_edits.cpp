@@ -36,13 +36,13 @@ Project withFittedStocks(Project project) {
         return project;
     }
     const double stock_mm = project.part->stock_mm;
-    auto rest = stages.begin(); // takes what the others leave
+    auto rest = stages.begin(); // gets the remainder
     if (sumFrom(stages, 1) >= stock_mm) {
         const double scale = stock_mm / sumFrom(stages, 0);
         for (Stage& stage : stages) {
             stage.stock_mm = tidyStock(stage.stock_mm * scale);
         }
-        rest = std::ranges::max_element(stages, {}, &Stage::stock_mm); // which rounding leaves some
+        rest = std::ranges::max_element(stages, {}, &Stage::stock_mm); // it absorbs the rounding
     }
     rest->stock_mm = tidyStock(rest->stock_mm + stock_mm - sumFrom(stages, 0));
     return project;

@@ -27,7 +27,7 @@ double twoDigits(double value) {
     return value;
 }
 
-/// What the field calls usual, or else 0 to 1; with the present value.
+/// The field's usual range, otherwise 0 to 1; extended to the current value.
 Range usualRange(const NumberInput& input) {
     Range soft = input.field->soft;
     const double now = input.value.value_or(soft.low);
@@ -82,7 +82,7 @@ SweepAxis usualAxis(const Project& project, const std::string& path) {
     };
     axis.from = end(range.low, false);
     axis.to = end(range.high, true);
-    if (axis.to <= axis.from) { // at an end of what is allowed
+    if (axis.to <= axis.from) { // at an end of the allowed range
         axis.from = allowedValue(axis.to - 1, input->allowed);
         axis.to = allowedValue(axis.from + 1, input->allowed);
     }

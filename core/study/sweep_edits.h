@@ -16,8 +16,8 @@ namespace sparkout {
 /// removes it.
 [[nodiscard]] Project withSweptInput(Project project, std::size_t place, const std::string& path);
 
-/// Returns the project with another range at a place; it is unchanged when another input is now
-/// varied there.
+/// Returns the project with another range at a place; unchanged if another input is now varied
+/// there.
 [[nodiscard]] Project withSweepAxis(Project project, std::size_t place, const SweepAxis& axis);
 
 /// Returns the project with the values of the inputs at a point of a sweep, as far as it still has

@@ -33,7 +33,8 @@ struct FeedRange {
     double low = 0, high = 0;
 };
 
-/// By the required roughness: below 0.8 µm, from 0.8, from 1.6 µm; 0.8 where none is required.
+/// The value by the required roughness: below 0.8 µm, from 0.8, from 1.6 µm; that of 0.8 where none
+/// is required.
 template <class Value>
 Value byRoughness(const Project& project, const std::array<Value, 3>& values) {
     constexpr double usual_um = 0.8, coarse_um = 1.6;
@@ -49,7 +50,7 @@ bool isHard(const Project& project) {
 /// The feeds of a stage that a machine can be set to.
 class FeedSteps {
 public:
-    /// `usual`: the step where the machine states none.
+    /// `usual`: the step if the machine gives none.
     FeedSteps(const Project& project, const StageFeed& feed, double usual) {
         const Range hard = tableOf<Optimisation>().find(feed.key)->hard;
         const auto& range = project.machine->limits.*feed.range;
@@ -127,7 +128,7 @@ private:
     [[nodiscard]] double rough() const { return fedBy(m_feeding.front()); }
     [[nodiscard]] double finish() const { return fedBy(m_feeding.back()); }
     [[nodiscard]] bool hasFinish() const { return m_feeding.size() > 1; }
-    /// The radial feed of a stage, and what its continuous infeed feeds in a double stroke.
+    /// The radial feed of a stage, or the infeed of its continuous one per double stroke.
     [[nodiscard]] double fedBy(const Stage& stage) const {
         const double feed = (stage.*radial().value).value_or(0);
         return m_project.operation->travels && stage.continuousFeed_mm_min() > 0
@@ -166,7 +167,7 @@ private:
         return {0.6 * now, std::max(std::min(2 * now, most_mm), now)};
     }
 
-    /// Levels of a feed for roughing and finishing, and which of them are for which.
+    /// Sets levels of a feed for roughing and finishing, and their assignment.
     void put(Optimisation& search, const StageFeed& feed, double step, const FeedRange& rough,
              const FeedRange& finish) const {
         const FeedSteps steps(m_project, feed, step);
@@ -179,7 +180,8 @@ private:
             {roughing.front(), roughing.back()}, {finishing.front(), finishing.back()}};
     }
 
-    /// Where the machine has a range for it, what feeds as much in a double stroke.
+    /// Where the machine has a range for it, sets the continuous infeed that feeds as much per
+    /// double stroke.
     void putContinuous(Optimisation& search) const {
         constexpr double usualStep_mm_min = 0.005;
         const StageFeed* const feed = m_project.operation->continuous;
@@ -210,8 +212,7 @@ private:
         }
     }
 
-    /// The least of the finishing stock is a floor: with less the lag of roughing decides on the
-    /// size.
+    /// The finishing stock has a lower limit: below it the lag of roughing determines the size.
     void putStocks(Optimisation& search) const {
         constexpr double least_mm = 0.015, usual_mm = 0.03, ofNow = 0.75, sparkOut_mm = 0.006;
         const double step_mm = search.stock_step_mm, all_mm = m_project.part->stock_mm;
@@ -250,7 +251,7 @@ private:
 
     const Project& m_project;
     std::vector<Stage> m_feeding;
-    int m_sparkOut = 0; ///< steps; 0: the cycle has none
+    int m_sparkOut = 0; ///< steps; 0: no spark-out
 };
 
 } // namespace

@@ -6,13 +6,13 @@
 namespace sparkout {
 
 /// Returns the project with a usual search about its cycle: roughing, finishing and, where the
-/// cycle has one, spark-out, as a shop would run them. Its answer holds for every corner of the
-/// batch, or where none can be run for every stock within one infeed; levels are preferred numbers
-/// R10 in steps of the machine.
+/// cycle has one, spark-out, as in a shop. Its answer is fit for every corner of the batch, or
+/// without a valid batch for every stock within one infeed; levels are preferred numbers R10 in
+/// steps of the machine.
 ///
 /// * Plunge: roughing from half its current feed to Q'_w = 2 mm³/(mm·s) and 1.2 mm/min, for soft
-/// steel 3 and 1.6, in a bore half of that Q'_w; finishing from 0.05 to 0.08, 0.125 or 0.16 mm/min
-/// by the required roughness.
+///   steel 3 and 1.6, in a bore half of that Q'_w; finishing from 0.05 to 0.08, 0.125 or 0.16
+///   mm/min by the required roughness.
 /// * Traverse: roughing from 0.5 to 1.6 of its current infeed, at most 25 µm, finishing from 0.6 to
 ///   2 of its current infeed, at most 5 µm, both per double stroke; S_ax from 0.15 to 0.4 B·n.
 ///   Where the machine has a range of the continuous infeed, stages may instead have one that feeds

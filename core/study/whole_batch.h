@@ -22,7 +22,7 @@ struct BatchOutcome {
     BatchSummary summary;
     std::vector<std::optional<RankRegression>> regressions; ///< by characteristic
     std::vector<GivenFactor> factors;
-    std::vector<std::vector<double>> drawn; ///< values of the factors, by kept part
+    std::vector<std::vector<double>> drawn; ///< values of the factors, by recorded part
     std::vector<Undecided> notDecided;      ///< requirements that cannot be decided for any part
 
     [[nodiscard]] bool ran() const { return issues.empty(); }
@@ -46,7 +46,7 @@ using BatchOutcomePtr = std::shared_ptr<const BatchOutcome>;
 /// Returns the number of parts in the batch of a project.
 [[nodiscard]] std::int64_t partsOf(const Project& project);
 
-/// Returns the number of parts that Sobol indices take.
+/// Returns the number of parts needed for Sobol indices.
 [[nodiscard]] std::int64_t partsOfIndices(const Project& project, int points);
 
 } // namespace sparkout

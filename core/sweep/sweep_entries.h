@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// What a sweep can be read by.
+/// The readable results of a sweep.
 namespace sparkout {
 
 /// Quantities of one name, of all zones or of one.
@@ -17,14 +17,14 @@ struct SweepEntry {
     std::vector<std::size_t> quantities;
 };
 
-/// The entries of a sweep, in its order; `each`: every zone by itself, too.
+/// The entries of a sweep, in its order; `each`: also every zone separately.
 [[nodiscard]] std::vector<SweepEntry> sweepEntries(const SweepResult& sweep, bool each);
 
-/// The quantity of an entry that has the least margin at a point, without limits the greatest
-/// value; nothing where the point has none.
+/// The quantity of an entry with the least margin at a point, without limits the greatest value;
+/// empty if the point has none.
 [[nodiscard]] std::optional<std::size_t> worstAt(const SweepPoint& point, const SweepEntry& entry);
 
-/// Whether every point was run and no result of any differs from those of the first.
+/// Whether every point was run and all have the same results as the first.
 [[nodiscard]] bool changesNothing(const SweepResult& sweep);
 
 } // namespace sparkout

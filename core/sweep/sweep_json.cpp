@@ -32,7 +32,7 @@ constexpr Output<SweepPoint> sweepPointRows[] = {
      [](const SweepPoint& p) { return p.good; }},
 };
 
-/// What there is none of is not stated.
+/// Omits missing values.
 template <double SweepValue::*number>
 constexpr Output<SweepFigure> sweepNumber(const char* key, const char* hint) {
     return {{.key = key, .hint = hint},

@@ -20,7 +20,7 @@ struct SweepFigure {
 [[nodiscard]] std::span<const Output<SweepPoint>> sweepPointOutputs();
 [[nodiscard]] std::span<const Output<SweepFigure>> sweepFigureOutputs();
 
-/// Its name in files and on the command line: "cannot_reach_size".
+/// The key in files and on the command line: "cannot_reach_size".
 [[nodiscard]] const char* sweepStatusKey(SweepStatus status);
 
 /// The object of `sweep --json`, which words faults by `sentence`.

@@ -58,7 +58,8 @@ private:
         return value;
     }
 
-    /// As a batch counts it: what is set, as the machine's ranges, has no margin of that kind.
+    /// Like a batch: settings, such as those limited by the machine's ranges, have no margin of
+    /// that kind.
     void addLeastMargin() {
         SweepPoint& point = m_measured.point;
         point.good = true;

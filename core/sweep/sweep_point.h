@@ -5,7 +5,7 @@
 
 namespace sparkout {
 
-/// A point with its quantities, before those of all points are set side by side.
+/// A point with its quantities, before they are aligned with those of all points.
 struct MeasuredPoint {
     SweepPoint point;
     std::vector<SweepQuantity> quantities;

@@ -50,7 +50,7 @@ class SweepPool {
 public:
     SweepPool(SweepResult& result, const SweepOptions& options)
         : m_result(result), m_options(options), m_base(withMeasuredRa(result.project)) {
-        m_base.batch.reset(); // no cycle reads them
+        m_base.batch.reset(); // no cycle uses them
         m_base.optimisation.reset();
         m_base.sweep.reset();
     }
@@ -98,7 +98,7 @@ private:
         return true;
     }
 
-    /// One list for all points that have the same quantities: most have.
+    /// One list for all points with the same quantities, as most have.
     const Quantities* listOf(Quantities quantities) {
         const std::lock_guard lock(m_mutex);
         for (const Quantities& list : m_lists) {
@@ -109,7 +109,7 @@ private:
         return &m_lists.emplace_back(std::move(quantities));
     }
 
-    /// Each once, in the order of the points: whatever thread was quicker.
+    /// Each once, in the order of the points, independent of the threads.
     void gatherQuantities() {
         Quantities& all = m_result.quantities;
         const Quantities* last = nullptr;
@@ -142,7 +142,7 @@ private:
     SweepResult& m_result;
     const SweepOptions& m_options;
     Project m_base;
-    std::vector<const Quantities*> m_listOf; ///< of each point; null: it has none
+    std::vector<const Quantities*> m_listOf; ///< of each point; null: none
     std::deque<Quantities> m_lists;          ///< guarded by the mutex
     std::mutex m_mutex;
 };

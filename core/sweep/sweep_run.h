@@ -12,20 +12,20 @@
 #include <string>
 #include <vector>
 
-/// A cycle run again and again with one or two of its inputs varied: what they do to every result.
+/// Repeats a cycle with one or two varied inputs, to show their effect on every result.
 namespace sparkout {
 
-/// What is reported of every point, of a zone or section or of the whole part.
+/// A quantity reported for every point, of a zone or section or of the whole part.
 struct SweepQuantity {
     std::string name; ///< "time", "least_margin", "diameter", "peak_normal_force", "peak_power", or
                       ///< that of the requirement
     std::string unit; ///< s, %, µm, N, kW …
     Zone zone = Zone::section;
-    int section = -1; ///< index of the zone or section; −1: of the whole part
+    int section = -1; ///< index of the zone or section; −1: the whole part
     friend bool operator==(const SweepQuantity&, const SweepQuantity&) = default;
 };
 
-/// A quantity at a point. What there is none of is NaN.
+/// A quantity at a point. Missing values are NaN.
 struct SweepValue {
     double value = std::numeric_limits<double>::quiet_NaN();
     double low = std::numeric_limits<double>::quiet_NaN();  ///< limits
@@ -34,7 +34,7 @@ struct SweepValue {
 };
 
 enum class SweepStatus {
-    pending,    ///< not run: the sweep was stopped before
+    pending,    ///< not run: the sweep was stopped before it
     refused,    ///< the inputs are refused with these values
     notReached, ///< the cycle does not reach size
     done
@@ -43,8 +43,8 @@ enum class SweepStatus {
 struct SweepPoint {
     SweepStatus status = SweepStatus::pending;
     Issues issues;                        ///< why it is refused
-    RunStatus run = RunStatus::completed; ///< how the cycle ended
-    bool good = false;                    ///< every requirement holds
+    RunStatus run = RunStatus::completed; ///< the end of the cycle
+    bool good = false;                    ///< every requirement is met
     std::vector<SweepValue> values;       ///< by quantity; empty unless done
 };
 
@@ -55,15 +55,15 @@ struct SweptInput {
     std::vector<double> values;
 };
 
-/// What came out of a sweep. A value; it says what was run.
+/// The result of a sweep, a value with its inputs.
 struct SweepResult {
-    Project project; ///< with its sweep, without kept runs
+    Project project; ///< the project with its sweep, without kept runs
     std::string engineVersion;
     std::vector<SweptInput> inputs;
     std::vector<SweepQuantity> quantities; ///< all that any point has
     std::vector<SweepPoint> points;        ///< the first input's values, for each of the second's
     bool stopped = false;
-    Issues issues; ///< why no point was run, as checkSweep() has them
+    Issues issues; ///< why no point was run, by checkSweep()
 
     [[nodiscard]] bool ran() const { return issues.empty(); }
     [[nodiscard]] std::size_t index(std::size_t first, std::size_t second = 0) const {
@@ -74,30 +74,29 @@ struct SweepResult {
 };
 
 struct SweepOptions {
-    int threads = 0; ///< 0: as many as the processor carries out at once
+    int threads = 0; ///< 0: as many as the processor runs at once
     std::stop_token stop;
-    std::atomic<std::int64_t>* done = nullptr; ///< points done, while it runs
+    std::atomic<std::int64_t>* done = nullptr; ///< number of finished points during the run
 };
 
-/// What keeps the sweep of a project from being run; the point alone says whether its inputs are
-/// refused.
+/// The faults that prevent the sweep of a project; refused inputs are found only at each point.
 [[nodiscard]] Issues checkSweep(const Project& project);
 
-/// The values of a varied input: both ends as given, those between rounded to ten digits, of a
-/// whole number each once.
+/// The values of a varied input: both ends as given, those between rounded to ten digits, each
+/// whole number once.
 [[nodiscard]] std::vector<double> sweepValues(const SweepAxis& axis, bool integer);
 
-/// How many points the sweep of a project has; 0 without one.
+/// The number of points of a project's sweep; 0 without one.
 [[nodiscard]] std::int64_t pointsOf(const Project& project);
 
-/// Gives a project these values of varied inputs. With another wheel diameter V_k is what the
-/// machine's drive makes of it (changeWheelDiameter); a V_k that is varied itself counts as it is.
+/// Gives a project these values of varied inputs. With another wheel diameter V_k follows from the
+/// machine's drive (changeWheelDiameter), unless V_k itself is varied.
 void putSweptValues(Project& project, const std::vector<SweepAxis>& axes,
                     const std::vector<double>& values);
 
-/// Runs a sweep: no point of one that checkSweep() does not pass. The same for any number of
+/// Runs a sweep; refuses one that fails checkSweep(). The result is independent of the number of
 /// threads, bit for bit: each point is the run of the project with its values. A stop request ends
-/// it within a revolution of each thread and keeps what was done.
+/// it within a revolution of each thread and keeps the finished points.
 [[nodiscard]] SweepResult runSweep(const Project& project, const SweepOptions& options = {});
 
 } // namespace sparkout

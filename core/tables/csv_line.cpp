@@ -16,14 +16,15 @@ namespace sparkout {
 namespace {
 
 constexpr char backslash = '\\';
-constexpr std::size_t codeSize = 5; ///< of u202E
+constexpr std::size_t codeSize = 5; ///< length of u202E
 
-/// Tabs and line ends stand in quotation marks, as every spreadsheet reads them.
+/// Tabs and line ends are quoted, which every spreadsheet understands.
 bool standsInQuotes(unsigned code) {
     return code == '\t' || code == '\n' || code == '\r';
 }
 
-/// What is written as its code. A byte order mark would be taken for that of the file.
+/// Whether a character is written as its code. A byte order mark would be taken for that of the
+/// file.
 bool isWrittenAsCode(unsigned code) {
     constexpr unsigned byteOrderMark = 0xFEFF;
     return (steersTheDisplay(code) && !standsInQuotes(code)) || code == byteOrderMark;
@@ -35,7 +36,7 @@ std::string codeText(unsigned code) {
     return text.data();
 }
 
-/// The character that a text such as u202E names, if such a one is written so.
+/// The character named by a text such as u202E, if it is one that is written so.
 std::optional<unsigned> codeNamed(std::string_view text) {
     if (text.size() < codeSize || text.front() != 'u') {
         return std::nullopt;
@@ -64,9 +65,9 @@ std::string escaped(std::string_view text) {
         const unsigned code = size > 0 ? characterCode(text.substr(0, size)) : 0;
         const bool isCode = size > 0 && isWrittenAsCode(code);
         if (isCode || (escapes > 0 && codeNamed(text))) {
-            cell.append(escapes, backslash); // each of them doubled before a code
+            cell.append(escapes, backslash); // doubles each of them before a code
         }
-        // Bytes that are not UTF-8 are shown as such.
+        // Bytes that are not UTF-8 are shown as codes.
         cell += isCode      ? codeText(code)
                 : size == 0 ? printable(text.substr(0, 1))
                             : std::string(text.substr(0, size));

@@ -7,30 +7,30 @@
 #include <string>
 #include <string_view>
 
-/// Writing tables that TableReader reads again, cell by cell the same.
+/// Writes tables that TableReader reads back identically, cell by cell.
 namespace sparkout {
 
-/// Whether a spreadsheet would take a cell of this text for a formula: it begins with = + - @, a
+/// Whether a spreadsheet would take a cell with this text for a formula: it begins with = + - @, a
 /// tab or a carriage return.
 [[nodiscard]] bool readsAsFormula(std::string_view text);
 
-/// A text as a cell: in quotation marks if need be, with an apostrophe in front of what a
-/// spreadsheet would take for a formula, and what steers a terminal or the reading direction,
-/// apart from tabs and line ends, as \uXXXX. Numbers are no texts.
+/// A text as a cell: quoted if needed, with an apostrophe before a text that a spreadsheet would
+/// take for a formula, and with characters that control a terminal or the reading direction, except
+/// tabs and line ends, as \uXXXX. Not for numbers.
 [[nodiscard]] std::string csvCell(std::string_view text, char delimiter = ',');
 
-/// The text that csvCell() made such a cell of; its quotation marks are taken off already.
+/// The text from which csvCell() made a cell, given without its quotation marks.
 [[nodiscard]] std::string textOfCell(std::string_view cell);
-/// Whether it may be another than the cell.
+/// Whether csvCell() may have changed the text of the cell.
 [[nodiscard]] bool isChangedInCell(std::string_view cell);
 
-/// A line of a table while it is written.
+/// A line of a table being written.
 class CsvLine {
 public:
     explicit CsvLine(TableDialect dialect = {}) : m_dialect(dialect) {}
 
     CsvLine& text(std::string_view text);
-    /// So that it reads back as the same double; an empty cell where it is not finite.
+    /// Reads back as the same double; an empty cell if it is not finite.
     CsvLine& number(double value);
     CsvLine& whole(std::int64_t value);
     CsvLine& empty() { return put({}); }

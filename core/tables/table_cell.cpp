@@ -48,7 +48,7 @@ Quoted quotedCell(std::string_view cell) {
     std::size_t end = std::min(cell.size(), longest);
     while (end < cell.size() && end > 0
            && (static_cast<unsigned char>(cell[end]) & 0xC0U) == 0x80U) {
-        --end; // not inside a character
+        --end; // inside a character
     }
     const char* const rest = end < cell.size() ? "…" : "";
     return {'"' + printable(cell.substr(0, end)) + rest + '"'};

@@ -9,10 +9,11 @@
 
 namespace sparkout {
 
-/// A cell as a number, spaces around it apart; nothing where it is none in this dialect. Finite.
+/// A cell as a number, ignoring spaces around it; empty if it is not a finite number in this
+/// dialect.
 [[nodiscard]] std::optional<double> cellNumber(std::string_view cell, char decimal);
 
-/// A cell as it may stand in a message: one line, short.
+/// A cell for a message: one line, short.
 [[nodiscard]] Quoted quotedCell(std::string_view cell);
 
 /// A text of Latin, Greek and Cyrillic letters in lower case, ё as е.

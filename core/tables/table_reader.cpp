@@ -14,7 +14,7 @@ namespace {
 
 constexpr char quotationMark = '"';
 
-/// What the first rows have with a delimiter.
+/// Statistics of the first rows for a delimiter.
 struct Marks {
     int rows = 0;
     int parted = 0;             ///< delimiters between cells
@@ -33,7 +33,7 @@ Marks marksOf(std::string_view text, char delimiter) {
             marks.heads.assign(rows.cells().begin(), rows.cells().end());
         }
         marks.rows += rows.isBlank() ? 0 : 1;
-        // A delimiter that tears quoted cells apart is none.
+        // A delimiter that splits quoted cells is not one.
         marks.parted += rows.hasStrayMark() ? 0 : static_cast<int>(rows.cells().size()) - 1;
         for (const std::string_view cell : rows.cells()) {
             for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
@@ -51,13 +51,13 @@ Marks marksOf(std::string_view text, char delimiter) {
 TableDialect dialectOf(std::string_view text) {
     for (const char delimiter : {'\t', ';', '|'}) {
         const Marks marks = marksOf(text, delimiter);
-        // Once or more in nearly every row.
+        // At least once in nearly every row.
         if (marks.parted >= std::max(1, marks.rows - 1)) {
             return {delimiter, marks.decimal()};
         }
     }
     const Marks marks = marksOf(text, ',');
-    // "Diameter, mm" above 29,991: the comma of a heading stands before a unit alone.
+    // "Diameter, mm" above 29,991: the comma of a heading precedes only a unit.
     const bool isOneColumn =
         marks.heads.size() == 1
         || (marks.heads.size() == 2 && unitNamed(marks.heads[1]) && marks.points == 0);
@@ -132,7 +132,7 @@ void TableReader::readQuoted(std::size_t open, std::size_t close) {
     m_places.push_back({from, m_unescaped.size() - from, true});
 }
 
-/// Where the mark stands that closes the cell; nowhere: the first one is none of a quoted cell.
+/// The position of the closing quotation mark; npos if the first one does not open a quoted cell.
 std::size_t TableReader::closingMark(std::size_t open) const {
     std::size_t at = open + 1;
     const std::size_t last = std::min(m_text.size(), at + limits::cellBytes);
@@ -169,7 +169,7 @@ bool TableReader::endsCell(std::size_t at) const {
 void TableReader::skipLineEnd() {
     const std::string_view rest = m_text.substr(std::min(m_at, m_text.size()));
     ++m_nextLine;
-    // The first is of a text whose CR LF was written as text once more.
+    // The first occurs in a text whose CR LF was written as text again.
     for (const std::string_view end : {"\r\r\n", "\r\n", "\r", "\n"}) {
         if (rest.starts_with(end)) {
             m_at += end.size();
@@ -179,7 +179,7 @@ void TableReader::skipLineEnd() {
 }
 
 void TableReader::unescapeCells() {
-    // All that grows is done before anything points into it.
+    // Pointers are taken after all growing.
     for (Place& place : m_places) {
         const std::string_view source = place.isUnescaped ? std::string_view(m_unescaped) : m_text;
         const std::string_view cell = source.substr(place.from, place.size);

@@ -10,25 +10,25 @@
 namespace sparkout {
 
 namespace limits {
-inline constexpr std::size_t cellBytes = 128U << 10U; ///< of a cell in quotation marks
+inline constexpr std::size_t cellBytes = 128U << 10U; ///< largest size of a quoted cell
 } // namespace limits
 
-/// How a table is written.
+/// The notation of a table.
 struct TableDialect {
     char delimiter = ','; ///< , ; tab, or | of lines time|key|value
     char decimal = '.';   ///< . or ,
     friend bool operator==(const TableDialect&, const TableDialect&) = default;
 };
 
-/// The dialect of a text, from its first rows. A text of one column has a delimiter that it does
+/// The dialect of a text, from its first rows. A text with one column has a delimiter that it does
 /// not contain.
 [[nodiscard]] TableDialect dialectOf(std::string_view text);
 
 /// The rows of a text one by one, each as its cells [RFC 4180]. Rows end with LF, CR LF or CR. A
-/// cell may stand in quotation marks, which are no part of it; there a doubled one is one, and
-/// delimiters and line ends belong to the cell. A quotation mark that does not open a cell, or is
-/// not closed before a delimiter or a line end, is a character as any other. What csvCell() has
-/// put into a cell is taken out again.
+/// cell may be enclosed in quotation marks, which are not part of it; inside, a doubled one is one,
+/// and delimiters and line ends belong to the cell. A quotation mark that does not open a cell, or
+/// is not closed before a delimiter or a line end, is an ordinary character. The escapes of
+/// csvCell() are undone.
 class TableReader {
 public:
     enum class Spaces { trimmed, kept }; ///< around cells without quotation marks
@@ -36,13 +36,13 @@ public:
     /// The text must outlive it.
     explicit TableReader(std::string_view text, char delimiter, Spaces spaces = Spaces::trimmed);
 
-    /// Reads a row; false: there are no more.
+    /// Reads a row; false at the end.
     [[nodiscard]] bool next();
     /// Of the last row; valid until the next one is read.
     [[nodiscard]] const std::vector<std::string_view>& cells() const { return m_cells; }
-    [[nodiscard]] std::size_t line() const { return m_line; } ///< it begins in, from 1
+    [[nodiscard]] std::size_t line() const { return m_line; } ///< first line of the row, from 1
     [[nodiscard]] bool isBlank() const { return m_cells.size() == 1 && m_cells.front().empty(); }
-    [[nodiscard]] bool isEmpty() const; ///< none of its cells has anything
+    [[nodiscard]] bool isEmpty() const; ///< all of its cells are empty
     /// Whether one of its cells begins with a quotation mark that does not close it.
     [[nodiscard]] bool hasStrayMark() const { return m_hasStrayMark; }
 
@@ -66,7 +66,7 @@ private:
     std::size_t m_line = 0, m_nextLine = 1;
     bool m_hasStrayMark = false;
     std::vector<Place> m_places;
-    std::string m_unescaped; ///< the cells of the row that are not in the text as they read
+    std::string m_unescaped; ///< cells of the row that differ from the raw text
     std::vector<std::string_view> m_cells;
 };
 

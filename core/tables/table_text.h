@@ -9,11 +9,11 @@
 
 namespace sparkout {
 
-/// The text of a table, whatever encoding its file is in: all readers of tables take one.
+/// The text of a table, in any file encoding: the input of all readers of tables.
 class TableText {
 public:
     TableText() = default;
-    // A text is one, too: what is pasted, and the texts of tests.
+    // Converts a text, such as a pasted one, and those of tests.
     TableText(std::string bytes); // NOLINT(google-explicit-constructor)
     TableText(std::string_view bytes) : TableText(std::string(bytes)) {} // NOLINT
     TableText(const char* bytes) : TableText(std::string(bytes)) {}      // NOLINT
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] std::string_view utf8() const { return std::string_view(m_text).substr(m_begin); }
     [[nodiscard]] TextEncoding encoding() const { return m_encoding; }
     [[nodiscard]] std::size_t bytes() const { return m_bytes; } ///< of the file
-    /// Of the bytes of the file.
+    /// The hash of the file's bytes.
     [[nodiscard]] std::string sha256() const;
     [[nodiscard]] bool isBlank() const;
 
@@ -31,7 +31,7 @@ private:
     std::size_t m_begin = 0;
     std::size_t m_bytes = 0;
     TextEncoding m_encoding = TextEncoding::utf8;
-    std::string m_digest; ///< of the bytes, where the text has others
+    std::string m_digest; ///< digest of the bytes, if they differ from the text
 };
 
 } // namespace sparkout

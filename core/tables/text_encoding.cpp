@@ -13,14 +13,14 @@ namespace sparkout {
 namespace {
 
 constexpr char32_t noCharacter = 0xFFFD;
-constexpr unsigned firstHigh = 0x80; ///< of the bytes that ASCII does not have
+constexpr unsigned firstHigh = 0x80; ///< first byte outside ASCII
 
-/// 0x80…0xBF of Windows-1251; above them stand А…я.
+/// 0x80…0xBF of Windows-1251; А…я follow.
 constexpr std::u16string_view upper1251 = u"ЂЃ‚ѓ„…†‡€‰Љ‹ЊЌЋЏ"
                                           u"ђ‘’“”•–—\uFFFD™љ›њќћџ"
                                           u"\u00A0ЎўЈ¤Ґ¦§Ё©Є«¬\u00AD®Ї"
                                           u"°±Ііґµ¶·ё№є»јЅѕї";
-/// 0x80…0x9F of Windows-1252; above them it is Latin-1.
+/// 0x80…0x9F of Windows-1252; the rest is Latin-1.
 constexpr std::u16string_view upper1252 = u"€\uFFFD‚ƒ„…†‡ˆ‰Š‹Œ\uFFFDŽ\uFFFD"
                                           u"\uFFFD‘’“”•–—˜™š›œ\uFFFDžŸ";
 static_assert(upper1251.size() == 0x40 && upper1252.size() == 0x20);
@@ -42,7 +42,7 @@ unsigned byteAt(std::string_view bytes, std::size_t i) {
     return static_cast<unsigned char>(bytes[i]);
 }
 
-/// A number of so many bytes, the first or the last of which is the least.
+/// A number of several bytes, little or big endian.
 char32_t unitAt(std::string_view bytes, std::size_t from, std::size_t size, bool isLittle) {
     char32_t unit = 0;
     for (std::size_t i = 0; i < size; ++i) {
@@ -148,7 +148,7 @@ std::string fromWindows(std::string_view bytes, bool isCyrillic) {
     return text;
 }
 
-/// A character that tables of measurements and of names are made of.
+/// A character used in tables of measurements and of names.
 bool isOfTables(char32_t c) {
     struct Block {
         char32_t first, last;
@@ -162,7 +162,7 @@ bool isOfTables(char32_t c) {
                           [c](const Block& b) { return c >= b.first && c <= b.last; });
 }
 
-/// UTF-16 without a mark, if nearly all of the text's beginning is of tables in it.
+/// UTF-16 without a mark, if nearly all of the text's beginning then consists of such characters.
 std::optional<TextEncoding> utf16ByEvidence(std::string_view bytes) {
     constexpr std::size_t looked = 1U << 16U; // bytes
     const std::size_t units = std::min(bytes.size(), looked) / 2;
@@ -185,9 +185,9 @@ bool hasControls(std::string_view bytes) {
     });
 }
 
-/// Whether it is UTF-8 but for a few bytes.
+/// Whether it is UTF-8 except for a few bytes.
 bool isDamagedUtf8(std::string_view bytes) {
-    constexpr std::size_t few = 3; // times as many characters that are valid
+    constexpr std::size_t few = 3; // ratio of valid characters
     std::size_t valid = 0, others = 0;
     while (!bytes.empty()) {
         bytes.remove_prefix(asciiBytes(bytes));
@@ -200,7 +200,7 @@ bool isDamagedUtf8(std::string_view bytes) {
     return valid > few * others;
 }
 
-/// Whether most high letters stand in words with Latin ones, as in "Prüfer".
+/// Whether most high letters are in words with Latin ones, as in "Prüfer".
 bool isWestern(std::string_view bytes) {
     std::size_t beside = 0, apart = 0, highOfWord = 0, latinOfWord = 0;
     const auto endWord = [&] {

@@ -30,7 +30,7 @@ void addDigits(std::string& to, Number value) {
     to.append(buffer, end);
 }
 
-/// Characters of a number as it is shown; the cell of one that is not finite stays empty.
+/// The displayed length of a number; a cell that is not finite is empty.
 std::size_t widthOf(double value, const Column& column) {
     if (!std::isfinite(value)) {
         return 0;
@@ -41,19 +41,19 @@ std::size_t widthOf(double value, const Column& column) {
     return static_cast<std::size_t>(all);
 }
 
-/// The sheets one after the other, as XML in the archive.
+/// Writes the sheets one after the other as XML into the archive.
 class SheetWriter {
 public:
     SheetWriter(ZipWriter& zip, SharedTexts& texts, const KeepGoing& keepGoing, std::size_t allRows)
         : m_zip(zip), m_texts(texts), m_keepGoing(keepGoing), m_allRows(allRows) {}
 
-    /// False: it was given up.
+    /// False after a cancellation.
     bool write(const Sheet& sheet);
 
 private:
     void begin(const Sheet& sheet);
     [[nodiscard]] static std::string columnsXml(const Sheet& sheet);
-    /// <c r="B7" s="3" and what follows.
+    /// Begins <c r="B7" s="3" and appends `rest`.
     void beginCell(int style, const char* rest);
     void addText(const std::string& text, int style);
     void addHead(const Sheet& sheet);
@@ -71,7 +71,7 @@ private:
     std::size_t m_row = 0;
     std::size_t m_column = 0;
     std::vector<std::string> m_letters;
-    std::string m_xml; ///< what is not yet in the archive
+    std::string m_xml; ///< not in the archive yet
 };
 
 std::string SheetWriter::columnsXml(const Sheet& sheet) {
@@ -153,7 +153,7 @@ void SheetWriter::addCell(const Cell& cell, int style) {
         }
     } else if (const auto* written = std::get_if<std::string>(&cell);
                written && !written->empty()) {
-        // The mark before a text that would become a formula when it is edited.
+        // The mark of a text that would become a formula when edited.
         addText(*written, readsAsFormula(*written) ? text : plain);
     }
 }

@@ -7,20 +7,20 @@
 #include <variant>
 #include <vector>
 
-/// Workbooks as Excel, LibreOffice and others read them (Office Open XML): the one writer of them,
-/// for window and command line. All texts are UTF-8.
+/// Workbooks for Excel, LibreOffice and others (Office Open XML): the only writer, for window and
+/// command line. All texts are UTF-8.
 namespace sparkout::xlsx {
 
-inline constexpr std::size_t mostRows = 1'048'576;    ///< of a sheet, its head included
-inline constexpr std::size_t mostNameLength = 31;     ///< of a sheet, in UTF-16 units
-inline constexpr std::size_t mostTextLength = 32'767; ///< of a cell, in UTF-16 units; cut there
-inline constexpr std::size_t rowsBetweenLooks = 500;  ///< at whether to go on
+inline constexpr std::size_t mostRows = 1'048'576;    ///< rows of a sheet, with its head
+inline constexpr std::size_t mostNameLength = 31;     ///< length of a sheet's name, in UTF-16 units
+inline constexpr std::size_t mostTextLength = 32'767; ///< length of a cell's text, in UTF-16 units
+inline constexpr std::size_t rowsBetweenLooks = 500;  ///< between checks for a cancellation
 
 /// A cell: empty, a number, or a text. A number that is not finite counts as empty.
 using Cell = std::variant<std::monostate, double, std::string>;
 
 struct Column {
-    /// How the numbers are shown: with so many decimals, or these.
+    /// The number format: this number of decimals, or one of these.
     static constexpr int general = -1, scientific = -2;
 
     std::string name;
@@ -28,12 +28,12 @@ struct Column {
     int decimals = general;
 };
 
-/// A table that is made row by row.
+/// A table generated row by row.
 struct Sheet {
-    std::string name; ///< as a workbook takes it, each once: see sheetNames() of the window
+    std::string name; ///< a valid and unique name: see sheetNames() of the window
     std::vector<Column> columns;
     std::size_t rows = 0;
-    /// Puts the cells of a row into `cells`, which holds as many as there are columns.
+    /// Fills `cells`, of the number of columns, with a row.
     std::function<void(std::size_t row, std::vector<Cell>& cells)> fill = {};
 
     [[nodiscard]] bool hasUnits() const;
@@ -46,17 +46,17 @@ struct Book {
     std::vector<Sheet> sheets; ///< at least one
 };
 
-/// Told the share that is done, from 0 to 1; false: to be given up.
+/// Receives the finished share, from 0 to 1; returns false to cancel.
 using KeepGoing = std::function<bool(double share)>;
 
-/// Whether a sheet takes so many rows beside its head.
+/// Whether a sheet can have this number of rows besides its head.
 [[nodiscard]] constexpr bool takesRows(std::size_t rows, bool hasUnits) {
     return rows + (hasUnits ? 2 : 1) <= mostRows;
 }
 
-/// Numbers are numbers and read back as the same double; texts are texts, whatever they begin with.
-/// The names of the columns, and their units in a row of their own, stay in sight. Equal content
-/// gives equal bytes. Nothing when it was given up, or when a sheet has too many rows.
+/// Numbers read back as the same double; texts remain texts, whatever they begin with. The names of
+/// the columns, and their units in a row of their own, stay visible. Equal content gives equal
+/// bytes. Empty after a cancellation, or if a sheet has too many rows.
 [[nodiscard]] std::string bytesOf(const Book& book, const KeepGoing& keepGoing = {});
 
 } // namespace sparkout::xlsx

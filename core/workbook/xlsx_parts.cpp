@@ -19,7 +19,7 @@ const std::string space = "http://schemas.openxmlformats.org/spreadsheetml/2006/
 const std::string office = "http://schemas.openxmlformats.org/officeDocument/2006/";
 const std::string package = "http://schemas.openxmlformats.org/package/2006/";
 const std::string sheetKind = "application/vnd.openxmlformats-officedocument.spreadsheetml.";
-constexpr int firstOwnFormat = 164; // below it are the program's own
+constexpr int firstOwnFormat = 164; // lower ones are built in
 
 std::string link(int number, const std::string& kind, const std::string& target) {
     return "<Relationship Id=\"rId" + std::to_string(number) + "\" Type=\"" + kind + "\" Target=\""
@@ -52,14 +52,14 @@ bool isHexDigit(char c) {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'F') || (c >= 'a' && c <= 'f');
 }
 
-/// "_x0041_": read as the character of that code.
+/// "_x0041_": read as the character with that code.
 bool beginsWithEscape(std::string_view text) {
     constexpr std::size_t length = 7;
     return text.size() >= length && text.substr(0, 2) == "_x" && text[length - 1] == '_'
            && std::all_of(text.begin() + 2, text.begin() + length - 1, isHexDigit);
 }
 
-/// A character as XML may hold it.
+/// Appends a character, escaped for XML.
 void addEscaped(std::string& xml, std::string_view character) {
     switch (const char c = character.front()) {
     case '<': xml += "&lt;"; break;
@@ -102,7 +102,7 @@ std::string escaped(std::string_view text) {
     for (std::size_t length = 0; !text.empty() && length < mostTextLength; ++length) {
         std::size_t bytes = characterBytes(text);
         const std::size_t units = bytes == 4 ? 2 : 1;
-        // No half of a character, where it is cut or where it came as one.
+        // No part of a character, at a cut or in the input.
         if (bytes == 0 || length + units > mostTextLength) {
             bytes = std::max<std::size_t>(bytes, 1);
             xml += '?';

@@ -9,23 +9,23 @@
 #include <unordered_map>
 #include <vector>
 
-/// The files of a workbook beside its sheets (ECMA-376, part 1).
+/// The files of a workbook besides its sheets (ECMA-376, part 1).
 namespace sparkout::xlsx {
 
-/// Formats of cells, in the order of the file's list; from `decimals` on one a number of decimals.
+/// Cell formats, in the order of the file's list; from `decimals` on the number of decimals.
 enum Style { plain, head, unit, text, scientific, decimals };
 inline constexpr int mostDecimals = 9;
 [[nodiscard]] int styleOf(const Column& column);
-/// For a number among others of any size: as many decimals as six digits of it need.
+/// For a number in a column of any magnitude: the decimals for six digits.
 [[nodiscard]] int styleOf(double value);
 
-/// What XML may hold, escaped, and no longer than a cell takes. What is no UTF-8 becomes '?'.
+/// The text escaped for XML, and cut to the limit of a cell. Invalid UTF-8 becomes '?'.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// In UTF-16 units, in which workbooks count.
+/// In UTF-16 units, as workbooks count.
 [[nodiscard]] std::size_t lengthOf(std::string_view text);
 
-/// Every text of the cells once; they stand for it by number.
+/// The texts of the cells, each once; cells refer to them by number.
 class SharedTexts {
 public:
     [[nodiscard]] std::size_t numberOf(const std::string& text);
@@ -39,7 +39,7 @@ private:
 
 [[nodiscard]] std::string contentTypes(std::size_t sheets);
 [[nodiscard]] std::string packageLinks();
-/// The heads are printed on every page, of a long sheet the first rows alone.
+/// The heads are printed on every page, of a long sheet only the first rows.
 [[nodiscard]] std::string sheetList(const std::vector<Sheet>& sheets);
 inline constexpr std::size_t printedRows = 500;
 [[nodiscard]] std::string columnLetters(std::size_t column); ///< "A", …, "Z", "AA", …

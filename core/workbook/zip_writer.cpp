@@ -10,7 +10,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int level = 4; // half as large as the quickest, twice as quick as the usual
+constexpr int level = 4; // half as large as with the quickest, twice as quick as with the usual
 constexpr int rawDeflate = -15;
 constexpr int memory = 8;
 constexpr std::size_t roomBytes = std::size_t{64} * 1024;
@@ -91,7 +91,7 @@ void ZipWriter::end() {
     entry.packed = m_bytes.size() - start - localHeaderBytes - entry.name.size();
     m_failed = m_failed || entry.size > most || m_bytes.size() > most;
     const std::string header = headerOf(entry, false);
-    m_bytes.replace(start, header.size(), header); // as long as the room left for it
+    m_bytes.replace(start, header.size(), header); // as long as the reserved space
 }
 
 void ZipWriter::addStored(std::string_view name, std::string_view bytes) {

@@ -10,8 +10,7 @@ struct z_stream_s;
 
 namespace sparkout {
 
-/// A ZIP archive that is made in memory, file after file; equal content gives equal bytes. It holds
-/// less than 4 GB.
+/// A ZIP archive made in memory, file after file; equal content gives equal bytes. Limited to 4 GB.
 class ZipWriter {
 public:
     ZipWriter();
@@ -20,16 +19,15 @@ public:
     ~ZipWriter();
 
     void begin(std::string_view name); ///< a name in ASCII
-    void add(std::string_view bytes);  ///< to the file that was begun last
+    void add(std::string_view bytes);  ///< to the file begun last
     void end();
     /// A small file that is not compressed.
     void addStored(std::string_view name, std::string_view bytes);
 
-    /// Version of the library that compresses: "1.2.13".
+    /// Version of the compression library: "1.2.13".
     [[nodiscard]] static const char* libraryVersion();
 
-    /// The archive, which is handed over; empty when it would be too large, or the memory did not
-    /// suffice.
+    /// The archive, moved out; empty if it is too large, or if memory is insufficient.
     [[nodiscard]] std::string finish();
 
 private:
@@ -39,14 +37,14 @@ private:
         std::uint64_t size = 0;
         std::uint64_t packed = 0;
         std::uint64_t offset = 0;
-        bool isStored = false; ///< as it is, else compressed
+        bool isStored = false; ///< uncompressed
     };
     void deflate(std::string_view bytes, int flush);
     [[nodiscard]] static std::string headerOf(const Entry& entry, bool central);
 
     std::string m_bytes;
     std::vector<Entry> m_entries;
-    std::vector<unsigned char> m_room; ///< what the compressor fills
+    std::vector<unsigned char> m_room; ///< filled by the compressor
     z_stream_s* m_stream = nullptr;    ///< while a file is open
     bool m_failed = false;
 };

@@ -19,7 +19,7 @@
 
 namespace sparkout {
 
-/// A colour by the palette that is drawn with.
+/// A colour that depends on the palette.
 using BarColour = std::function<QColor(const QPalette&)>;
 [[nodiscard]] BarColour barColour(Tone tone);
 [[nodiscard]] BarColour barColour(style::Drawn what);
@@ -37,22 +37,22 @@ struct BarSeries {
 /// Five values of a distribution, from the least to the greatest.
 struct BarBox {
     double least = 0, low = 0, median = 0, high = 0, most = 0;
-    std::size_t kind = 0; ///< of those of the chart, where it has several
+    std::size_t kind = 0; ///< index among the chart's kinds, if it has several
 };
 
-/// Boxes of one colour, where a chart has several kinds of them.
+/// A kind of boxes with its colour, for a chart with several kinds.
 struct BoxKind {
     QString name;
     BarColour colour;
 };
 
-/// Values that are allowed, as a band behind the bars.
+/// Allowed values, as a band behind the bars.
 struct BarBand {
     double low = 0, high = 0;
     QString name;
 };
 
-/// A value with a name, as a line across the bars.
+/// A named value, as a line across the bars.
 struct BarLimit {
     double at = 0;
     QString name;
@@ -60,12 +60,12 @@ struct BarLimit {
     BarColour colour = {}; ///< none: that of texts
 };
 
-/// A chart as a value: what is drawn, described and tabulated of categories side by side.
+/// A chart as a value, for drawing, describing and tabulating categories side by side.
 struct BarChart {
     enum class Shape {
-        stacked, ///< the series on top of one another, what is below 0 downwards
+        stacked, ///< series on top of one another, negative values downwards
         grouped, ///< side by side
-        boxes,   ///< boxes with whiskers, in place of series
+        boxes,   ///< boxes with whiskers, instead of series
         ring,    ///< one category: the series as slices
     };
     using Number = std::function<QString(double)>;
@@ -74,32 +74,32 @@ struct BarChart {
     bool isLying = false; ///< bars from left to right, the first category on top
     QString what;         ///< the categories are: "Stage"
     QStringList categories;
-    QString axis, unit; ///< of the values: "Time", "min"
+    QString axis, unit; ///< name and unit of the values: "Time", "min"
     QString secondAxis, secondUnit;
     std::vector<BarSeries> series;
     std::vector<BarBox> boxes; ///< by category
     BarColour boxColour = {};
-    std::vector<BoxKind> boxKinds = {}; ///< in place of that colour
-    std::vector<double> sums;           ///< by category, drawn as marks where bars lead up and down
+    std::vector<BoxKind> boxKinds = {}; ///< replace that colour
+    std::vector<double> sums;           ///< by category, drawn as marks if bars lead up and down
     QString sumName;
     bool hasTotals = false; ///< the stacks' heights are stated
     std::optional<BarBand> band;
     std::vector<BarLimit> limits;
-    std::optional<double> most; ///< bars beyond it are cut; their numbers are not
+    std::optional<double> most; ///< bars beyond it are cut, unlike their numbers
     Number number = {};         ///< a value as a text without its unit
-    Number secondNumber = {};   ///< the same of the second axis
-    QString centre = {};        ///< of a ring
-    QString remark = {};        ///< what is not shown, and the like: a sentence
-    /// The name of a series in a category, where it has one of its own.
+    Number secondNumber = {};   ///< for the second axis
+    QString centre = {};        ///< text in the centre of a ring
+    QString remark = {};        ///< a sentence on omitted data, for instance
+    /// The name of a series in a category, if it differs.
     std::function<QString(std::size_t series, std::size_t category)> partName = {};
 
-    /// Of values and limits in seconds: all in the unit of the longest.
+    /// Converts values and limits in seconds to the unit of the longest.
     void fitTimeUnit();
 
     [[nodiscard]] bool empty() const { return categories.isEmpty(); }
     [[nodiscard]] const BarColour& colourOfBox(std::size_t category) const;
     [[nodiscard]] QString axisText() const;       ///< "Time, min"
-    [[nodiscard]] QString secondAxisText() const; ///< likewise
+    [[nodiscard]] QString secondAxisText() const; ///< of the second axis, with its unit
     [[nodiscard]] QString numberText(double value, bool onSecond = false) const;
     /// Of a series, "≥ 54" where it is a lower bound.
     [[nodiscard]] QString valueText(std::size_t series, std::size_t category) const;
@@ -108,11 +108,11 @@ struct BarChart {
     [[nodiscard]] double total(std::size_t category) const;                     ///< of all series
     /// "Stage 1, working stroke: 0.42 min".
     [[nodiscard]] QString described(std::size_t series, std::size_t category) const;
-    /// All of it in words, a line a category.
+    /// The chart as text, a line for each category.
     [[nodiscard]] QString description() const;
-    /// A row a category; of those series that are shown.
+    /// A row for each category, with the visible series.
     [[nodiscard]] CsvTable table(const std::function<bool(std::size_t)>& shows) const;
-    /// Keys: the series in order, where hiding one leaves others.
+    /// Keys: the series in order, if hiding one leaves others.
     [[nodiscard]] LegendEntries legend(const QPalette& palette, bool isDimmed,
                                        const std::function<bool(std::size_t)>& shows) const;
 };

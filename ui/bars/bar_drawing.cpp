@@ -21,13 +21,13 @@ namespace {
 
 using Shape = BarChart::Shape;
 
-constexpr double textGap = 4;           ///< between texts and what they belong to
+constexpr double textGap = 4;           ///< between texts and their objects
 constexpr double ringRoom = 2.2;        ///< about a ring, in heights of a text
-constexpr double widestCategory = 0.58; ///< of the width, names beside lying bars
+constexpr double widestCategory = 0.58; ///< relative to the width, names beside lying bars
 constexpr double fieldAlpha = 0.22;
 constexpr double markWidth = 3;
-constexpr double lineOfCategory = 1.45; ///< a lying bar with its name, in heights of a text
-constexpr double leastType = 0.8;       ///< of the type, names under bars that are narrow
+constexpr double lineOfCategory = 1.45; ///< a lying bar with its name, in text heights
+constexpr double leastType = 0.8;       ///< relative to the font, names under narrow bars
 
 QStringList linesOf(const QString& text) {
     return text.split(u'\n');
@@ -41,7 +41,7 @@ double widthOf(const QFontMetricsF& metrics, const QString& text) {
     return width;
 }
 
-/// With as many decimals as the step has.
+/// With the decimals of the step.
 QString axisNumber(const BarScale& scale, int tick) {
     const int decimals =
         std::clamp(static_cast<int>(std::ceil(-std::log10(scale.step) - 1e-9)), 0, 9);
@@ -58,7 +58,6 @@ qsizetype mostLines(const QStringList& texts) {
 
 } // namespace
 
-/// Where the parts of a chart stand in its picture.
 struct BarDrawing::Layout {
     QSizeF size;
     ChartArea area;
@@ -75,7 +74,7 @@ bool BarPart::holds(const QPointF& at) const {
 void BarDrawing::setChart(BarChart chart) {
     m_chart = std::move(chart);
     m_drawn = {};
-    m_parts.clear(); // of the chart before
+    m_parts.clear(); // of the previous chart
 }
 
 void BarDrawing::setShown(std::vector<bool> shown) {
@@ -109,7 +108,7 @@ int BarDrawing::leastHeight(const BarChart& chart, const QFont& font) {
     const auto categories = static_cast<double>(chart.categories.size());
     const double bars = chart.isLying ? std::max(categories, 2.0) * lineOfCategory : standing;
     const double names = chart.isLying
-                             ? 0 // they stand below; beside standing bars upright
+                             ? 0 // they are below; beside standing bars vertical
                              : std::max(metrics.horizontalAdvance(chart.axisText()),
                                         metrics.horizontalAdvance(chart.secondAxisText()));
     return static_cast<int>(
@@ -118,7 +117,7 @@ int BarDrawing::leastHeight(const BarChart& chart, const QFont& font) {
 
 // --- layout -------------------------------------------------------------------------------------
 
-/// The chart with the series that are not hidden, as far as they are drawn.
+/// The visible series of the chart.
 BarChart BarDrawing::drawnChart() const {
     BarChart drawn = m_chart;
     drawn.series.clear();
@@ -135,7 +134,7 @@ BarChart BarDrawing::drawnChart() const {
     return drawn;
 }
 
-/// Of the values themselves, which may be cut.
+/// The sum of the values themselves, even where their bars are cut.
 double BarDrawing::shownTotal(std::size_t category) const {
     double sum = 0;
     for (const std::size_t i : m_drawnSeries) {
@@ -154,7 +153,7 @@ double BarDrawing::widestNumber(const BarScale& scale) const {
     return width;
 }
 
-/// What texts beside and below the axes leave of the picture.
+/// The area that texts beside and below the axes leave.
 QRectF BarDrawing::besideAxes(const QSizeF& size, const BarScales& scales) const {
     const QFontMetricsF metrics(m_look.font);
     const double line = metrics.height();
@@ -198,7 +197,7 @@ BarDrawing::Layout BarDrawing::layOut(const QSizeF& size) const {
 
 // --- parts --------------------------------------------------------------------------------------
 
-/// The same that Qt Charts makes of the series, which it puts into equal groups by their axis.
+/// Computes the bars like Qt Charts, which puts the series into equal groups by their axis.
 void BarDrawing::findParts(const Layout& layout) {
     m_parts.clear();
     const BarChart& chart = m_drawn;
@@ -217,7 +216,7 @@ void BarDrawing::findParts(const Layout& layout) {
         };
         const double groups = (count(false) > 0 ? 1 : 0) + (count(true) > 0 ? 1 : 0);
         double up = 0, down = 0;
-        std::array<double, 2> placed{}; // of the series of either axis
+        std::array<double, 2> placed{}; // number of series on either axis
         for (std::size_t i = 0; i < chart.series.size(); ++i) {
             const double value = chart.value(i, c);
             const bool onSecond = chart.series[i].onSecond;
@@ -312,7 +311,7 @@ bool BarDrawing::write(QPainter& painter, const QRectF& box, const QString& text
     if (std::ranges::any_of(m_taken, meets)) {
         return false;
     }
-    if (onBar) { // hatches and colours would make it hard to read
+    if (onBar) { // hatches and colours would impair legibility
         QColor ground = m_look.palette.color(QPalette::Base);
         ground.setAlphaF(0.82F);
         painter.setPen(Qt::NoPen);
@@ -366,7 +365,7 @@ void BarDrawing::paintHatches(QPainter& painter) const {
     }
 }
 
-/// Limits, the 0 that bars stand on and sums of the stacks.
+/// Paints limits, the zero line and sums of the stacks.
 void BarDrawing::paintMarks(QPainter& painter, const Layout& layout) const {
     const QRectF& area = layout.area.rect;
     const BarScale& scale = layout.scales.first;
@@ -411,13 +410,13 @@ QString BarDrawing::totalText(std::size_t category) const {
     return m_drawn.isLowerBound(category) ? QStringLiteral("≥\u00a0") + text : text;
 }
 
-/// A number's place, farther on where the line of a limit would run through it.
+/// The place of a number, moved away from the lines of limits.
 QRectF BarDrawing::beyondLimits(QRectF box, const Layout& layout, bool upwards) const {
     std::vector<double> lines;
     for (const BarLimit& limit : m_drawn.limits) {
         lines.push_back(layout.area.at(m_drawn, layout.scales.first, limit.at));
     }
-    const bool isAscending = upwards == m_drawn.isLying; // on the screen, where y leads down
+    const bool isAscending = upwards == m_drawn.isLying; // on the screen, where y points down
     std::ranges::sort(lines);
     if (!isAscending) {
         std::ranges::reverse(lines);
@@ -432,7 +431,7 @@ QRectF BarDrawing::beyondLimits(QRectF box, const Layout& layout, bool upwards) 
     return box;
 }
 
-/// What a category's bars and the mark of its sum cover.
+/// The area of a category's bars and the mark of its sum.
 QRectF BarDrawing::stackOf(std::size_t category, const Layout& layout) const {
     QRectF stack;
     for (const BarPart& part : m_parts) {
@@ -447,8 +446,8 @@ QRectF BarDrawing::stackOf(std::size_t category, const Layout& layout) const {
     return stack;
 }
 
-/// Whether some part reaches so far beyond its stack's sum that a number beyond the stack would not
-/// be taken for that of the mark, or the numbers have no room side by side.
+/// Whether a part extends so far beyond its stack's sum that a number beyond the stack would not be
+/// associated with the mark, or the numbers do not fit side by side.
 bool BarDrawing::sumsNeedRows(const Layout& layout, const QStringList& texts,
                               const QFont& font) const {
     const QFontMetricsF metrics(font);
@@ -464,7 +463,7 @@ bool BarDrawing::sumsNeedRows(const Layout& layout, const QStringList& texts,
     return false;
 }
 
-/// In a row along the edge with more room; what meets its neighbour stands in a second one.
+/// Paints the sums in a row along the edge with more space; overlapping ones go into a second row.
 void BarDrawing::paintSums(QPainter& painter, const Layout& layout, const QStringList& texts) {
     const QFontMetricsF metrics(painter.font());
     const QRectF& area = layout.area.rect;
@@ -487,7 +486,7 @@ void BarDrawing::paintSums(QPainter& painter, const Layout& layout, const QStrin
     }
 }
 
-/// Beyond the end of a stack; of sums, beyond all of it, below standing ones that are below 0.
+/// Beyond the end of a stack; for sums, beyond all of it, below standing ones that are negative.
 void BarDrawing::paintTotals(QPainter& painter, const Layout& layout) {
     QStringList texts;
     for (std::size_t c = 0; c < static_cast<std::size_t>(m_drawn.categories.size()); ++c) {
@@ -536,7 +535,7 @@ void BarDrawing::paintTotals(QPainter& painter, const Layout& layout) {
     }
 }
 
-/// Within a part of a stack that has room; beyond the end of a single bar, else within.
+/// Within a sufficiently large part of a stack; beyond the end of a single bar, otherwise within.
 void BarDrawing::paintNumbers(QPainter& painter, const Layout& layout) {
     const bool isStack = m_drawn.shape == Shape::stacked && m_drawn.series.size() > 1;
     const QRectF all(QPointF(), layout.size);
@@ -625,9 +624,9 @@ void BarDrawing::paintSliceNumbers(QPainter& painter, const Layout& layout) {
 
 // --- axes ---------------------------------------------------------------------------------------
 
-/// As large as each of the texts has room for, down to the least that is read.
+/// The largest font with which all texts fit, down to the least legible.
 QFont BarDrawing::fontFor(const QStringList& texts, double room) const {
-    constexpr double shrink = 0.95; // a font's widths do not follow its size evenly
+    constexpr double shrink = 0.95; // a font's widths do not scale evenly with its size
     const auto fits = [&](const QFont& font) {
         return std::ranges::all_of(
             texts, [&](const QString& text) { return widthOf(QFontMetricsF(font), text) <= room; });
@@ -647,13 +646,13 @@ void BarDrawing::paintCategories(QPainter& painter, const Layout& layout) {
     const QFont font = fontFor(m_drawn.categories, m_drawn.isLying ? area.left() - textGap : most);
     const QFontMetricsF metrics(font);
     painter.setFont(font);
-    double last = std::numeric_limits<double>::lowest(); // end of the one before
+    double last = std::numeric_limits<double>::lowest(); // end of the previous one
     for (std::size_t c = 0; c < static_cast<std::size_t>(m_drawn.categories.size()); ++c) {
         const double middle = layout.area.middle(m_drawn, c);
         const QStringList lines = linesOf(m_drawn.categories[static_cast<qsizetype>(c)]);
         if (m_drawn.isLying) {
             if (middle - line / 2 < last - 1) {
-                continue; // of rows too low for a name each
+                continue; // rows too low for a name each
             }
             const QRectF box(0, middle - line / 2, area.left() - textGap, line);
             const QString text = metrics.elidedText(lines.join(u' '), Qt::ElideRight, box.width());

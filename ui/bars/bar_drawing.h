@@ -16,10 +16,10 @@ class QPainter;
 
 namespace sparkout {
 
-/// A bar, a box or a slice, where it was painted.
+/// A painted bar, box or slice.
 struct BarPart {
-    std::size_t series = 0, category = 0; ///< of the chart; of a box the category alone counts
-    QRectF rect;                          ///< of a slice, about its shape
+    std::size_t series = 0, category = 0; ///< in the chart; a box uses the category only
+    QRectF rect;                          ///< for a slice, its bounding box
     QPainterPath slice = {};              ///< empty: the rect
 
     [[nodiscard]] bool holds(const QPointF& at) const;
@@ -30,21 +30,21 @@ struct BarPart {
 class BarDrawing {
 public:
     void setChart(BarChart chart);
-    void setShown(std::vector<bool> shown); ///< by series; of those beyond: shown
+    void setShown(std::vector<bool> shown); ///< by series; further ones are visible
     void setLook(ChartLook look) { m_look = std::move(look); }
 
     void paint(QPainter& painter, const QSizeF& size);
 
     [[nodiscard]] const BarChart& chart() const { return m_chart; }
     [[nodiscard]] bool shows(std::size_t series) const;
-    /// As painted last; in the order of the categories.
+    /// As last painted, in the order of the categories.
     [[nodiscard]] const std::vector<BarPart>& parts() const { return m_parts; }
     [[nodiscard]] int partAt(const QPointF& at) const;     ///< −1: none
-    [[nodiscard]] int categoryAt(const QPointF& at) const; ///< beside its bars, too
+    [[nodiscard]] int categoryAt(const QPointF& at) const; ///< also beside its bars
     [[nodiscard]] const ChartScene& scene() const { return m_scene; }
-    [[nodiscard]] const QStringList& texts() const { return m_texts; } ///< as painted last
+    [[nodiscard]] const QStringList& texts() const { return m_texts; } ///< as last painted
     [[nodiscard]] const std::vector<QRectF>& numberBoxes() const { return m_taken; } ///< likewise
-    /// The least height in which every category has a line of its own.
+    /// The least height at which every category has a line of its own.
     [[nodiscard]] static int leastHeight(const BarChart& chart, const QFont& font);
 
 private:
@@ -52,7 +52,7 @@ private:
 
     [[nodiscard]] BarChart drawnChart() const;
     [[nodiscard]] double shownTotal(std::size_t category) const;
-    /// What stands beyond a stack, or at a box; empty: nothing.
+    /// The text beyond a stack, or at a box; may be empty.
     [[nodiscard]] QString totalText(std::size_t category) const;
     [[nodiscard]] Layout layOut(const QSizeF& size) const;
     [[nodiscard]] QRectF besideAxes(const QSizeF& size, const BarScales& scales) const;
@@ -74,18 +74,18 @@ private:
     void paintCategories(QPainter& painter, const Layout& layout);
     void paintAxis(QPainter& painter, const Layout& layout, bool onSecond);
     void paintAxisName(QPainter& painter, const Layout& layout, bool onSecond);
-    /// Writes a text where no other stands; false: there is no room.
+    /// Writes a text where no other is; false if it does not fit.
     bool write(QPainter& painter, const QRectF& box, const QString& text, bool onBar = false);
 
     BarChart m_chart;
     std::vector<bool> m_hidden;
     ChartLook m_look;
     ChartScene m_scene;
-    BarChart m_drawn; ///< of the shown series
+    BarChart m_drawn; ///< with the visible series
     std::vector<std::size_t> m_drawnSeries;
-    ChartArea m_area; ///< as painted last
+    ChartArea m_area; ///< area as last painted
     std::vector<BarPart> m_parts;
-    std::vector<QRectF> m_taken; ///< by texts
+    std::vector<QRectF> m_taken; ///< occupied by texts
     QStringList m_texts;
 };
 

@@ -13,7 +13,7 @@
 
 namespace sparkout {
 
-/// The chart as a layer of the plot, and about the chosen bar a frame.
+/// The chart as a layer of the plot, with a frame around the selected bar.
 class BarPlot::Layer : public QCPLayerable {
 public:
     explicit Layer(BarPlot& plot) : QCPLayerable(&plot, QStringLiteral("main")), m_plot(plot) {}
@@ -25,7 +25,7 @@ protected:
     void draw(QCPPainter* painter) override {
         const bool onScreen = !painter->modes().testFlag(QCPPainter::pmNoCaching);
         if (onScreen && m_plot.visibleRegion().isEmpty()) {
-            m_plot.m_stale = true; // Qt Charts takes its time
+            m_plot.m_stale = true; // Qt Charts is slow
             return;
         }
         m_plot.m_drawing.paint(*painter, m_plot.viewport().size());
@@ -84,7 +84,7 @@ LegendEntries BarPlot::legendEntries() const {
     return chart().legend(palette(), isDimmed(), [this](std::size_t i) { return shows(i); });
 }
 
-/// Lines and bands are no choice.
+/// Lines and bands cannot be chosen.
 LegendEntries BarPlot::besides(int) const {
     LegendEntries entries = legendEntries();
     std::erase_if(entries, [](const LegendEntry& entry) { return entry.key < 0; });
@@ -136,7 +136,7 @@ void BarPlot::paintEvent(QPaintEvent* event) {
     ViewPlot::paintEvent(event);
 }
 
-/// The page it stands on scrolls.
+/// Leaves the wheel to the scrolling page.
 void BarPlot::wheelEvent(QWheelEvent* event) {
     event->ignore();
 }
@@ -176,7 +176,7 @@ bool BarPlot::event(QEvent* event) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         const bool isPlain = static_cast<QKeyEvent*>(event)->modifiers() == Qt::NoModifier;
         if (isPlain && (key == Qt::Key_Space || (key >= Qt::Key_Left && key <= Qt::Key_Down))) {
-            event->accept(); // of the bars, not of the window
+            event->accept(); // keys of the bars, not of the window
             return true;
         }
     }

@@ -9,8 +9,8 @@
 
 namespace sparkout {
 
-/// A plot whose drawing is a chart of bars, boxes or slices: by mouse and keyboard a bar is read
-/// and entered, else it has what every plot of a view has, but for a range to move in.
+/// A plot with a chart of bars, boxes or slices: bars are read and activated by mouse and keyboard;
+/// otherwise it is like every plot of a view, but without a movable range.
 class BarPlot : public ViewPlot {
     Q_OBJECT
 public:
@@ -19,13 +19,13 @@ public:
 
     void setChart(BarChart chart); ///< no replot
     [[nodiscard]] const BarChart& chart() const { return m_drawing.chart(); }
-    /// Where each bar was painted last, in the order of the categories.
+    /// The last painted bars, in the order of the categories.
     [[nodiscard]] const BarDrawing& drawing() const { return m_drawing; }
     [[nodiscard]] bool shows(std::size_t series) const;
-    /// Whether a bar leads somewhere; what it says under the mouse tells so.
+    /// Whether activating a bar leads somewhere, which its read-out shows.
     void setLeads(bool leads) { m_leads = leads; }
 
-    void fit() override {} ///< all of it is always in sight
+    void fit() override {} ///< all of it is always visible
     void restyle() override;
     PlotTools& addTools(PlotSubject subject, Settings* settings) override;
     [[nodiscard]] LegendEntries legendEntries() const override;
@@ -38,7 +38,7 @@ protected:
     void showChoice() override;
     [[nodiscard]] LegendEntries besides(int key) const override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
-    [[nodiscard]] virtual QString described(const BarPart& part) const; ///< in words
+    [[nodiscard]] virtual QString described(const BarPart& part) const; ///< as text
     void onMouse(QMouseEvent* event) override;
     void pointAway() override;
     bool event(QEvent* event) override;
@@ -53,7 +53,7 @@ protected:
 private:
     class Layer;
 
-    [[nodiscard]] QString describedAt(int part) const; ///< empty: none
+    [[nodiscard]] QString describedAt(int part) const; ///< may be empty
     void choose(int part);                             ///< by keyboard
     void enter(int part);
 
@@ -61,7 +61,7 @@ private:
     int m_chosen = -1; ///< part chosen by keyboard
     int m_pressed = -1;
     bool m_leads = false;
-    bool m_stale = false; ///< out of sight, it was not painted anew
+    bool m_stale = false; ///< not repainted while hidden
 };
 
 } // namespace sparkout

@@ -22,7 +22,7 @@ struct Span {
     }
 };
 
-constexpr double numberRoom = 0.12; ///< beyond the bars, of what is drawn
+constexpr double numberRoom = 0.12; ///< beyond the bars, relative to the range
 
 bool hasNumbersBeyond(const BarChart& chart) {
     return chart.hasTotals || !chart.sums.empty() || chart.shape != BarChart::Shape::stacked
@@ -58,7 +58,7 @@ Span spanOf(const BarChart& chart, bool onSecond) {
     for (const double sum : chart.sums) {
         span.take(sum);
     }
-    const double lowest = span.low; // of the bars
+    const double lowest = span.low; // lowest value of the bars
     for (const BarLimit& limit : chart.limits) {
         span.take(limit.at);
     }

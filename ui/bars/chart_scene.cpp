@@ -40,7 +40,7 @@ QAbstractBarSeries* makeBars(const BarChart& chart) {
                          : new QBarSeries;
 }
 
-/// A value as its bar is drawn. What is stacked is cut as a whole, by the axis.
+/// A value as its bar is drawn. A stack is cut as a whole, by the axis.
 double drawnValue(const BarChart& chart, const BarScale& scale, double value) {
     return !std::isfinite(value) ? 0 : chart.shape == Shape::stacked ? value : scale.clamped(value);
 }
@@ -58,7 +58,7 @@ QList<double> drawnValues(const BarChart& chart, const BarScales& scales, std::s
     return values;
 }
 
-/// Whether values that change one by one would take longer than the chart takes to be made.
+/// Whether changing the values one by one would be slower than rebuilding the chart.
 bool isLarge(const BarChart& chart) {
     constexpr std::size_t manyBars = 40;
     return chart.series.size() * static_cast<std::size_t>(chart.categories.size()) > manyBars;
@@ -123,7 +123,7 @@ bool ChartScene::isAlike(const BarChart& chart) const {
                                  &BarSeries::onSecond);
 }
 
-/// Of a chart that is alike.
+/// For a chart of the same structure.
 bool ChartScene::hasValuesOf(const BarChart& chart) const {
     const auto isSame = [](double a, double b) {
         return a == b || (std::isnan(a) && std::isnan(b));
@@ -178,7 +178,7 @@ void ChartScene::build(const BarChart& chart, const BarScales& scales) {
 
 void ChartScene::buildAxes(const BarChart& chart) {
     auto* categories = new QBarCategoryAxis;
-    QStringList names; // each another, as Qt Charts wants them
+    QStringList names; // unique, as Qt Charts requires
     for (qsizetype i = 0; i < chart.categories.size(); ++i) {
         names << QString::number(i);
     }
@@ -199,7 +199,7 @@ void ChartScene::buildAxes(const BarChart& chart) {
     }
 }
 
-/// With their values: once it is in a chart, a set has it laid out anew for every value.
+/// With their values: a set in a chart repeats the layout for every value.
 void ChartScene::buildBars(const BarChart& chart, const BarScales& scales, bool onSecond) {
     QAbstractBarSeries* const bars = makeBars(chart);
     for (std::size_t i = 0; i < chart.series.size(); ++i) {
@@ -322,7 +322,7 @@ void ChartScene::paint(QPainter& painter, const QSizeF& size, const ChartArea& a
             boxes->setBoxWidth(area.barShare(m_shown));
         }
     }
-    m_chart->layout()->invalidate(); // another plot area alone moves the bars, but not the axes
+    m_chart->layout()->invalidate(); // the plot area alone would not move the axes
     m_chart->layout()->activate();
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing,

@@ -19,7 +19,6 @@ class QValueAxis;
 
 namespace sparkout {
 
-/// How a chart is painted.
 struct ChartLook {
     QPalette palette;
     QFont font;
@@ -29,32 +28,32 @@ struct ChartLook {
     [[nodiscard]] QColor ink() const;
 };
 
-/// Where the bars of a chart stand: what Qt Charts makes of an area, computed beforehand.
+/// The positions of a chart's bars, computed as Qt Charts would in an area.
 struct ChartArea {
-    static constexpr double hole = 0.58; ///< of the radius of a ring
-    static constexpr double most = 0.72; ///< of a category's room that its bars take
-    static constexpr double widest = 46; ///< bars of a category together, of standing or lying ones
+    static constexpr double hole = 0.58; ///< share of the radius of a ring
+    static constexpr double most = 0.72; ///< share of a category's width for its bars
+    static constexpr double widest = 46; ///< bars of a category together, standing or lying
 
     QRectF rect;
-    /// Share of a category's room its bars take, of so many categories.
+    /// Share of a category's width for its bars, by the number of categories.
     [[nodiscard]] double barShare(const BarChart& chart) const;
     [[nodiscard]] double at(const BarChart& chart, const BarScale& scale, double value) const;
     [[nodiscard]] double middle(const BarChart& chart, std::size_t category) const; ///< across
-    [[nodiscard]] double room(const BarChart& chart) const; ///< of a category, across
-    /// From a value to another, in a category, across by its bar's place among others.
+    [[nodiscard]] double room(const BarChart& chart) const; ///< width of a category
+    /// From a value to another, in a category, across by its index among its bars.
     [[nodiscard]] QRectF bar(const BarChart& chart, const BarScale& scale, std::size_t category,
                              double from, double to, double middle, double width) const;
 };
 
-/// A chart of Qt Charts: its bars, boxes or slices, axes and grid. The texts are not its own: those
-/// of Qt Charts are cut short where they lack room. The values of a small chart change in place; of
-/// a large one, and where the series or categories change, the chart is made anew.
+/// A chart of Qt Charts: its bars, boxes or slices, axes and grid. It has no texts, since Qt Charts
+/// truncates texts that do not fit. Values of a small chart change in place; a large one, or one
+/// with other series or categories, is rebuilt.
 class ChartScene {
 public:
     ChartScene();
     ~ChartScene();
 
-    /// No series without a value for each category.
+    /// Every series has a value for each category.
     void show(const BarChart& chart, const BarScales& scales, const ChartLook& look);
     void paint(QPainter& painter, const QSizeF& size, const ChartArea& area);
 
@@ -71,7 +70,7 @@ private:
     void colour(const BarChart& chart, const ChartLook& look);
 
     QGraphicsScene m_scene;
-    QChart* m_chart = nullptr; ///< of the scene
+    QChart* m_chart = nullptr; ///< owned by the scene
     QList<QAbstractSeries*> m_series;
     QAbstractAxis* m_categories = nullptr;
     QValueAxis* m_values = nullptr;

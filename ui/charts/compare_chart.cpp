@@ -107,7 +107,7 @@ QStringList CompareChart::shortNames() const {
     return names;
 }
 
-/// One line, though names of the user's may be long.
+/// On one line, although the user's names may be long.
 QString CompareChart::valuesAt(std::size_t run, double x) const {
     const QString name = shortName(run);
     const FeedPoint* const p = feedPointAt(pointsOf(run), m_scales[run].time_s(x));

@@ -13,21 +13,21 @@
 
 namespace sparkout {
 
-/// A run whose curves are drawn: of one of its zones or sections.
+/// A run to be drawn, with one of its zones or sections.
 struct ComparedFeeds {
     QString name; ///< for the legend
     std::shared_ptr<const FeedSeries> feeds;
     std::size_t column = 0;
-    int number = 0; ///< chooses the dash; 0: the present run
+    int number = 0; ///< index of the dash; 0: the current run
 };
 
-/// The feeds of several runs over one horizontal axis, the present run first, in two plots with a
-/// quantity to the left and one to the right: as they are drawn, read and tabulated.
+/// The feeds of several runs over one horizontal axis, the current run first, in two plots with a
+/// quantity on the left and one on the right: the data for drawing, reading and tables.
 class CompareChart {
     Q_DECLARE_TR_FUNCTIONS(CompareChart)
 public:
     static constexpr std::size_t rowCount = 2;
-    /// What the right-hand axes can show, row by row; the first unless chosen.
+    /// The possible quantities of the right axes, by row; the first is the default.
     static constexpr std::array<std::array<Quantity, 3>, rowCount> secondQuantities{
         {{Quantity::force, Quantity::programmed, Quantity::axialFeed},
          {Quantity::left, Quantity::came, Quantity::programmedSum}}};
@@ -39,15 +39,15 @@ public:
     [[nodiscard]] const std::vector<ComparedFeeds>& runs() const { return m_runs; }
     [[nodiscard]] const CycleScale& scale(std::size_t run) const { return m_scales[run]; }
     [[nodiscard]] Quantity second(std::size_t row) const { return m_second.at(row); }
-    [[nodiscard]] std::array<Quantity, 4> quantities() const; ///< left and right, row by row
+    [[nodiscard]] std::array<Quantity, 4> quantities() const; ///< left and right, by row
     [[nodiscard]] std::vector<XY> line(std::size_t run, Quantity quantity) const;
-    [[nodiscard]] double end() const;                          ///< of the longest run, on the axis
-    [[nodiscard]] QString timeLabel() const;                   ///< "Time, min"
-    [[nodiscard]] static QString briefName(Quantity quantity); ///< of an axis: plots are low
-    [[nodiscard]] QStringList shortNames() const;              ///< of the runs, each another
-    /// What a run does at a place of the axis, in one line.
+    [[nodiscard]] double end() const;        ///< end of the longest run on the axis
+    [[nodiscard]] QString timeLabel() const; ///< "Time, min"
+    [[nodiscard]] static QString briefName(Quantity quantity); ///< for an axis, since plots are low
+    [[nodiscard]] QStringList shortNames() const;              ///< unique short names of the runs
+    /// The values of a run at a place of the axis, on one line.
     [[nodiscard]] QString valuesAt(std::size_t run, double x) const;
-    /// The points within a span of the axis, of the runs and quantities that are wanted.
+    /// The points within a range of the axis, for the requested runs and quantities.
     [[nodiscard]] CsvTable table(double from, double to,
                                  const std::function<bool(const ComparedFeeds&)>& wanted,
                                  const std::function<bool(Quantity)>& shown) const;
@@ -55,10 +55,10 @@ public:
 private:
     [[nodiscard]] const FeedPoints& pointsOf(std::size_t run) const;
     [[nodiscard]] QString shortName(std::size_t run) const;
-    [[nodiscard]] double longest_s() const; ///< of the runs
+    [[nodiscard]] double longest_s() const; ///< time of the longest run
 
     std::vector<ComparedFeeds> m_runs;
-    std::vector<CycleScale> m_scales; ///< of each run
+    std::vector<CycleScale> m_scales; ///< scale of each run
     CycleAxis m_axis = CycleAxis::time;
     std::array<Quantity, rowCount> m_second{secondQuantities[0][0], secondQuantities[1][0]};
 };

@@ -15,8 +15,8 @@
 namespace sparkout {
 
 namespace {
-constexpr double curveRoom = 0.06;    ///< of the values
-constexpr QSize legiblePlot(120, 80); ///< at the least
+constexpr double curveRoom = 0.06;    ///< margin, relative to the values
+constexpr QSize legiblePlot(120, 80); ///< least size
 } // namespace
 
 ComparePlot::ComparePlot(QWidget* parent) : ViewPlot(parent) {
@@ -55,7 +55,7 @@ void ComparePlot::build() {
     m_hairLine = new HairLine(*this);
 }
 
-/// Names as long as the plots are high, and as many numbers as there is room for.
+/// Fits the names to the height of the plots, and the number of ticks to their space.
 void ComparePlot::fitTexts() {
     constexpr int least = 2, most = 8;
     const int room = QFontMetrics(font()).horizontalAdvance(QStringLiteral("0000.0"));
@@ -108,7 +108,7 @@ bool ComparePlot::setRuns(std::vector<ComparedFeeds> runs) {
     const QString axis = m_chart.timeLabel();
     m_chart.setRuns(std::move(runs));
     fill();
-    const bool isOtherUnit = m_chart.timeLabel() != axis; // of what was in sight
+    const bool isOtherUnit = m_chart.timeLabel() != axis; // of the visible range
     if (isOtherUnit) {
         m_hairLine->setAt({});
     }
@@ -133,7 +133,7 @@ void ComparePlot::setAxis(CycleAxis axis) {
 void ComparePlot::fill() {
     clearGraphs();
     m_curves.clear();
-    for (std::size_t run = runs().size(); run-- > 0;) { // the present one on top
+    for (std::size_t run = runs().size(); run-- > 0;) { // the current one on top
         for (const Quantity quantity : quantities()) {
             QCPAxis* const value = axisOf(quantity);
             QCPGraph* const graph = addGraph(value->axisRect()->axis(QCPAxis::atBottom), value);
@@ -230,7 +230,7 @@ void ComparePlot::onMouse(QMouseEvent* event) {
     emit pointed(lines.join(u'\n'));
 }
 
-/// The visible curve of another run that passes nearest by, up or down.
+/// The visible curve of another run that passes nearest, above or below.
 const ComparePlot::Curve* ComparePlot::nearestCurve(const QPointF& at) const {
     const Curve* nearest = nullptr;
     double least = std::numeric_limits<double>::max();
@@ -259,7 +259,7 @@ void ComparePlot::pointAway() {
 
 void ComparePlot::restyle() {
     ViewPlot::restyle();
-    const int half = QFontMetrics(font()).height() / 2; // of a number at the end of an axis
+    const int half = QFontMetrics(font()).height() / 2; // half the height of an axis number
     m_rects[0]->setMinimumMargins(QMargins(0, half, 0, half));
     m_rects[1]->setMinimumMargins(QMargins(0, half, 0, 0));
     for (const Quantity quantity : quantities()) { // an axis has the colour of its curves
@@ -274,7 +274,7 @@ void ComparePlot::restyle() {
     }
 }
 
-/// The dash says which run, so that in black and white the weight says which axis.
+/// The dash identifies the run, so in black and white the width identifies the axis.
 double ComparePlot::weightOf(Quantity quantity) const {
     constexpr double left = 1.3, right = 0.7;
     const bool isSecond = quantity == second(0) || quantity == second(1);
@@ -298,7 +298,7 @@ LegendEntries ComparePlot::legendEntries() const {
     }
     for (const ComparedFeeds& run : runs()) {
         const int key = runKey + run.number;
-        // Of no quantity's colour: here the dash is meant.
+        // A neutral colour, since the entry shows the dash.
         entries.push_back({palette().color(QPalette::PlaceholderText), Qt::SolidLine, run.name, key,
                            shows(key), runDash(run.number)});
     }

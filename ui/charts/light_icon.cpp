@@ -42,7 +42,7 @@ void paintLight(QPainter& painter, Light light, const QRectF& box) {
 
 namespace {
 
-/// Drawn once for each key, into a square of this size.
+/// Draws once for each key, into a square of this size.
 template <class Draw>
 QPixmap keptPixmap(const QString& key, int size, qreal ratio, bool grey, Draw draw) {
     QPixmap pixmap;
@@ -64,8 +64,8 @@ QPixmap keptPixmap(const QString& key, int size, qreal ratio, bool grey, Draw dr
 
 QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey) {
     const QColor colour = lightColour(light, QGuiApplication::palette());
-    // Qt keeps what it draws of an icon by the identity of its picture: a new one for every result
-    // would fill that memory.
+    // Qt caches drawings of an icon by the identity of its picture, so a new one for every result
+    // would fill the cache.
     const QString key = QStringLiteral("sparkout-light %1 %2 %3 %4 %5")
                             .arg(int(light))
                             .arg(size)

@@ -8,7 +8,7 @@
 namespace sparkout {
 
 namespace {
-constexpr double wall = 1.35;     ///< outer radius of the wall around a bore, of the bore's
+constexpr double wall = 1.35;     ///< outer radius of the wall around a bore, in bore radii
 constexpr double overhang = 1.03; ///< of the centre line
 } // namespace
 

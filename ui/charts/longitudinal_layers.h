@@ -8,14 +8,14 @@
 
 namespace sparkout {
 
-/// The body of the part in a section through its axis, drawn to scale: the steps of a shaft, or the
+/// Draws the body of the part in a section through its axis, to scale: the steps of a shaft, or the
 /// wall around a bore; and the centre line.
 class ShaftLayer : public PaintedLayer {
     Q_OBJECT
 public:
     explicit ShaftLayer(QCPAxisRect* rect);
 
-    /// Without steps the ground length alone stands for the shaft.
+    /// Without steps the shaft is its ground length.
     void setBody(std::vector<ShaftStep> steps, double length_mm, double radius_mm, bool bore);
     [[nodiscard]] QRectF bounds() const { return m_bounds; } ///< [mm], y upwards
 

@@ -8,7 +8,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double mostInward = 0.6; ///< of the base circle, chosen by the program
+constexpr double mostInward = 0.6; ///< relative to the base circle, if chosen by the program
 constexpr double mostOutward = 1;
 constexpr double mostInwardByHand = 0.9;
 constexpr double mostOutwardByHand = 3;
@@ -81,7 +81,7 @@ Reach reachOf(const ProfileSeries& series, const std::vector<int>& shown, Radius
 
 double roundDown125(double value) {
     const double power = std::pow(10.0, std::floor(std::log10(value)));
-    // Rounding must not lose a number that is 1, 2 or 5 already.
+    // Rounding must not miss a number that is 1, 2 or 5 exactly.
     const double lead = value / power * (1 + 1e-12);
     return (lead >= 10 ? 10 : lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
 }

@@ -8,7 +8,7 @@
 /// The magnified drawing of cross-sections.
 namespace sparkout {
 
-/// From which radius the deviations of a profile are counted.
+/// The radius from which the deviations of a profile are counted.
 enum class RadiusReference { target, mean };
 
 /// A circle of radius `reference` is drawn with radius `base`, deviations from it are magnified.
@@ -32,14 +32,14 @@ struct PolarScale {
 [[nodiscard]] std::vector<ProfilePoint> closedLine(const std::vector<double>& radii_mm,
                                                    const PolarScale& scale);
 
-/// A circle about its own centre, as the magnified drawing bends it.
+/// A circle about its own centre, as deformed by the magnified drawing.
 [[nodiscard]] std::vector<ProfilePoint> circleLine(const FittedCircle& circle,
                                                    const PolarScale& scale, int points = 180);
 
 /// Its centre in the magnified drawing.
 [[nodiscard]] ProfilePoint centrePoint(const RoundnessZone& zone, const PolarScale& scale);
 
-/// How far something reaches inwards and outwards from the reference, both ≥ 0.
+/// Greatest deviations inwards and outwards from the reference, both ≥ 0.
 struct Reach {
     double inward_mm = 0;
     double outward_mm = 0;
@@ -54,10 +54,10 @@ struct Reach {
 [[nodiscard]] double roundDown125(double value);
 [[nodiscard]] double roundUp125(double value); ///< the smallest one not below
 
-/// The largest 1-2-5 number that keeps all inside 0.4…2 of the base circle, at most 10⁶.
+/// The largest 1-2-5 number with which all stays within 0.4…2 of the base circle, at most 10⁶.
 [[nodiscard]] double suitableMagnification(const Reach& reach, double base_mm);
 
-/// The 1-2-5 numbers from 1 on at which no sample is drawn through the centre.
+/// The 1-2-5 numbers from 1 on with which no sample is drawn through the centre.
 [[nodiscard]] std::vector<double> possibleMagnifications(const Reach& reach, double base_mm);
 
 } // namespace sparkout

@@ -27,7 +27,7 @@ QString onLines(QString valueAndLimit) {
 
 constexpr int leastBarWidth = 76;
 constexpr int air = 4;
-constexpr double scaleHeight = 4, pointerWidth = 5; ///< of a range [px]
+constexpr double scaleHeight = 4, pointerWidth = 5; ///< sizes of a range's scale [px]
 
 /// The share of the limit; where the value is a lower bound, so is the share.
 QString usageText(const ConstraintResult& c) {
@@ -195,7 +195,7 @@ void MarginName::initStyleOption(QStyleOptionViewItem* option, const QModelIndex
     const QRect room = style->subElementRect(QStyle::SE_ItemViewItemText, option, option->widget);
     const int gap = style->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, option->widget) + 1;
     if (option->fontMetrics.horizontalAdvance(option->text) <= room.width() - 2 * gap) {
-        option->decorationAlignment = Qt::AlignLeft | Qt::AlignVCenter; // as the text is
+        option->decorationAlignment = Qt::AlignLeft | Qt::AlignVCenter; // like the text
     }
 }
 

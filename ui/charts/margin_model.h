@@ -13,18 +13,18 @@
 
 namespace sparkout {
 
-/// A setting in its range of the machine: "2 × the lower limit, range 0.001…0.05 mm".
+/// A setting within its range of the machine: "2 × the lower limit, range 0.001…0.05 mm".
 [[nodiscard]] QString rangeText(const ConstraintResult& requirement);
 
-/// The requirements by how much of their limit they use up, the most first and settings of the
-/// machine last: of each kind the worst, or all.
+/// The requirements by their usage of the limit, the greatest first and settings of the machine
+/// last: the worst of each kind, or all.
 class MarginModel : public TableModel {
     Q_OBJECT
 public:
     enum Column { requirement, usage, value, columnCount_ };
     static constexpr int usageRole = Qt::UserRole;     ///< double
     static constexpr int lightRole = Qt::UserRole + 1; ///< Light
-    static constexpr int placeRole = Qt::UserRole + 2; ///< double, of a range; else nothing
+    static constexpr int placeRole = Qt::UserRole + 2; ///< double for a range, otherwise invalid
 
     using TableModel::TableModel;
 
@@ -36,7 +36,8 @@ public:
     [[nodiscard]] const ConstraintResult& at(int row) const {
         return m_rows[static_cast<std::size_t>(row)];
     }
-    /// The row of the same requirement at the same place, else of its kind; −1: none.
+    /// The row of the same requirement at the same place, otherwise of its kind; −1 if there is
+    /// none.
     [[nodiscard]] int rowOf(const ConstraintResult& wanted) const;
     [[nodiscard]] QString asTsv() const;
     [[nodiscard]] CsvTable table() const; ///< with all digits
@@ -56,7 +57,7 @@ private:
     bool m_all = false, m_stacked = false;
 };
 
-/// Draws a requirement's name with its light on the first line of the text, however high the row.
+/// Draws a requirement's name with its light on the first line of the text, in a row of any height.
 class MarginName : public QStyledItemDelegate {
     Q_OBJECT
 public:
@@ -67,7 +68,7 @@ protected:
 };
 
 /// Draws the usage as a bar with its percentage; a line marks the limit. A range of the machine is
-/// a scale from end to end with the setting on it.
+/// a scale with the setting on it.
 class MarginBar : public QStyledItemDelegate {
     Q_OBJECT
 public:

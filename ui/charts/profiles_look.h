@@ -10,22 +10,24 @@
 
 namespace sparkout {
 
-/// What the two plots of the zone profiles draw; each can be hidden in both at once.
+/// The lines of the two plots of zone profiles; hiding one hides it in both.
 enum class ProfileLine {
     profile,       ///< the cross-section; along the axis its mean
     spread,        ///< smallest…largest over the radii, along the axis
     blank,         ///< before the first touch
     target,        ///< R_t
-    leastSquares,  ///< least-squares circle, across the axis
-    minimumZone,   ///< the two circles of the minimum zone, across the axis
-    inscribed,     ///< maximum inscribed circle and the one about its centre that holds all
-    circumscribed, ///< minimum circumscribed circle and the one about its centre within all
-    field,         ///< tolerance band of the drawing
-    gauge,         ///< where the gauge stands, along the axis
+    leastSquares,  ///< least-squares circle, in cross-sections
+    minimumZone,   ///< two circles of the minimum zone, in cross-sections
+    inscribed,     ///< maximum inscribed circle and the smallest one around the profile about its
+                   ///< centre
+    circumscribed, ///< minimum circumscribed circle and the largest one within the profile about
+                   ///< its centre
+    field,         ///< tolerance of the drawing
+    gauge,         ///< position of the gauge along the axis
 };
 using ProfileLines = std::set<ProfileLine>;
 
-/// The reference circles of the roundness that are drawn and stated.
+/// The reference circles of the drawn and stated roundness.
 enum class ReferenceCircles { leastSquares, minimumZone, inscribed, circumscribed, none };
 
 /// Colours, dashes and names of those lines.

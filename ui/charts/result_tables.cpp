@@ -28,13 +28,13 @@ struct ResultTables {
     Q_DECLARE_TR_FUNCTIONS(ResultTables)
 };
 
-/// Of a zone that holds several sections.
+/// For a zone with several sections.
 ZoneFormFigures formOf(const Outcome& outcome, std::size_t zone) {
     return {&outcome.accuracy.sections.at(zone), &outcome.accuracy.zones.at(zone),
             FinishedSurface(outcome.result.project).isWhole()};
 }
 
-/// Among all that is stated of a zone its roundness stands already.
+/// The roundness is listed among a zone's other outputs.
 std::span<const Output<ZoneFormFigures>> withoutRoundness() {
     return zoneFormOutputs().subspan(1);
 }

@@ -5,20 +5,20 @@
 #include "ui/tables/csv_table.h"
 #include "ui/tables/value_table.h"
 
-/// Results as tables with all their digits, in the present language: what the tables of the window
-/// save, and the export of a whole result.
+/// Results as tables with all their digits, in the current language: for saving the tables of the
+/// window, and for exporting a whole result.
 namespace sparkout {
 
-/// A row a requirement: value, limit, margin, their unit, and where in the cycle it is worst.
+/// A row for each requirement: value, limit, margin, their unit, and its worst place in the cycle.
 [[nodiscard]] CsvTable requirementTable(const std::vector<ConstraintResult>& requirements,
                                         Operation operation);
 
-/// The form of zones that hold several sections, a row a zone; without rows where none does.
+/// The form of zones with several sections, a row for each zone; without rows if there are none.
 [[nodiscard]] CsvTable formTable(const Outcome& outcome);
-/// The same as it is read: a row a quantity, a column a zone.
+/// The displayed form: a row for each quantity, a column for each zone.
 [[nodiscard]] ValueTable formValues(const Outcome& outcome);
 
-/// A row a zone or section as the cycle leaves it.
+/// The final state of each zone or section, one per row.
 [[nodiscard]] CsvTable zoneTable(const Outcome& outcome);
 
 } // namespace sparkout

@@ -43,7 +43,7 @@ QString numberShown(const Field& field, double value) {
     return hasSign ? Names::signedMicrometres(value) : Names::fixed(value, digits.decimals);
 }
 
-/// The items of a list, by number or zone; nothing of another input.
+/// The items of a list, by number or zone; empty for other inputs.
 std::vector<std::pair<QString, double>> itemsOf(const Field& field, const void* owner) {
     std::vector<double> values;
     if (field.kind == Kind::numberList) {
@@ -149,7 +149,7 @@ ShownValue resultShown(const RunValue& result) {
     return std::visit(ResultShown{result.path}, result.value);
 }
 
-/// With all digits where the usual ones do not tell the two apart.
+/// With all digits if the usual ones do not distinguish the two.
 QString changeShown(const ChangedValue& change) {
     const Field& field = *change.kept.field;
     if (!change.now) {
@@ -176,7 +176,7 @@ QString briefly(const QString& text, qsizetype longest) {
     return text.size() > longest ? text.left(longest - 1) + u'…' : text;
 }
 
-/// A unit is never broken at its stroke.
+/// A unit is never broken at its slash.
 QString inOneLine(QString text) {
     return text.replace(u'/', QStringLiteral("\u2060/\u2060"));
 }

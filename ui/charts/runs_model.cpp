@@ -15,7 +15,7 @@
 
 namespace sparkout {
 
-/// A row that stays as it is keeps the name that is being typed into it.
+/// An unchanged row keeps a name being typed.
 void RunsModel::setRuns(std::vector<Run> runs) {
     const std::vector<Run> before = m_runs;
     const int had = rowCount(), has = static_cast<int>(runs.size());
@@ -108,7 +108,7 @@ bool RunsModel::setData(const QModelIndex& index, const QVariant& value, int rol
     }
     if (role == Qt::EditRole) {
         if (value.toString() == m_runs[static_cast<std::size_t>(index.row())].name) {
-            return false; // left as it is shown, which may be another language than the file's
+            return false; // unchanged as displayed, possibly in another language than the file
         }
         emit renamed(index.row() - 1, value.toString());
         return true;

@@ -14,27 +14,27 @@
 
 namespace sparkout {
 
-/// The present run and below it the kept ones, each with a sample of its line, its light, a line of
-/// what came out, and a check mark that lays it over the present one.
+/// The current run and the kept ones below it, each with a sample of its line, its light, a summary
+/// line, and a check mark that draws it over the current one.
 class RunsModel : public QAbstractListModel {
     Q_OBJECT
 public:
     struct Run {
         QString name;
         QString detail;      ///< the lines below
-        QString description; ///< for the tooltip
+        QString description; ///< for the tool tip
         std::optional<Light> light;
-        int number = 0; ///< of its dash; below 0: it is not drawn
+        int number = 0; ///< number of its dash; negative: not drawn
         bool chosen = true;
-        bool isOwn = true;                   ///< else its name is not edited here
-        std::optional<JudgedState> judged{}; ///< whose mark stands in place of the light
+        bool isOwn = true;                   ///< otherwise its name is not editable here
+        std::optional<JudgedState> judged{}; ///< its mark replaces the light
         friend bool operator==(const Run&, const Run&) = default;
     };
     using QAbstractListModel::QAbstractListModel;
 
-    static constexpr QSize sample{42, 12}; ///< of a line, and the light beside it
+    static constexpr QSize sample{42, 12}; ///< size of a line sample, and of the light beside it
 
-    void setRuns(std::vector<Run> runs); ///< the present one first; it cannot be unchecked
+    void setRuns(std::vector<Run> runs); ///< the current one first; it cannot be unchecked
     void setPresent(Run run);            ///< the others stay
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

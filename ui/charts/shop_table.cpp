@@ -84,7 +84,7 @@ QString sideText(BandSide side) {
     }
 }
 
-/// `text` with the stages of a side in place of %1; nothing where there are none.
+/// Adds `text` with the stages of a side as %1; nothing if there are none.
 void addRemark(QStringList& sentences, const ShopNumbers& shop,
                BandSide (ShopColumn::*band)() const, BandSide side, const QString& text) {
     QStringList stages;
@@ -129,7 +129,7 @@ ValueTable shopTable(const Outcome& outcome) {
             table.cells.push_back(std::move(cells));
         }
     }
-    for (const Output<ShopNumbers>& row : shopOutputs()) { // they stand in the cycle's column
+    for (const Output<ShopNumbers>& row : shopOutputs()) { // shown in the cycle's column
         if (!row.detail) {
             std::vector<ValueCell> cells(columns.size());
             cells.back() = {outputText(row, row.of(shop)),

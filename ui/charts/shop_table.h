@@ -10,12 +10,13 @@
 /// The shop's numbers as tables.
 namespace sparkout {
 
-/// A row a quantity, a column a stage and a last one for the whole cycle; empty without a run.
+/// A row for each quantity, a column for each stage and a last one for the whole cycle; empty
+/// without a run.
 [[nodiscard]] ValueTable shopTable(const Outcome& outcome);
-/// A row a stage, and a last one for the whole cycle; with all digits.
+/// A row for each stage, and a last one for the whole cycle; with all digits.
 [[nodiscard]] CsvTable stageTable(const ShopNumbers& shop, Operation operation);
 
-/// What lies outside its band and what that means, a sentence each.
+/// The values outside their band and their meaning, in sentences.
 [[nodiscard]] QStringList shopRemarks(const ShopNumbers& shop);
 
 } // namespace sparkout

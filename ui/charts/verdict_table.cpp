@@ -45,7 +45,7 @@ QString lightName(const ConstraintResult& constraint) {
 
 namespace {
 
-/// A name with what its group does not say: the stage and the unit.
+/// A name with what its group does not contain: the stage and the unit.
 QString requirementName(const ConstraintResult& c, const QString& name, const QString& where) {
     QStringList parts{name};
     if (c.section < 0 && requirementOf(c.kind).scope != ConstraintScope::part) {

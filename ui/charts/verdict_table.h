@@ -20,7 +20,7 @@ namespace sparkout {
 enum class VerdictColumn { requirement, value, limit, margin };
 
 /// The requirements, zone by zone, then those of the part, of the passes and of the settings; null:
-/// a row that names the group of the next ones.
+/// a group heading.
 [[nodiscard]] std::vector<const ConstraintResult*> verdictRows(const Outcome& outcome);
 
 /// The same as a table with their lights. It is copied with zone and light in columns of their own.

@@ -29,7 +29,7 @@ public:
     static QString place(const Outcome& outcome, const ConstraintResult& c);
 };
 
-/// The ratio is stated from here on; below it is not what makes the difference.
+/// The least difference of the ratio from 1 at which it is stated.
 constexpr double tellingRatio = 0.05;
 
 QString VerdictWhy::diameter(const Outcome& outcome, const ConstraintResult& c) {
@@ -76,7 +76,7 @@ QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
         text += tr("; the machine's own runout adds %1 µm").arg(Names::micrometres(own_um));
     }
     if (own_um > c.limit) {
-        return text + tr(", more than the limit: no cycle can hold it.");
+        return text + tr(", more than the limit: no cycle can meet it.");
     }
     if (!c.knowsMachine) {
         text += tr("; what the machine adds is not known");
@@ -87,7 +87,7 @@ QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
                    : text + tr(". More passes without feed or a smaller last feed reduce it.");
 }
 
-/// Mean radii against their own mean, and the worst section's out of round.
+/// Compares mean radii with their own mean, and the roundness of the worst section.
 QString VerdictWhy::wholePart(const Outcome& outcome) {
     QStringList parts;
     double mean_mm = 0, form_mm = 0;
@@ -123,7 +123,7 @@ QString VerdictWhy::place(const Outcome& outcome, const ConstraintResult& c) {
                                .arg(c.at->stage);
 }
 
-/// The largest axial feed with an overlap [mm/min]; with 1 it leaves no strips.
+/// The largest axial feed with an overlap [mm/min]; with an overlap of 1 it leaves no strips.
 QString mostAxialFeed(const Project& project, double overlap = 1) {
     return Names::significant(project.wheel->width_mm * project.machine->work_speed_rpm / overlap,
                               4);

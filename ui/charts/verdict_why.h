@@ -9,15 +9,16 @@
 
 namespace sparkout::verdict {
 
-/// Where the value of a requirement comes from, in a sentence or two with the numbers: for a
-/// diameter the shares that add up to its deviation, for a form error what the cycle left of the
-/// blank's, for what is watched in every pass the place where it was worst.
+/// Explains the value of a requirement in a sentence or two with the numbers: for a diameter the
+/// parts of its deviation, for a form error the remainder of the blank's, for a limit on passes its
+/// worst place.
 [[nodiscard]] QString why(const Outcome& outcome, const ConstraintResult& requirement);
 
-/// JSON pointer of the input that a requirement on a setting is about; empty for the others.
+/// JSON pointer of the input limited by a requirement on a setting; empty for the others.
 [[nodiscard]] std::string inputPath(const ConstraintResult& requirement);
 
-/// The requirement the verdict speaks of: the worst that fails, else the closest; null without any.
+/// The most important requirement of the verdict: the worst unmet, otherwise the closest; null
+/// without any.
 [[nodiscard]] const ConstraintResult* worst(const Outcome& outcome);
 
 } // namespace sparkout::verdict

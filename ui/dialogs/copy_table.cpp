@@ -18,7 +18,7 @@ namespace sparkout {
 
 namespace {
 
-/// In a menu of its own a format says by itself that it is CSV.
+/// In a submenu of its own each format names itself as CSV.
 QString savingText(TableFormat format) {
     switch (format) {
     case TableFormat::csvRussian:
@@ -75,7 +75,7 @@ void CopyTable::copySelected() const {
     const QStringList lines = text.split(u'\n', Qt::SkipEmptyParts);
     const int rows = model() ? model()->rowCount() : 0;
     QString selected;
-    qsizetype line = 0; // the heads; the names of groups have none
+    qsizetype line = 0; // the headings; group headings have none
     for (int row = 0; row < rows; ++row) {
         if (!(model()->index(row, 0).flags() & Qt::ItemIsSelectable)) {
             continue;
@@ -148,9 +148,9 @@ void CopyTable::setArrangeable(Settings* settings) {
     QHeaderView& head = *horizontalHeader();
     head.setSectionsClickable(true);
     head.setSortIndicatorClearable(true);
-    head.setSortIndicator(-1, Qt::AscendingOrder); // else it would be sorted by its first column
+    head.setSortIndicator(-1, Qt::AscendingOrder); // otherwise it would be sorted at once
     setSortingEnabled(true);
-    head.setSortIndicatorShown(false); // it takes room of every column
+    head.setSortIndicatorShown(false); // it takes space in every column
     connect(&head, &QHeaderView::sortIndicatorChanged, &head,
             [&head](int column) { head.setSortIndicatorShown(column >= 0); });
     head.setContextMenuPolicy(Qt::CustomContextMenu);
@@ -189,7 +189,7 @@ void CopyTable::addColumns(QMenu& menu) {
     for (std::size_t i = 1; i < heads.size(); ++i) {
         const QString key = QString::fromLatin1(heads[i].key);
         if (key.isEmpty()) {
-            continue; // one of many alike: the points of a step
+            continue; // similar ones are offered once: the points of a step
         }
         QAction* const action = columns->addAction(heads[i].fullName());
         action->setCheckable(true);
@@ -229,7 +229,7 @@ void CopyTable::openMenu(const QPoint& at) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     QAction* rows = menu->addAction(tr("Copy the selected rows"));
-    rows->setShortcut(QKeySequence::Copy); // shown, and while the menu is open
+    rows->setShortcut(QKeySequence::Copy); // displayed, and while the menu is open
     rows->setEnabled(selectionModel() && !selectionModel()->selectedRows().isEmpty());
     connect(rows, &QAction::triggered, this, [this] { copySelected(); });
     QAction* action = menu->addAction(tr("Copy the table"));
@@ -240,7 +240,7 @@ void CopyTable::openMenu(const QPoint& at) {
     menu->popup(at);
 }
 
-/// Sections as wide or high as their contents are measured again, in the type the table has now.
+/// Measures sections that fit their contents again, with the current font.
 void CopyTable::measure(QHeaderView& header) {
     for (int i = 0; i < header.count(); ++i) {
         if (header.sectionResizeMode(i) == QHeaderView::ResizeToContents) {
@@ -250,13 +250,13 @@ void CopyTable::measure(QHeaderView& header) {
     }
 }
 
-/// A picture stands with the first line of its text.
+/// Aligns a picture with the first line of its text.
 void CopyTable::initViewItemOption(QStyleOptionViewItem* option) const {
     QTableView::initViewItemOption(option);
     option->decorationAlignment = Qt::AlignLeft | (wordWrap() ? Qt::AlignTop : Qt::AlignVCenter);
 }
 
-/// Each when what it hangs on is done: texts wrap in columns that have their widths.
+/// In order of dependence: texts wrap after columns have their widths.
 void CopyTable::changeEvent(QEvent* event) {
     QTableView::changeEvent(event);
     if (event->type() == QEvent::FontChange) {

@@ -13,39 +13,37 @@ namespace sparkout {
 
 class ValueModel;
 
-/// A table to read on a page that scrolls as one: no grid, no scroll bar down its side. Its
-/// selected rows go to a spreadsheet with Ctrl+C, the whole with its heads with Ctrl+Shift+C or,
-/// where no row is selected, with Ctrl+C, too; the context menu does both and saves the table as a
-/// file.
+/// A read-only table on a scrolling page, without grid or vertical scroll bar. Its selected rows
+/// are copied with Ctrl+C, the whole with its heads with Ctrl+Shift+C or, where no row is selected,
+/// with Ctrl+C, too; the context menu does both and saves the table as a file.
 class CopyTable : public QTableView {
     Q_OBJECT
 public:
-    /// @param text the table as tab-separated text: a line of heads and one for each row that can
-    /// be selected, as the name of a group cannot
+    /// @param text the table as tab-separated text: a line of headings and one for each selectable
+    ///   row; group headings are not selectable
     explicit CopyTable(std::function<QString()> text, QWidget* parent = nullptr);
-    /// @param text the whole as it is copied [the model]
+    /// @param text the text of a complete copy [the model]
     explicit CopyTable(ValueModel& model, QWidget* parent = nullptr,
                        std::function<QString()> text = {});
 
-    /// What the context menu saves under the table's accessible name and the project's title; an
-    /// empty table is not offered.
+    /// Sets what the context menu saves, under the table's accessible name and the project's title;
+    /// not offered for an empty table.
     void setSaving(std::function<CsvTable()> table, std::function<QString()> project,
                    Settings* settings);
-    /// Every row is one line high, as the first one: none is measured, however many there are.
-    /// Once the model is set.
+    /// Makes every row one line high without measuring them. Requires the model.
     void setUniformRows();
-    /// A click on a head sorts the rows of a list, a third one puts them back; the menu chooses the
-    /// columns, which are remembered by the table's object name. Once the table has its name.
+    /// A click on a heading sorts the rows of a list, a third one restores the order; the menu
+    /// selects the columns, which are kept under the table's object name. Requires that name.
     void setArrangeable(Settings* settings);
-    void copy() const;         ///< all of it, with its heads
-    void copySelected() const; ///< the selected rows; where none is, all of it
+    void copy() const;         ///< all of it, with headings
+    void copySelected() const; ///< the selected rows; without a selection the whole table
     void retranslate();        ///< the tool tip; the owner names the table
 
 signals:
     void resized();
-    /// By a click, or Enter on the row; however the table is sorted, the row that it is in it.
+    /// By a click, or Enter on the row; `row` is that of the unsorted table.
     void rowChosen(int row);
-    void rowEntered(int row); ///< the same by a double click, or Enter on the row
+    void rowEntered(int row); ///< by a double click, or Enter on the row
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -60,10 +58,10 @@ private:
     void copySelectedRows() const;
     void addSaving(QMenu& menu);
     void addColumns(QMenu& menu);
-    void hideColumns(); ///< those that were chosen to be
+    void hideColumns(); ///< hides the columns that the user has hidden
     void chooseColumn(const QString& key, bool shown);
     void openMenu(const QPoint& at);
-    [[nodiscard]] int rowOf(const QModelIndex& index) const; ///< of the table as it is
+    [[nodiscard]] int rowOf(const QModelIndex& index) const; ///< in the unsorted table
     void save(TableFormat format);
 
     std::function<QString()> m_text;

@@ -5,8 +5,8 @@
 
 namespace sparkout {
 
-/// Whether a disk is being waited for: the window lives meanwhile, and a command that must not come
-/// between asks busy().
+/// Whether a disk is being waited for: the window stays responsive meanwhile, and a command that
+/// must not run then checks busy().
 class DiskWait {
 public:
     [[nodiscard]] bool busy() const { return m_busy; }

@@ -7,8 +7,8 @@
 
 namespace sparkout {
 
-/// Why a file was refused, or what is wrong in one that was opened: every fault with its place in
-/// words, its path in the file and its sentence.
+/// The faults of a refused or opened file: every fault with its place in words, its path in the
+/// file and its sentence.
 class FaultsDialog : public QDialog {
     Q_OBJECT
 
@@ -18,7 +18,7 @@ public:
     FaultsDialog(const QString& file, const Issues& issues, QWidget* parent = nullptr,
                  File state = File::refused);
 
-    /// One line a fault, as the list and the clipboard have them.
+    /// One line for each fault, for the list and the clipboard.
     [[nodiscard]] static QStringList lines(const Issues& issues);
 };
 

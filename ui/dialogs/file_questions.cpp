@@ -54,7 +54,7 @@ public:
         }
     }
 
-    /// The name of the button that was chosen.
+    /// The name of the chosen button.
     [[nodiscard]] QString ask() {
         m_box.exec();
         return m_box.clickedButton() ? m_box.clickedButton()->objectName() : QString();

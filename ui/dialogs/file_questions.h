@@ -12,7 +12,7 @@
 class QWidget;
 
 /// The questions and messages about files. Each names the file; Escape always means "change
-/// nothing", and the button that Enter takes loses no work.
+/// nothing", and the default button loses no work.
 namespace sparkout {
 
 class Document;
@@ -21,10 +21,10 @@ void showFailure(QWidget* window, const QString& title, const QString& text);
 [[nodiscard]] bool mayReplace(QWidget* window, const QString& path);
 
 enum class UnsavedAnswer { save, discard, cancel };
-/// `refused`: what stands in fields that did not take it, a line each; no file will hold it.
+/// `refused`: refused texts in fields, one per line; no file will contain them.
 [[nodiscard]] UnsavedAnswer askUnsaved(QWidget* window, const Document& document,
                                        const QStringList& refused);
-/// The same where there is nothing to save but texts that cannot be saved.
+/// Asks before losing texts that cannot be saved, if nothing else is unsaved.
 [[nodiscard]] bool mayLoseRefused(QWidget* window, const QStringList& refused);
 
 enum class LockedAnswer { readOnly, copy, takeOver, cancel };
@@ -33,13 +33,12 @@ enum class LockedAnswer { readOnly, copy, takeOver, cancel };
 
 enum class SaveAnswer { proceed, elsewhere, reload, cancel };
 enum class Outside { changed, removed };
-/// Whether the version on the disk can be taken in place of the one in the window, which Undo then
-/// gives back.
+/// Whether the version on the disk can replace the one in the window, which Undo then restores.
 enum class Reloading { offered, notOffered };
-/// The file has another content than the window knows, or is gone.
+/// The file differs from the last known contents, or is gone.
 [[nodiscard]] SaveAnswer askChangedOutside(QWidget* window, const QString& path, Outside what,
                                            Reloading reloading);
-/// Somebody else has the file open that is about to be written.
+/// Somebody else has opened the file to be written.
 [[nodiscard]] SaveAnswer askSaveLocked(QWidget* window, const QString& path,
                                        const LockHolder& holder);
 /// The other names of the file will keep the old text.
@@ -48,11 +47,11 @@ enum class Reloading { offered, notOffered };
 enum class FailureAnswer { again, elsewhere, cancel };
 [[nodiscard]] FailureAnswer askSaveFailed(QWidget* window, const FileError& error);
 
-/// Who has the file open: user, host, program and since when, as far as known.
+/// The holder of a file: user, host, program and time, as far as known.
 [[nodiscard]] QString holderText(const LockHolder& holder);
-/// That somebody else has a file open, and who.
+/// A text about who else has a file open.
 [[nodiscard]] QString inUseText(const QString& path, const LockHolder& holder);
-/// Says that a file cannot be locked, because something else stands at the lock's name.
+/// A text about a file that cannot be locked, because another object has the lock's name.
 [[nodiscard]] QString strangeLockText(const QString& strange);
 
 } // namespace sparkout

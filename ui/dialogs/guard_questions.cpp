@@ -23,7 +23,7 @@ std::optional<GuardQuestions::Opening> GuardQuestions::wayToOpen(const QString& 
     return {};
 }
 
-/// Everything that may speak against writing there, asked of the user.
+/// Asks the user about every obstacle to writing the file.
 SaveAnswer GuardQuestions::clearTheWay(const QString& path, Reloading reloading) {
     if (m_file.claim(path) == GuardedFile::Access::conflict) {
         const SaveAnswer answer = askSaveLocked(m_window, path, m_file.holder());

@@ -17,14 +17,14 @@ namespace sparkout {
 class DiskWait;
 class GuardedFile;
 
-/// What the user is asked before a guarded file is opened or written, the same for every kind.
+/// The questions before opening or writing a guarded file of any kind.
 class GuardQuestions {
 public:
     enum class Opening { write, readOnly, copy };
     enum class Outcome {
         saved,
-        elsewhere, ///< the user wants another place
-        reload,    ///< the user takes the version on the disk instead
+        elsewhere, ///< the user wants another file
+        reload,    ///< the user wants the version on the disk
         cancelled,
         failed, ///< see error()
     };
@@ -32,17 +32,17 @@ public:
     GuardQuestions(GuardedFile& file, DiskWait& wait, QWidget* window)
         : m_file(file), m_wait(wait), m_window(window) {}
 
-    /// Claims a file that is about to be opened; nothing: the user gave it up.
+    /// Claims a file to be opened; empty if the user cancels.
     [[nodiscard]] std::optional<Opening> wayToOpen(const QString& path);
 
-    /// Writes once all that may speak against it was asked. The claim of what was not written is
-    /// dropped, but for a failure, which can be tried again.
+    /// Writes after asking about every obstacle. Drops the claim of a file that was not written,
+    /// except after a failure, so that it can be retried.
     [[nodiscard]] Outcome save(const QString& path, Reloading reloading,
                                const std::function<std::optional<FileError>()>& write);
-    /// The same by the guarded file itself.
+    /// Lets the guarded file make the contents.
     [[nodiscard]] Outcome save(const QString& path, Reloading reloading, const MakeContent& make);
     [[nodiscard]] const std::optional<FileError>& error() const { return m_error; }
-    void forgetError() { m_error.reset(); } ///< before a path is asked for
+    void forgetError() { m_error.reset(); } ///< before a path is requested
 
 private:
     [[nodiscard]] SaveAnswer clearTheWay(const QString& path, Reloading reloading);

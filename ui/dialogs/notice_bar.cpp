@@ -66,7 +66,7 @@ QWidget* NoticeBar::above(QWidget* content) {
 void NoticeBar::build() {
     while (QLayoutItem* item = m_rows->takeAt(0)) {
         item->widget()->hide();
-        item->widget()->deleteLater(); // perhaps one of its buttons is being clicked
+        item->widget()->deleteLater(); // one of its buttons may be clicked at this moment
         delete item;
     }
     for (const Notice& notice : m_notices) {
@@ -97,7 +97,7 @@ QWidget* NoticeBar::makeRow(const Notice& notice) {
     const auto addButton = [&](const QString& name, const std::function<void()>& act) {
         auto* button = new QPushButton(name, row);
         button->setAutoDefault(false);
-        // A queued call: the action may take the row, and this button with it, away.
+        // A queued call: the action may delete the row with this button.
         connect(
             button, &QPushButton::clicked, this,
             [this, key = notice.key, act] {

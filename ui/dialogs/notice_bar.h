@@ -12,22 +12,22 @@ class QVBoxLayout;
 
 namespace sparkout {
 
-/// A text made anew whenever the language changes.
+/// A text composed again whenever the language changes.
 using Worded = std::function<QString()>;
 
-/// Something the user should know that need not stop the work.
+/// A message that need not interrupt the work.
 struct Notice {
     struct Button {
-        Worded text;               ///< without a mnemonic: the menus and the forms have theirs
-        std::function<void()> act; ///< the notice is gone by then
+        Worded text;               ///< without a mnemonic, since menus and forms have them
+        std::function<void()> act; ///< called after the notice is removed
     };
-    QString key; ///< a notice replaces the one of the same key
+    QString key; ///< a notice replaces an earlier one with the same key
     Mark mark = Mark::none;
     Worded text;
-    std::vector<Button> buttons; ///< beside the one that closes it
+    std::vector<Button> buttons; ///< beside the close button
 };
 
-/// The notices above the views, one a line; hidden while there is none.
+/// The notices above the views, one per line; hidden if there are none.
 class NoticeBar : public QWidget {
     Q_OBJECT
 
@@ -37,7 +37,7 @@ public:
     void add(Notice notice);
     void remove(const QString& key);
     [[nodiscard]] bool holds(const QString& key) const;
-    [[nodiscard]] QString textOf(const QString& key) const; ///< empty: no such notice
+    [[nodiscard]] QString textOf(const QString& key) const; ///< empty without such a notice
 
     /// A widget with this bar above `content`.
     [[nodiscard]] QWidget* above(QWidget* content);

@@ -50,7 +50,7 @@ bool SaveDialog::offerAnother(QWidget* window, const QString& text) {
     return box.clickedButton() == other;
 }
 
-/// Nothing, or why the file was not saved; nothing at all: it was given up.
+/// Empty, or the reason why the file was not saved; outer empty if the user cancelled.
 std::optional<QString> save(QWidget* window, const QString& path, const SaveRequest& request) {
     const std::filesystem::path target = systemPath(path);
     bool made = false;
@@ -90,7 +90,7 @@ std::optional<QString> save(QWidget* window, const QString& path, const SaveRequ
     return !made ? SaveDialog::failure() : error ? saveErrorText(*error) : QString();
 }
 
-/// The same of a guarded file; its path becomes another one where the user wants that.
+/// Saves a guarded file; changes its path if the user wants.
 std::optional<QString> saveGuarded(QWidget* window, QString& path, const SaveRequest& request) {
     while (!path.isEmpty()) {
         switch (request.guard->save(path, Reloading::notOffered, request.content)) {
@@ -108,7 +108,7 @@ std::optional<QString> saveGuarded(QWidget* window, QString& path, const SaveReq
 } // namespace
 
 bool saveWithDialog(QWidget* from, Settings* settings, const SaveRequest& request) {
-    const QPointer<QWidget> window(from); // one torn off may be gone when the file is written
+    const QPointer<QWidget> window(from); // a detached window may be closed by then
     QString folder = settings ? settings->lastFolder() : QDir::homePath();
     for (;;) {
         QString path = SaveDialog::askPath(window.data(), folder, request);
@@ -147,7 +147,7 @@ QString fileNameOf(const QStringList& parts) {
     }
     QString name = kept.join(QStringLiteral(" – "));
     name.replace(unfit, QStringLiteral("_"));
-    if (name.size() > longestName) { // at the end of a word, where one ends in its second half
+    if (name.size() > longestName) { // preferably at the end of a word
         const qsizetype space = name.lastIndexOf(u' ', longestName);
         name.truncate(space > longestName / 2 ? space : longestName);
         static const QRegularExpression loose(QStringLiteral("[ –·,;_-]+$"));

@@ -19,36 +19,35 @@ namespace sparkout {
 
 class Settings;
 
-/// What is to be saved, and how the dialog asks for its place.
+/// The contents to save, and the options of the dialog.
 struct SaveRequest {
-    QString title;  ///< of the dialog
+    QString title;  ///< title of the dialog
     QString name;   ///< proposed, without folder and suffix
     QString suffix; ///< "png"
     QString filter; ///< "Pictures (*.png)"
-    /// Called once a place is chosen. What it returns makes the bytes, in a thread of its own; no
-    /// bytes: they could not be made.
+    /// Called after a path is chosen. The returned function makes the bytes on another thread;
+    /// empty on failure.
     std::function<std::function<QByteArray()>()> prepare;
-    /// In its place, for what may take long: the bytes are made in a thread of their own, it is
-    /// shown how far that is, and it can be stopped.
+    /// Alternative for long work: makes the bytes on another thread with progress and a way to
+    /// stop.
     std::function<QByteArray(const KeepGoing&)> longWork = {};
-    /// In place of both, for more than the memory may hold: it writes the file itself, safely, in a
-    /// thread of its own, and says whether it has, or why not. Stopped by what keepGoing says or by
-    /// the token, it leaves none.
+    /// Alternative for files larger than memory: writes the file itself, safely, on another thread,
+    /// and returns whether it did, or the reason. When stopped by keepGoing or the token, it leaves
+    /// no file.
     std::function<bool(const std::filesystem::path& path, const KeepGoing&, const std::stop_token&,
                        std::optional<FileError>& error)>
         stream = {};
-    /// In place of them all, for a kind of file that the window owns: what it shall hold, and who
-    /// asks and writes.
+    /// Alternative for a file that the window owns: its contents, and who asks and writes.
     MakeContent content = {};
     GuardQuestions* guard = nullptr;
 };
 
-/// Asks for a place, from the last folder on, and writes the bytes there safely. A failure is shown
-/// with an offer to choose another place. True once the file is saved: a notice then says where
+/// Asks for a path, starting in the last folder, and writes the bytes there safely. A failure is
+/// shown with an offer to choose another path. True once the file is saved: a notice then names it
 /// and offers to open it. Without settings the folder is the home folder.
 bool saveWithDialog(QWidget* window, Settings* settings, const SaveRequest& request);
 
-/// Words as the name of a file: parts joined, without the characters some system refuses.
+/// A file name from parts, without the characters that some system refuses.
 [[nodiscard]] QString fileNameOf(const QStringList& parts);
 
 } // namespace sparkout

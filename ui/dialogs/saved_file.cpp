@@ -67,7 +67,7 @@ void SavedFile::addNotice(NoticeBar& bar, const QString& path) {
               {[] { return tr("Show in folder"); }, to(file.absolutePath())}}});
 }
 
-/// Without a desktop there is no such program: one line says so, and where the file is.
+/// Without a desktop there is no such program: shows the path of the file.
 void SavedFile::open(NoticeBar& bar, const QString& path) {
     if (QFileInfo::exists(path) && QDesktopServices::openUrl(QUrl::fromLocalFile(path))) {
         return;

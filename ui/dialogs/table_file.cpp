@@ -21,9 +21,9 @@ struct TableFile {
     Q_DECLARE_TR_FUNCTIONS(TableFile)
 };
 
-/// A sheet that has more rows than a workbook takes.
+/// The sheet if it has more rows than a workbook can have.
 std::optional<Sheet> longSheet(const CsvTable& table, const QString& name) {
-    if (table.rows.size() + 2 <= xlsxRows) { // with names and units
+    if (table.rows.size() + 2 <= xlsxRows) { // plus names and units
         return std::nullopt;
     }
     const std::vector<Sheet> sheets = sheetsOf(table, name);

@@ -13,18 +13,18 @@ namespace sparkout {
 
 class Settings;
 
-/// As what a table is saved.
+/// The file formats of a table.
 enum class TableFormat { xlsx, csvRussian, csvEnglish };
 inline constexpr std::array allTableFormats{TableFormat::xlsx, TableFormat::csvRussian,
                                             TableFormat::csvEnglish};
 
 [[nodiscard]] QString tableFormatText(TableFormat format); ///< for a menu, with its mnemonic
 [[nodiscard]] QString tableFormatHint(TableFormat format);
-[[nodiscard]] QString tableFormatFilter(TableFormat format); ///< of the file dialog
+[[nodiscard]] QString tableFormatFilter(TableFormat format); ///< for the file dialog
 [[nodiscard]] QString tableFormatSuffix(TableFormat format);
-[[nodiscard]] CsvDialect dialectOf(TableFormat format); ///< of a CSV one
+[[nodiscard]] CsvDialect dialectOf(TableFormat format); ///< for a CSV format
 
-/// A table to be saved; its heading is what it shows, then the project.
+/// A table to be saved; its heading is its title, then the project.
 struct NamedTable {
     QStringList heading;
     CsvTable table;
@@ -33,11 +33,10 @@ struct NamedTable {
 /// "Sparkout 0.1.0", for the properties of a document.
 [[nodiscard]] QString programText();
 
-/// Asks for a place and writes the table there; what stands in the way is said. True once it is
-/// saved.
+/// Asks for a path and writes the table there; shows any failure. True once it is saved.
 bool saveTable(QWidget* window, Settings* settings, NamedTable named, TableFormat format);
 
-/// That a sheet has more rows than a workbook takes, and what to do.
+/// A text on a sheet with more rows than a workbook can have, and a workaround.
 [[nodiscard]] QString tooLongText(const QString& sheet, std::size_t rows);
 
 } // namespace sparkout

@@ -25,8 +25,8 @@ const auto& itemOf(const List& list, int index) {
     return list.at(static_cast<std::size_t>(index));
 }
 
-/// Marked up, or a tool tip does not wrap; V_k with its index below the line. What the user or a
-/// file has named stands as it is.
+/// Marked up so that a tool tip wraps; the index of V_k is lowered. Names by the user or a file
+/// stay literal.
 QString paragraphs(const QString& named, bool hasSymbols, const QStringList& tips) {
     const auto paragraph = [](const QString& markup) {
         return markup.isEmpty() ? QString() : QStringLiteral("<p>%1</p>").arg(markup);
@@ -38,7 +38,7 @@ QString paragraphs(const QString& named, bool hasSymbols, const QStringList& tip
     return tip;
 }
 
-/// Numbers before words; what is missing comes last, however the table is sorted.
+/// Sorts numbers before words; missing values come last in both directions.
 struct SortKey {
     enum Kind { number, word, missing };
     Kind kind = missing;

@@ -6,24 +6,24 @@
 
 namespace sparkout {
 
-/// Shows such a table; whoever owns it makes the table anew for another result or language. A list
-/// can be sorted by any of its columns.
+/// Shows such a table; its owner updates it for another result or language. A list can be sorted by
+/// any column.
 class ValueModel : public TableModel {
     Q_OBJECT
 public:
     using TableModel::TableModel;
 
     void setTable(ValueTable table);
-    void update(ValueTable table); ///< of the same rows: what is chosen stays
-    void setGreyed(bool grey);     ///< the numbers are of inputs that are no longer those shown
+    void update(ValueTable table); ///< the same rows: keeps the selection
+    void setGreyed(bool grey);     ///< for numbers of outdated inputs
     [[nodiscard]] const ValueTable& table() const { return m_table; }
-    [[nodiscard]] CsvTable shown() const { return m_table.inOrder(m_order); } ///< as it is sorted
-    [[nodiscard]] QString asTsv() const; ///< the same for the clipboard
-    /// Which row of the table stands in a line, and in which line a row stands.
+    [[nodiscard]] CsvTable shown() const { return m_table.inOrder(m_order); } ///< as sorted
+    [[nodiscard]] QString asTsv() const;                                      ///< for the clipboard
+    /// The row of the table on a line, and the line of a row.
     [[nodiscard]] int rowAt(int line) const;
     [[nodiscard]] int lineOf(int row) const;
 
-    void sort(int column, Qt::SortOrder order) override; ///< below 0: as the table is
+    void sort(int column, Qt::SortOrder order) override; ///< negative: unsorted
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 private:

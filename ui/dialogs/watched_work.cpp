@@ -23,13 +23,13 @@ namespace sparkout {
 
 namespace {
 
-constexpr int unfelt_ms = 20; // over by then, it needs no event loop
-constexpr int quick_ms = 400; // over by then, a dialog would only flash
+constexpr int unfelt_ms = 20; // shorter work needs no event loop
+constexpr int quick_ms = 400; // shorter work needs no dialog, which would only flash
 constexpr int tick_ms = 50;
-constexpr int steps = 1000; // of the bar
+constexpr int steps = 1000; // number of steps of the bar
 constexpr int barWidth = 360;
 
-/// How far the work is, and a button to stop it.
+/// The progress of the work, and a button to stop it.
 class WatchDialog : public QDialog {
     Q_DECLARE_TR_FUNCTIONS(WatchDialog)
 public:
@@ -39,7 +39,7 @@ public:
         auto* label = new QLabel(text);
         label->setTextFormat(Qt::PlainText);
         label->setWordWrap(true);
-        m_bar->setRange(0, 0); // busy, until it is known how far
+        m_bar->setRange(0, 0); // busy, until the progress is known
         m_bar->setMinimumWidth(barWidth);
         m_bar->setAccessibleName(tr("Progress"));
         auto* stop = new QPushButton(tr("&Stop"));
@@ -62,7 +62,7 @@ private:
     QProgressBar* m_bar;
 };
 
-/// For a moment keys and clicks wait.
+/// Waits briefly, without keys and clicks.
 void waitAMoment(QThread& thread) {
     QEventLoop loop;
     QObject::connect(&thread, &QThread::finished, &loop, &QEventLoop::quit);

@@ -11,8 +11,8 @@ class QWidget;
 
 namespace sparkout {
 
-/// Runs `work` in a thread of its own and comes back when it is done. What takes longer than a
-/// moment shows how far it is and can be stopped, `stop` with it. False: it was.
+/// Runs `work` on another thread and returns when it is done. Longer work shows progress and can be
+/// stopped, which requests `stop`. False if it was.
 bool runWatched(QWidget* window, const QString& text,
                 const std::function<void(const KeepGoing&)>& work, std::stop_source stop = {});
 

@@ -10,17 +10,17 @@ namespace sparkout {
 /// A moment of filling a grid: states are filled level by level, in each from the least feed on;
 /// then the path is read back from the last level.
 struct GridMoment {
-    int level = 0; ///< of the state looked at; 0: the blank, nothing is filled
+    int level = 0; ///< level of the current state; 0: the blank, nothing is filled
     std::size_t feed = 0;
     int stepsBack = 0; ///< states read back so far, with that one
 };
 
-/// How many moments follow that of the blank.
+/// The number of moments after that of the blank.
 [[nodiscard]] int momentCount(const StateGrid& grid);
 [[nodiscard]] GridMoment momentAt(const StateGrid& grid, int number);
 /// The moment in which a state is filled.
 [[nodiscard]] int momentOf(const StateGrid& grid, int level, std::size_t feed);
-/// Of the last state that is filled.
+/// The moment of the last filled state.
 [[nodiscard]] int momentsOfFilling(const StateGrid& grid);
 
 } // namespace sparkout

@@ -30,9 +30,9 @@ namespace sparkout {
 
 namespace {
 
-constexpr int wholePlay_ms = 30'000; ///< a large grid is played in about so long …
+constexpr int wholePlay_ms = 30'000; ///< approximate playing time of a large grid …
 constexpr int leastTick_ms = 40, mostTick_ms = 500;
-constexpr int leastGridSlider = 90; ///< wide, at the usual size of type
+constexpr int leastGridSlider = 90; ///< width at the usual font size
 
 } // namespace
 
@@ -315,12 +315,12 @@ void StateGridBar::retranslate() {
                            "an edit"));
     m_bar->stop()->setText(tr("Stop"));
     name(*m_bar->stop(), tr("End the run; what is known is kept"));
-    m_bar->state()->setAccessibleName(tr("What was filled"));
+    m_bar->state()->setAccessibleName(tr("State of the filling"));
     m_bar->progress()->setAccessibleName(tr("Progress of the grid and its proof"));
     name(*m_first, tr("To the blank"));
     name(*m_previous, tr("One state back"));
     name(*m_next, tr("The next state"));
-    name(*m_end, tr("To the end of the way back"));
+    name(*m_end, tr("To the end of the backtracking"));
     name(*m_slider, tr("State that is looked at"));
     m_place->setAccessibleName(tr("Number of the state looked at"));
     showMoment();

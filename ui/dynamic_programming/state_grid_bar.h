@@ -18,20 +18,20 @@ namespace sparkout {
 
 class RunBar;
 
-/// Fills the grid of dynamic programming of a project by itself whenever it or the grid's size
-/// changes, then has the answer proved: levels and stages, buttons to stop and to run again; and
-/// steps through the filling: first, previous, play, next, last, and a slider.
+/// Fills a project's grid of dynamic programming by itself after each change of it or of the grid's
+/// size, and then proves the answer: levels and stages, buttons to stop and to run again, and
+/// controls to step through the filling: first, previous, play, next, last, and a slider.
 class StateGridBar : public QWidget {
     Q_OBJECT
 public:
     explicit StateGridBar(QWidget* parent = nullptr);
 
-    void follow(const Project& project); ///< fills it, unless that is done or being done
-    void forget();                       ///< another document comes
-    /// The last that was filled; null: none, or of a project that has no grid.
+    void follow(const Project& project); ///< fills the grid, unless that is done or running
+    void forget();                       ///< before another document
+    /// The last filled grid; null if there is none, or if the project has no grid.
     [[nodiscard]] const StateGridOutcomePtr& outcome() const { return m_outcome; }
     [[nodiscard]] bool busy() const { return m_job->running(); }
-    [[nodiscard]] bool stale() const { return m_stale; } ///< that is of another project or size
+    [[nodiscard]] bool stale() const { return m_stale; } ///< it belongs to another project or size
     [[nodiscard]] int moment() const;
     void setMoment(int number);
     [[nodiscard]] bool isPlaying() const { return m_timer.isActive(); }
@@ -40,8 +40,8 @@ public:
     void retranslate();
 
 signals:
-    void changed();         ///< what is known, or whether it is being computed
-    void moved(int moment); ///< another moment is looked at
+    void changed();         ///< the result, or whether it is being computed
+    void moved(int moment); ///< the moment has changed
 
 private:
     QWidget* buildSteps();
@@ -49,7 +49,7 @@ private:
     [[nodiscard]] StateGridSize size() const;
     [[nodiscard]] bool canRun() const;
     void noteStale();
-    void fill(); ///< where need be
+    void fill(); ///< if needed
     void run();
     void prove();
     void take(const StateGridOutcomePtr& outcome);
@@ -64,7 +64,7 @@ private:
     std::optional<int> m_ownLevels, m_ownStages; ///< chosen by the user
     StateGridOutcomePtr m_outcome;
     bool m_stale = true;
-    std::optional<StateGridOutcome> m_running; ///< what is being filled, without its grid
+    std::optional<StateGridOutcome> m_running; ///< the running computation, without its grid
     Job* m_job;
     QSpinBox *m_levels, *m_stages;
     RunBar* m_bar;

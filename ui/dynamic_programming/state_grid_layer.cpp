@@ -13,13 +13,13 @@ namespace sparkout {
 
 namespace {
 
-constexpr double cellWidth = 0.8, cellHeight = 0.72; ///< of what is between two states
+constexpr double cellWidth = 0.8, cellHeight = 0.72; ///< relative to the distance of two states
 constexpr int cellDigits = 3;
 constexpr double textAir = 6;     ///< [px] beside a cell's text
-constexpr double leastFont = 0.7; ///< of the plot's
-constexpr double strikeSize = 3;  ///< [px] of the cross on a move struck out
-constexpr double mostCorner = 9;  ///< [px] of the mark of a wrong state
-constexpr double pathShift = 2;   ///< [px] that two paths in one state stand apart
+constexpr double leastFont = 0.7; ///< relative to the plot's
+constexpr double strikeSize = 3;  ///< [px] size of the cross on a struck-out move
+constexpr double mostCorner = 9;  ///< [px] size of the mark of a wrong state
+constexpr double pathShift = 2;   ///< [px] distance of two paths in one state
 constexpr double frameWidth = 2.5, pathWidth = 3;
 constexpr float pathOpacity = 0.28F, moveOpacity = 0.45F, hatchOpacity = 0.35F;
 
@@ -80,7 +80,7 @@ QString StateGridLayer::cellText(int level, std::size_t feed) const {
                                               : QString();
 }
 
-/// One size for all cells, so that they compare; less is written where all of it has no room.
+/// Chooses one size for all cells, and writes less if not everything fits.
 void StateGridLayer::chooseFont(const QFont& usual) {
     const QRectF box = cell(1, 0);
     const QFontMetricsF metrics(usual);
@@ -166,7 +166,7 @@ void StateGridLayer::drawCells(QCPPainter& painter) const {
     }
 }
 
-/// From a level on, through the states of a path; apart from one another by a shift.
+/// Draws a path from a level on through its states, shifted apart from the other.
 void StateGridLayer::drawPath(QCPPainter& painter, const std::vector<std::size_t>& path, int from,
                               const QPen& pen, double shift) const {
     QPolygonF line;
@@ -180,7 +180,7 @@ void StateGridLayer::drawPath(QCPPainter& painter, const std::vector<std::size_t
         painter.drawRect(area);
         line << area.center() + QPointF(0, shift);
     }
-    // Between the cells alone, as the times stand in them.
+    // Only between the cells, which have the times.
     painter.setPen(pen);
     for (qsizetype i = 1; i < line.size(); ++i) {
         const double half = cell(1, 0).width() / 2;
@@ -214,7 +214,7 @@ void StateGridLayer::drawMoves(QCPPainter& painter) const {
             painter.drawLine(QLineF(at - across, at + across));
         }
     };
-    for (const bool kept : {false, true}) { // that one on top
+    for (const bool kept : {false, true}) { // the kept one on top
         for (std::size_t i = 0; i < state.moves.size(); ++i) {
             drawMove(i, kept);
         }

@@ -11,12 +11,12 @@
 
 namespace sparkout {
 
-/// What of it can be hidden.
+/// The parts that can be hidden.
 enum class GridPart { rulePath, provenPath, wrong, noMove, moves };
 
-/// The cells of a grid of states as they stand at a moment of its filling: T and m* where there is
-/// room, the moves into the state looked at, the path read back and the proven one. A state is a
-/// whole number of the horizontal axis, its level, and of the vertical one, its feed from 0.
+/// The cells of a grid of states at a moment of its filling: T and m* if they fit, the moves into
+/// the current state, the path read back and the proven one. Horizontally a state is at the number
+/// of its level, vertically at that of its feed, from 0.
 class StateGridLayer : public PaintedLayer {
     Q_OBJECT
 public:
@@ -32,9 +32,9 @@ public:
     void setHidden(std::set<GridPart> hidden) { m_hidden = std::move(hidden); }
     [[nodiscard]] const Colours& colours() const { return m_colours; }
     [[nodiscard]] int moment() const { return m_number; }
-    /// Where a state is drawn, in pixels.
+    /// The rectangle of a state, in pixels.
     [[nodiscard]] QRectF cell(int level, std::size_t feed) const;
-    /// What stands in its cell; empty: it has no room, or is not filled.
+    /// The text in its cell; empty if it does not fit, or is not filled.
     [[nodiscard]] QString cellText(int level, std::size_t feed) const;
 
 protected:

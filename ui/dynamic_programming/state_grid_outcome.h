@@ -10,10 +10,10 @@
 
 namespace sparkout {
 
-/// A grid of dynamic programming as the window has it: an immutable value. The proven answer comes
-/// later than the grid.
+/// A grid of dynamic programming as an immutable value of the window. The proven answer comes later
+/// than the grid.
 struct StateGridOutcome {
-    Project project; ///< as it was, with its own search
+    Project project; ///< unchanged, with its own search
     StateGrid grid;
     std::optional<ExactAnswer> exact;
 };

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double gridRoom = 0.6; ///< beyond the outer states
 constexpr int labelDigits = 3;
-constexpr int cellTint = 28; ///< of a reached state, to 255
+constexpr int cellTint = 28; ///< opacity of a reached state, up to 255
 constexpr std::array parts{GridPart::rulePath, GridPart::provenPath, GridPart::wrong,
                            GridPart::noMove, GridPart::moves};
 
@@ -99,7 +99,7 @@ QString StateGridPlot::valuesAt(const QPointF& at) const {
 
 // --- labels of the states -----------------------------------------------------------------------
 
-/// As many as have room one beside, or above, the other; the last level has its own always.
+/// As many as fit side by side, or one above the other; the last level always has a label.
 void StateGridPlot::thinLabels() {
     const auto ticker = [](const QCPAxis& axis) {
         return axis.ticker().staticCast<QCPAxisTickerText>();

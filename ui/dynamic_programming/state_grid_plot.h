@@ -10,14 +10,14 @@
 namespace sparkout {
 
 /// The coordinate grid of dynamic programming: stock left across, feeds up, a cell for each state,
-/// at a moment of its filling. A click looks at a state.
+/// at a moment of its filling. A click selects a state.
 class StateGridPlot : public ViewPlot {
     Q_OBJECT
 public:
     explicit StateGridPlot(QWidget* parent = nullptr);
 
-    /// Null: none; the moment stays where the same grid gets its proven answer, else it is the
-    /// last. No replot.
+    /// Null: none; keeps the moment if the same grid gets its proven answer, otherwise sets the
+    /// last one. No replot.
     void setGrid(StateGridOutcomePtr outcome);
     void setMoment(int number); ///< no replot
     [[nodiscard]] const StateGridOutcomePtr& outcome() const { return m_outcome; }

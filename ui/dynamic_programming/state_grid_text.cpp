@@ -228,7 +228,7 @@ QString StateGridText::moment(const StateGrid& grid, const GridMoment& moment) {
                  printedNumber(grid.stock_mm[static_cast<std::size_t>(moment.level)], stockDigits),
                  feed(grid.feeds[moment.feed], grid.project.operation));
     const QString what = place + QStringLiteral("; ") + moves(grid, moment.level, moment.feed);
-    return moment.stepsBack > 0 ? tr("The way back. %1").arg(what) : what;
+    return moment.stepsBack > 0 ? tr("Backtracking. %1").arg(what) : what;
 }
 
 } // namespace sparkout

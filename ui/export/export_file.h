@@ -12,8 +12,8 @@ enum class ExportFormat { xlsx, csvRussian, csvEnglish, json };
 inline constexpr std::array allExportFormats{ExportFormat::xlsx, ExportFormat::csvRussian,
                                              ExportFormat::csvEnglish, ExportFormat::json};
 
-/// What of a result goes into a file, and how. A CSV file holds one part; JSON has one object,
-/// which no choice of parts changes.
+/// The parts and the format of an exported result. A CSV file has one part; JSON has one object,
+/// independent of the parts.
 struct ExportChoice {
     ExportFormat format = ExportFormat::xlsx;
     std::vector<ResultPart> parts;
@@ -22,16 +22,16 @@ struct ExportChoice {
 };
 
 [[nodiscard]] QString exportSuffix(ExportFormat format);
-[[nodiscard]] QString exportFilter(ExportFormat format); ///< of the file dialog
+[[nodiscard]] QString exportFilter(ExportFormat format); ///< for the file dialog
 
-/// Why it cannot be exported, known before anything is written; empty: it can.
+/// Why it cannot be exported, known before writing; empty if it can.
 [[nodiscard]] QString exportObstacle(const OutcomePtr& outcome, const ExportChoice& choice);
 
-/// Makes the bytes, in any thread; the words are those of the language of now.
+/// Makes the bytes, on any thread, in the language at the call.
 [[nodiscard]] std::function<QByteArray(const KeepGoing&)> exportWork(const OutcomePtr& outcome,
                                                                      const ExportChoice& choice);
 
-/// The same of a batch, sweep or search; JSON has none.
+/// For a batch, sweep or search, which have no JSON.
 [[nodiscard]] std::function<QByteArray(const KeepGoing&)> studyWork(const Study& study,
                                                                     ExportFormat format);
 

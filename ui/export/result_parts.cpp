@@ -28,7 +28,7 @@ struct ResultParts {
     Q_DECLARE_TR_FUNCTIONS(ResultParts)
 };
 
-/// Beside what a kept run says, what the gauge reads and how the part is shaped along its length.
+/// The values of a kept run, the gauge's reading and the longitudinal form of the part.
 CsvTable wholeCycle(const Outcome& outcome) {
     const SimulationResult& result = outcome.result;
     CsvTable table =
@@ -46,7 +46,7 @@ CsvTable wholeCycle(const Outcome& outcome) {
     return table;
 }
 
-/// The final radii from the nominal one: a row an angle, a column a zone or section.
+/// The final radii less the nominal one: a row for each angle, a column for each zone or section.
 CsvTable finalProfiles(const SimulationResult& result) {
     const double nominal_mm = result.project.part->diameter_mm / 2;
     CsvTable table;

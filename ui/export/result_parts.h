@@ -6,7 +6,7 @@
 
 #include <array>
 
-/// A whole result as sheets: its inputs, what came out, and what happened pass by pass.
+/// A whole result as sheets: its inputs, its results, and its passes.
 namespace sparkout {
 
 enum class ResultPart { inputs, cycle, stages, zones, profiles, requirements, trace };
@@ -14,19 +14,19 @@ inline constexpr std::array allResultParts{
     ResultPart::inputs,   ResultPart::cycle,        ResultPart::stages, ResultPart::zones,
     ResultPart::profiles, ResultPart::requirements, ResultPart::trace};
 
-[[nodiscard]] QString partName(ResultPart part, Operation operation); ///< in the present language
+[[nodiscard]] QString partName(ResultPart part, Operation operation); ///< translated
 [[nodiscard]] const char* partKey(ResultPart part); ///< on the command line: "inputs"
 
-/// One table, as a CSV file holds it; of the trace all zones, pass by pass.
+/// One table, for a CSV file; the trace includes all zones, pass by pass.
 [[nodiscard]] Sheet partSheet(const OutcomePtr& outcome, ResultPart part);
 
-/// The parts as sheets of a workbook; of the trace one a zone or section.
+/// The parts as sheets of a workbook; the trace has one for each zone or section.
 [[nodiscard]] Book bookOf(const OutcomePtr& outcome, const std::vector<ResultPart>& parts);
 
-/// Rows of the trace; 0 where the run was too long to be recorded.
+/// Number of rows of the trace; 0 if the run was too long to record.
 [[nodiscard]] std::size_t traceRows(const Outcome& outcome);
 
-/// The same object as that of `sparkout-cli simulate --json`.
+/// The object of `sparkout-cli simulate --json`.
 [[nodiscard]] QByteArray resultJsonBytes(const Outcome& outcome);
 
 } // namespace sparkout

@@ -62,7 +62,7 @@ void addOrigin(CsvTable& table, const Project& project) {
     addFact(table, StudyBook::tr("Engine"), QString::fromUtf8(version));
 }
 
-/// The inputs whose keys in the file begin so.
+/// The inputs whose keys in the file begin with one of these.
 CsvTable inputsOf(const Project& project, const QStringList& keys) {
     CsvTable table = inputTable(project);
     std::erase_if(table.rows, [&keys](const std::vector<CsvCell>& row) {
@@ -101,7 +101,7 @@ CsvTable batchFacts(const BatchOutcome& outcome) {
     addFact(table, StudyBook::tr("What was run"), BatchText::run(outcome));
     addFact(table, StudyBook::tr("Verdict: the cycle"),
             BatchText::fitness(weigh(summary, outcome.result).fitness));
-    addFact(table, StudyBook::tr("What decided"), BatchText::decision(outcome));
+    addFact(table, StudyBook::tr("Deciding result"), BatchText::decision(outcome));
     const QString percent = unitText("%");
     addFact(table, StudyBook::tr("Parts that are not good"),
             static_cast<double>(summary.bad.count));
@@ -209,7 +209,8 @@ CsvTable sweepFacts(const SweepResult& sweep) {
     return table;
 }
 
-/// One quantity over two inputs: a row a value of the first, a column a value of the second.
+/// One quantity over two inputs: a row for each value of the first, a column for each value of the
+/// second.
 CsvTable mapTable(const SweepResult& sweep, std::size_t quantity) {
     const SweptInput &first = sweep.inputs[0], &second = sweep.inputs[1];
     CsvTable table;

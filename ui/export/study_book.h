@@ -9,19 +9,19 @@
 #include <optional>
 #include <vector>
 
-/// What a batch, a sweep or a search came to, as tables: nothing is computed here.
+/// The results of a batch, a sweep or a search as tables, without further computation.
 namespace sparkout {
 
 enum class StudyKind { batch, sweep, search };
 inline constexpr std::array allStudyKinds{StudyKind::batch, StudyKind::sweep, StudyKind::search};
 
-/// One that was run, with all it has to be told with. Exactly one outcome is given.
+/// A completed study with the data for its description. Exactly one outcome is given.
 struct Study {
     BatchOutcomePtr batch = {};
-    SobolIndicesPtr indices = {}; ///< of the batch, where they were computed
+    SobolIndicesPtr indices = {}; ///< indices of the batch, if they were computed
     SweepResultPtr sweep = {};
     SearchOutcomePtr search = {};
-    std::optional<double> before_s = {}; ///< the time of the cycle that the search is held against
+    std::optional<double> before_s = {}; ///< time of the cycle compared with the search
 
     [[nodiscard]] StudyKind kind() const {
         return batch ? StudyKind::batch : sweep ? StudyKind::sweep : StudyKind::search;
@@ -33,12 +33,12 @@ struct Study {
 
 [[nodiscard]] const char* studyKey(StudyKind kind); ///< on the command line
 [[nodiscard]] QString studyName(StudyKind kind);    ///< "Batch"
-[[nodiscard]] QString studyNote(StudyKind kind);    ///< what its sheets hold
+[[nodiscard]] QString studyNote(StudyKind kind);    ///< the contents of its sheets
 
 /// Every table on a sheet of its own.
 [[nodiscard]] Book studyBook(const Study& study);
 
-/// The one that a CSV file holds: a row a characteristic, a point or a cycle.
+/// The table for a CSV file: a row for each characteristic, point or cycle.
 [[nodiscard]] Sheet studyMainSheet(const Study& study);
 
 } // namespace sparkout

@@ -41,7 +41,7 @@ std::vector<SheetColumn> columnsFor(const Operation& operation) {
     return columns;
 }
 
-/// What every row of a pass says of it.
+/// The common texts of a pass's rows.
 struct PassTexts {
     std::vector<QString> zones; ///< by zone or section
     std::vector<QString> steps;

@@ -10,7 +10,7 @@ namespace sparkout {
 /// `sparkout-cli simulate --trace`.
 [[nodiscard]] Sheet traceSheet(const OutcomePtr& outcome, const QString& name);
 
-/// The same, a sheet a zone or section.
+/// With a sheet for each zone or section.
 [[nodiscard]] std::vector<Sheet> traceSheets(const OutcomePtr& outcome);
 
 } // namespace sparkout

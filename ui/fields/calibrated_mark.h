@@ -5,8 +5,8 @@
 
 namespace sparkout {
 
-/// A ruler beside an input whose value was found from measurements; struck through where it has
-/// another value by now. The tool tip tells the details.
+/// A ruler beside an input whose value was found from measurements, struck through if it has
+/// changed since. The tool tip has the details.
 class CalibratedMark : public QWidget {
     Q_OBJECT
 

@@ -11,7 +11,7 @@
 
 namespace sparkout {
 
-/// A line of text is no block of cells, whatever parts its words.
+/// A line of text is not a block of cells, whatever separates its words.
 bool CellsLineEdit::takeCells() {
     const QMimeData* const copied = QGuiApplication::clipboard()->mimeData();
     const QString text = copied ? copied->text().trimmed() : QString();

@@ -10,14 +10,14 @@
 
 namespace sparkout {
 
-/// A line of text that hands several cells of a spreadsheet on when they are pasted into it.
+/// A text field that passes on several cells of a spreadsheet when they are pasted.
 class CellsLineEdit : public QLineEdit {
     Q_OBJECT
 
 public:
     using QLineEdit::QLineEdit;
 
-    /// Who takes cells; without one they are pasted as any text.
+    /// Sets the receiver of cells; without one they are pasted as text.
     void setTakesCells(std::function<void(const PastedCells&)> take) { m_take = std::move(take); }
 
 protected:

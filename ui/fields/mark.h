@@ -8,17 +8,17 @@
 #include <QPalette>
 #include <QString>
 
-/// How a value that was refused, is unusual or not given yet is marked, everywhere in the inputs.
+/// The marks of refused, unusual or missing values in all inputs.
 namespace sparkout {
 
 enum class Mark {
     none,
     warning,
-    missing, ///< not given yet, which is no fault of anybody
+    missing, ///< not given yet, which is not a fault
     error
 };
 
-/// A mark and the sentence that gives its reason.
+/// A mark and the sentence with its reason.
 struct Remark {
     Mark mark = Mark::none;
     QString reason;
@@ -26,7 +26,7 @@ struct Remark {
 
 [[nodiscard]] QColor markColor(Mark mark, const QPalette& palette);
 [[nodiscard]] QIcon markIcon(Mark mark);
-[[nodiscard]] Mark markOf(const Issue& issue); ///< of a project that is being typed in
+[[nodiscard]] Mark markOf(const Issue& issue); ///< for a project being typed
 
 /// The worst issue at a path or below it.
 [[nodiscard]] Remark remarkFor(const Issues& issues, const std::string& path);

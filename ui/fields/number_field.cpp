@@ -133,7 +133,7 @@ Remark NumberField::remark() const {
 }
 
 Remark NumberField::judge(std::optional<double>& value) const {
-    if (text().trimmed().isEmpty()) { // one that was never given is missed by the inputs, not here
+    if (text().trimmed().isEmpty()) { // the inputs report a value never given
         return m_spec.optional || !m_settled ? Remark{}
                                              : Remark{Mark::error, tr("a number is needed here")};
     }
@@ -154,7 +154,7 @@ Remark NumberField::judgeNumber(double value) const {
         return {Mark::error, tr("out of range; allowed: %1")
                                  .arg(rangeShown(m_spec.scale.shown(m_spec.hard), m_spec.unit))};
     }
-    const bool isDrawnBack = value < 0 && m_spec.soft.low > 0; // where that is allowed
+    const bool isDrawnBack = value < 0 && m_spec.soft.low > 0; // if that is allowed
     if (!m_spec.soft.contains(value) && !isDrawnBack) {
         return {
             Mark::warning,
@@ -252,7 +252,7 @@ void NumberField::settle() {
         showValue();
     }
     if (QToolTip::isVisible() && hasFocus()) {
-        QToolTip::hideText(); // the result stands in the field
+        QToolTip::hideText(); // the result is in the field
     }
     updateRemark();
 }

@@ -13,29 +13,28 @@
 
 namespace sparkout {
 
-/// What a number field takes.
+/// The allowed numbers of a field.
 struct NumberSpec {
     Range hard = {};
     Range soft = {};
     const char* unit = "";
     bool integer = false;
-    bool optional = false; ///< may be left empty
+    bool optional = false; ///< may be empty
     const char* nullMeaning = "";
-    ShownScale scale = {}; ///< from the value to what is shown and typed
+    ShownScale scale = {}; ///< from the value to the displayed number
 
     [[nodiscard]] static NumberSpec of(const Field& field);
-    /// With the range that holds for the member in a project.
+    /// With the allowed range of the member in a project.
     [[nodiscard]] static NumberSpec of(const Field& field, const Project& project,
                                        const void* owner);
     friend bool operator==(const NumberSpec&, const NumberSpec&) = default;
 };
 
-/// A field for one number. It reads comma and point in every locale, exponents and a typographic
-/// minus, and never changes what was typed: a text it cannot read or a value out of range stays
-/// there, marked with its reason, while value() keeps the last good one. While one types nothing is
-/// marked, and a value the other inputs do not go with waits: it may be the beginning of another.
-/// Arithmetic waits as well, its result shown below the field, and Enter puts the result in its
-/// place.
+/// A field for one number. It accepts comma and point in every locale, exponents and a typographic
+/// minus, and never changes typed text: an unreadable text or a value out of range stays, marked
+/// with its reason, while value() keeps the last valid one. During typing nothing is marked, and a
+/// value that conflicts with other inputs waits, since it may be incomplete. Arithmetic waits as
+/// well, with its result shown below the field, until Enter replaces it by the result.
 class NumberField : public CellsLineEdit {
     Q_OBJECT
 
@@ -43,37 +42,37 @@ public:
     explicit NumberField(const NumberSpec& spec, QWidget* parent = nullptr);
 
     [[nodiscard]] std::optional<double> value() const { return m_value; }
-    void setValue(std::optional<double> value); ///< keeps a refused text as long as value stays
-    void reset(std::optional<double> value);    ///< drops a refused text, too
+    void setValue(std::optional<double> value); ///< keeps a refused text if value is unchanged
+    void reset(std::optional<double> value);    ///< also drops a refused text
     void revert();                              ///< back to the value before this edit
     void clearText();                           ///< as if deleted by hand
-    void settle();                              ///< ends the edit, as leaving the field does
-    /// Reads a text in another form than a number, in the unit of the value; taken like the result
-    /// of arithmetic.
+    void settle();                              ///< ends the edit, like leaving the field
+    /// Sets a reader for other notations of a number, in the unit of the value; its results are
+    /// treated like those of arithmetic.
     void setReads(std::function<std::optional<double>(const QString&)> reads) {
         m_reads = std::move(reads);
     }
-    /// Gives the value so many steps up or down, by which the arrow keys go; nothing where the last
-    /// digit is stepped.
+    /// Sets the steps of the arrow keys; without it, or if it returns nothing, the last digit is
+    /// stepped.
     void setSteps(std::function<std::optional<double>(double value, int steps)> steps) {
         m_steps = std::move(steps);
     }
-    /// Says whether a value goes with the other inputs.
+    /// Sets a check of a value against the other inputs.
     void setFits(std::function<bool(std::optional<double>)> fits) { m_fits = std::move(fits); }
 
     [[nodiscard]] bool refused() const { return m_own.mark == Mark::error; }
     [[nodiscard]] const QString& refusal() const { return m_own.reason; }
     [[nodiscard]] bool typing() const { return m_typing.isActive(); } ///< until a pause
-    [[nodiscard]] Remark remark() const;    ///< as shown: none while typing
+    [[nodiscard]] Remark remark() const;    ///< as displayed: none while typing
     void setSpec(const NumberSpec& spec);   ///< judges the text anew
-    void setHint(const QString& hint);      ///< what the field is for, to screen readers
-    void setIssue(const Remark& issue);     ///< what the rules between fields say of the value
+    void setHint(const QString& hint);      ///< purpose of the field, for screen readers
+    void setIssue(const Remark& issue);     ///< result of the rules between fields
     void setShownText(const QString& text); ///< as if typed: a text kept from before
 
     void retranslate();
 
 signals:
-    void valueEdited(); ///< another good value, or the one before a text that is refused or dropped
+    void valueEdited(); ///< a new valid value, or a dropped text
     void remarkChanged();
 
 protected:
@@ -87,12 +86,12 @@ private:
     void evaluate();
     [[nodiscard]] Remark judge(std::optional<double>& value) const;
     [[nodiscard]] Remark judgeNumber(double value) const;
-    [[nodiscard]] std::optional<double> read() const;     ///< what the text means
+    [[nodiscard]] std::optional<double> read() const;     ///< the value of the text
     [[nodiscard]] std::optional<double> readForm() const; ///< by setReads()
-    /// Of arithmetic or another form, "= 0.125 mm"; else empty.
+    /// For arithmetic or another notation, "= 0.125 mm"; otherwise empty.
     [[nodiscard]] QString result() const;
     void showResult();
-    [[nodiscard]] QString stepped(int steps) const; ///< the text after so many steps
+    [[nodiscard]] QString stepped(int steps) const; ///< the text after this number of steps
     void step(int steps);
     void showValue();
     [[nodiscard]] QString written(double value) const;
@@ -103,13 +102,13 @@ private:
 
     NumberSpec m_spec;
     std::optional<double> m_value;
-    std::optional<double> m_settled; ///< before the running edit: what a refused text falls back to
+    std::optional<double> m_settled; ///< before the running edit: restored if a text is refused
     std::function<bool(std::optional<double>)> m_fits;
     std::function<std::optional<double>(const QString&)> m_reads;
     std::function<std::optional<double>(double, int)> m_steps;
-    bool m_waits = false; ///< the text is good, but not taken before a pause
-    Remark m_own;         ///< of the text
-    Remark m_issue;       ///< of the value, from validation
+    bool m_waits = false; ///< the text is valid, but waits for a pause
+    Remark m_own;         ///< remark on the text
+    Remark m_issue;       ///< remark on the value, from validation
     Remark m_shown;
     QString m_hint;
     QTimer m_typing;

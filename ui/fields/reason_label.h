@@ -7,7 +7,7 @@
 
 namespace sparkout {
 
-/// The reason of a mark in the mark's colour; hidden while there is none.
+/// The reason of a mark in the mark's colour; hidden if there is none.
 class ReasonLabel : public QLabel {
     Q_OBJECT
 

@@ -7,7 +7,7 @@
 
 namespace sparkout {
 
-/// A text the forms did not take: where, and why.
+/// A text refused by the forms: its place and the reason.
 struct Refusal {
     std::string path;
     QString reason;

@@ -17,7 +17,7 @@ ResetMark::ResetMark(QWidget* parent) : QAbstractButton(parent) {
     setCursor(Qt::PointingHandCursor);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setAttribute(Qt::WA_Hover);
-    QSizePolicy keepsPlace = sizePolicy(); // labels do not wrap anew with each change
+    QSizePolicy keepsPlace = sizePolicy(); // labels are not wrapped again after each change
     keepsPlace.setRetainSizeWhenHidden(true);
     setSizePolicy(keepsPlace);
     setVisible(false);

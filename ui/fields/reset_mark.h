@@ -5,7 +5,7 @@
 
 namespace sparkout {
 
-/// A dot beside an input that has not its default; a click takes it back.
+/// A dot beside an input that differs from its default; a click restores it.
 class ResetMark : public QAbstractButton {
     Q_OBJECT
 

@@ -8,7 +8,7 @@ namespace sparkout {
 namespace {
 
 constexpr int sharedMarkWidth = 15, sharedMarkHeight = 10;
-constexpr double ringDiameter = 7; ///< its diameter
+constexpr double ringDiameter = 7; ///< diameter of the ring
 
 } // namespace
 

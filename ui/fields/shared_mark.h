@@ -5,7 +5,7 @@
 
 namespace sparkout {
 
-/// Two linked rings beside an input that all surfaces of a set-up share.
+/// Two linked rings beside an input shared by all surfaces of a set-up.
 class SharedMark : public QWidget {
     Q_OBJECT
 

@@ -41,7 +41,7 @@ void ValueSlider::display(const SliderSpec& spec, std::optional<double> value, c
                           const ShownScale& shown) {
     const bool another = value != m_value;
     if (another) {
-        m_dragged.reset(); // somebody else has changed it
+        m_dragged.reset(); // it was changed elsewhere
     }
     m_value = value;
     m_unit = unit;
@@ -117,7 +117,7 @@ void ValueSlider::mousePressEvent(QMouseEvent* event) {
     m_dragged = m_value;
     m_grip = event->position().x() - handle().x();
     if (std::abs(m_grip) > handleRadius + 1) {
-        m_grip = 0; // beside the handle: it comes to the pointer
+        m_grip = 0; // beside the handle: the handle moves to the pointer
         move(m_scale.valueAt(shareAt(event->position().x())));
     }
     update();

@@ -12,15 +12,15 @@
 namespace sparkout {
 
 /// A thin slider for a number, beside its field. It stops at round values; Escape during a drag
-/// goes back to the value before it; the wheel is left to the page unless the slider has the focus.
+/// restores the value; the wheel scrolls the page unless the slider has the focus.
 class ValueSlider : public QWidget {
     Q_OBJECT
 
 public:
     explicit ValueSlider(QWidget* parent = nullptr);
 
-    /// What it shows: a scale for the spec and the value, which may lie outside. A drag goes on
-    /// with its scale as long as the value is the one it gave.
+    /// Shows a value on the scale of a spec; the value may be outside. A drag keeps its scale as
+    /// long as the value is the one it set.
     void display(const SliderSpec& spec, std::optional<double> value, const QString& unit,
                  const ShownScale& shown = {});
 
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] const QString& unit() const { return m_unit; }
     [[nodiscard]] const ShownScale& shown() const {
         return m_shown;
-    } ///< from values to what is read
+    } ///< converts values to displayed numbers
     [[nodiscard]] bool dragging() const { return m_dragged.has_value(); }
     void setByHand(double value); ///< as if moved there
 
@@ -39,7 +39,7 @@ public:
 
 signals:
     void valueEdited(double value);
-    void settled(); ///< the edits before and after are separate steps of the history
+    void settled(); ///< edits before and after are separate steps of the history
 
 protected:
     bool event(QEvent* event) override;
@@ -65,9 +65,9 @@ private:
     QString m_unit;
     ShownScale m_shown;
     std::optional<double> m_dragged; ///< the value before the running drag
-    double m_grip = 0;               ///< where the handle was taken, from its middle
+    double m_grip = 0;               ///< position of the grip relative to the handle's middle
     int m_wheel = 0;                 ///< turned, but not yet a step
-    QTimer m_pause;                  ///< keys and wheel: ends their step of the history
+    QTimer m_pause;                  ///< for keys and wheel: ends their step of the history
 };
 
 } // namespace sparkout

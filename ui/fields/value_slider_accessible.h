@@ -3,7 +3,7 @@
 
 namespace sparkout {
 
-/// Tells screen readers the value of a ValueSlider in its own unit, once for the program.
+/// Reports the value of a ValueSlider in its own unit to screen readers; call once.
 void installSliderAccessibility();
 
 } // namespace sparkout

@@ -30,7 +30,7 @@ Autosave::Autosave(Document& document, RecoveryStore store, Times times, QObject
     connect(&m_idle, &QTimer::timeout, this, &Autosave::write);
     connect(&m_latest, &QTimer::timeout, this, &Autosave::write);
     connect(&document, &Document::changed, this, &Autosave::noteChange);
-    // Whoever replaces the document has asked before. The file of the old one is not written over.
+    // The replacing code has asked already. The file of the old document is not overwritten.
     connect(&document, &Document::replaced, this, &Autosave::moveAway);
 }
 
@@ -55,7 +55,7 @@ void Autosave::noteChange() {
 void Autosave::write() {
     m_idle.stop();
     m_latest.stop();
-    // An untouched document needs no file; one that was undone to that state rewrites its own.
+    // An untouched document needs no file; one returned to that state by undo updates its own.
     if (!m_document.modified() && !m_claim) {
         return;
     }
@@ -95,7 +95,7 @@ void Autosave::saved() {
 
 void Autosave::discard() {
     if (m_idle.isActive()) {
-        write(); // what was changed a moment ago is given up, not lost
+        write(); // includes the last change among the discarded ones
     }
     moveAway();
 }

@@ -14,15 +14,15 @@ namespace sparkout {
 
 class Document;
 
-/// Keeps a recovery file of the document while it has unsaved changes: a moment after the last
-/// change, and not much later however long one goes on typing. Never touches the user's file.
+/// Keeps a recovery file of the document while it has unsaved changes: shortly after the last
+/// change, and with little delay during long typing. Never touches the user's file.
 class Autosave : public QObject {
     Q_OBJECT
 
 public:
     struct Times {
         std::chrono::milliseconds idle{2'000};    ///< after the last change
-        std::chrono::milliseconds latest{30'000}; ///< after the first one not yet kept
+        std::chrono::milliseconds latest{30'000}; ///< after the first change not yet written
     };
 
     Autosave(Document& document, RecoveryStore store, Times times, QObject* parent = nullptr);
@@ -30,13 +30,13 @@ public:
     /// Keeps the last changes, if there are any that nobody gave up.
     ~Autosave() override;
 
-    /// Goes on in the recovery file of a session that crashed.
+    /// Continues in the recovery file of a crashed session.
     void adopt(RecoveryClaimPtr claim);
-    void saved();   ///< the user's file holds everything now: the recovery file goes
-    void discard(); ///< the user gave the changes up: it is kept with the discarded ones
-    void flush();   ///< writes what waits, and waits for it
+    void saved();   ///< the user's file is up to date: removes the recovery file
+    void discard(); ///< the user discarded the changes: moves it to the discarded ones
+    void flush();   ///< writes pending changes and waits
 
-    [[nodiscard]] QString file() const; ///< empty while there is none
+    [[nodiscard]] QString file() const; ///< empty if there is none
 
 signals:
     void written();

@@ -32,7 +32,7 @@ bool sameBytes(const EarlierVersion& version, std::string_view bytes) {
 BackupHistory::BackupHistory(const QString& stateFolder, BackupCaps caps)
     : m_folder(stateFolder + QStringLiteral("/backups")), m_caps(caps) {}
 
-/// The name is for people, the hash tells apart files of the same name.
+/// The name is for people, the hash distinguishes files of the same name.
 QString BackupHistory::folderOf(const QString& path) const {
     const QString real = realPath(path);
     const QByteArray hash = contentHash(systemText(real)).toHex().left(16);
@@ -66,7 +66,7 @@ std::optional<FileError> BackupHistory::keep(const QString& path, std::string_vi
     QDateTime when = now.toUTC();
     while (std::ranges::any_of(
         list, [&](const EarlierVersion& version) { return version.when.secsTo(when) == 0; })) {
-        when = when.addSecs(1); // the names tell the second
+        when = when.addSecs(1); // names have a resolution of a second
     }
     const QString folder = folderOf(path);
     const QString suffix = QFileInfo(path).suffix();
@@ -103,7 +103,7 @@ void BackupHistory::drop(std::vector<EarlierVersion> versions, const QDateTime& 
     };
     for (auto found = ofToday(); found.size() > std::size_t(std::max(m_caps.filesADay, 1));
          found = ofToday()) {
-        const bool aMiddleOne = found.size() > 2; // newest first: the day's first stands last
+        const bool aMiddleOne = found.size() > 2; // newest first: the day's first is last
         remove(found[found.size() - (aMiddleOne ? 2 : 1)]);
     }
     const auto size = [&versions] {

@@ -13,33 +13,33 @@
 
 namespace sparkout {
 
-/// How much of the past is kept of one file.
+/// Limits on the kept versions of one file.
 struct BackupCaps {
     int files = 25;
     int filesADay = 5;
     qint64 bytes = qint64{100} << 20;
-    std::chrono::seconds apart{300}; ///< a version sooner after the last one is not kept
+    std::chrono::seconds apart{300}; ///< least time between kept versions
 };
 
 /// An earlier version of a file.
 struct EarlierVersion {
     QString file;
-    QDateTime when; ///< it was replaced then
+    QDateTime when; ///< time of its replacement
     qint64 bytes = 0;
 };
 
-/// The versions a file had before it was saved over, in a folder of our own. (The last one also
-/// stands beside the file as NAME.bak.)
+/// The versions of a file that saving replaced, in a folder of the program. (The last one is also
+/// beside the file as NAME.bak.)
 class BackupHistory {
 public:
     explicit BackupHistory(const QString& stateFolder, BackupCaps caps = {});
 
     enum class Whose {
-        own,    ///< nothing is lost when it is too soon after the last one to be kept
-        foreign ///< nobody else may have it: it is kept however soon it comes
+        own,    ///< may be dropped soon after the last kept one
+        foreign ///< perhaps the only copy: always kept
     };
-    /// Keeps these bytes, which a save is about to replace, if the caps let it, and drops what
-    /// exceeds them. The first version of a day outlives the others of that day.
+    /// Keeps these bytes, which a save is about to replace, within the limits, and drops versions
+    /// that exceed them. The first version of a day outlives the others of that day.
     std::optional<FileError> keep(const QString& path, std::string_view bytes, const QDateTime& now,
                                   Whose whose = Whose::own) const;
     [[nodiscard]] std::vector<EarlierVersion> versions(const QString& path) const; ///< newest first

@@ -74,7 +74,7 @@ QString shown(const ordered_json& value, const Field& field) {
     return parts.join(QStringLiteral("; "));
 }
 
-/// Goes through what is given, with what stands there now.
+/// Visits the given values together with the current ones.
 struct Walk {
     const CatalogueEntry& entry;
     std::vector<CatalogueChange>& changes;

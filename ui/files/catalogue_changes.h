@@ -9,26 +9,25 @@
 
 namespace sparkout {
 
-/// One input that an entry of a catalogue gives.
+/// An input given by a catalogue entry.
 struct CatalogueChange {
     const Field* field;
     std::string key; ///< within the entry's value: "stiffness_n_um/headstock"
-    QString now;     ///< as the project has it, in the present language, without its unit
-    QString then;    ///< as the entry gives it; "not known"
+    QString now;     ///< value in the project, translated, without its unit
+    QString then;    ///< value in the entry; "not known"
     bool changed;
     const ValueSource* source; ///< null for texts
 };
 
-/// In place of a value that an entry says is not known.
+/// Shown for a value that is unknown to an entry.
 [[nodiscard]] QString notKnown();
 
-/// What taking over an entry changes in a project, and what it leaves as it is, in the order of
-/// the tables. The sources are the entry's own.
+/// The changes to a project by applying an entry, and the unchanged values, in the order of the
+/// tables. The sources are those of the entry.
 [[nodiscard]] std::vector<CatalogueChange> changesBy(const CatalogueEntry& entry,
                                                      const Project& project);
 
-/// A value's source in words: the reference and its note, or that it is an estimate, with its
-/// plausible range.
+/// A value's source as text: the reference and its note, or "estimate", with its plausible range.
 [[nodiscard]] QString sourceShown(const ValueSource& source, const Field& field, bool own);
 /// The references of an entry, each once.
 [[nodiscard]] QString sourcesShown(const CatalogueItem& item);

@@ -34,8 +34,7 @@ const char* keyOf(CatalogueKind kind) {
     return keys[static_cast<int>(kind)];
 }
 
-/// Why a catalogue's text is refused: its first fault, at the input it is about where it is about
-/// one.
+/// Why a catalogue's text is refused: its first fault, with the input if it concerns one.
 QString faultText(const Issues& issues, CatalogueKind kind) {
     const auto first = std::find_if(issues.begin(), issues.end(), [](const Issue& issue) {
         return issue.severity == Severity::error;
@@ -149,7 +148,7 @@ private:
             if (error->systemError != ENOENT && error->systemError != ENOTDIR) {
                 m_fault = readErrorText(*error);
             }
-            return; // absent: nothing of his own yet
+            return; // no file: no own entries yet
         }
         m_sha256 = sha256(std::get<std::string>(bytes));
         CatalogueRead<Entry> read = readCatalogue<Entry>(std::get<std::string>(bytes));
@@ -160,7 +159,7 @@ private:
         }
     }
 
-    /// Another window may write between the reading and the writing: then it is read again.
+    /// Another window may write between reading and writing: then it is read again.
     template <class Change>
     QString change(Change apply) {
         std::vector<Entry> own;
@@ -195,7 +194,7 @@ private:
             }
         } else {
             runAside([&] {
-                QDir().mkpath(QFileInfo(m_ownFile).absolutePath()); // its failure is the writer's
+                QDir().mkpath(QFileInfo(m_ownFile).absolutePath()); // a failure shows when writing
                 fault = saveCatalogue(systemPath(m_ownFile), own, m_sha256);
             });
         }
@@ -203,7 +202,7 @@ private:
     }
 
     std::vector<Entry> m_shipped, m_own;
-    std::string m_sha256; ///< of the file with the own entries as it was read; empty: there is none
+    std::string m_sha256; ///< hash of the file with the own entries as read; empty without a file
 };
 
 } // namespace

@@ -16,23 +16,22 @@ enum class CatalogueKind { materials, wheels, machines };
 using CatalogueEntry = std::variant<MaterialEntry, WheelEntry, MachineEntry>;
 
 [[nodiscard]] QString entryName(const CatalogueEntry& entry);
-[[nodiscard]] QString entryNote(const CatalogueEntry& entry); ///< in the present language
+[[nodiscard]] QString entryNote(const CatalogueEntry& entry); ///< translated
 [[nodiscard]] const std::vector<ValueSource>& sourcesOf(const CatalogueEntry& entry);
-/// The project with what an entry gives.
+/// The project with the values of an entry.
 [[nodiscard]] Project withEntry(const CatalogueEntry& entry, Project project);
 
 struct CatalogueItem {
     CatalogueEntry entry;
     bool own = false; ///< the user's, not a shipped one
-    QString search;   ///< all one may look it up by, in its search form
+    QString search;   ///< searchable text, in its search form
 };
 
-/// A catalogue: the shipped entries and the user's own. Those stand in a file of their own; what
-/// another window has written there meanwhile, until the moment of writing, is kept. A file that
-/// cannot be read is never written.
+/// A catalogue: the shipped entries and the user's own. These have a file of their own; entries
+/// written there by another window are kept. An unreadable file is never written.
 class CatalogueStore {
 public:
-    /// Without a folder the own entries live as long as this does.
+    /// Without a folder the own entries are lost with this object.
     [[nodiscard]] static std::unique_ptr<CatalogueStore> make(CatalogueKind kind,
                                                               const QString& folder);
     virtual ~CatalogueStore() = default;
@@ -41,18 +40,18 @@ public:
     [[nodiscard]] const QString& ownFile() const { return m_ownFile; }
     [[nodiscard]] const std::vector<CatalogueItem>& items() const { return m_items; }
     [[nodiscard]] bool hasOwn(const QString& name) const;
-    /// Why the own entries cannot be read, in words; empty when they can.
+    /// The reason why the own entries cannot be read; empty if they can.
     [[nodiscard]] const QString& fault() const { return m_fault; }
 
     virtual void refresh() = 0; ///< reads the user's file
-    /// Moves an unreadable file to a name that is free, so that a new one can be begun.
-    /// @param[out] aside that name, where it succeeds
+    /// Renames an unreadable file, so that a new one can be begun. @param[out] aside the new name,
+    /// on success
     [[nodiscard]] QString putAside(QString& aside);
 
-    // Each says in words why nothing was written; empty when it was.
-    /// Keeps what the project has under a name; in place of an own entry of that name.
+    // Each returns the reason why nothing was written; empty on success. Saves the project's values
+    // under a name, replacing an own entry with that name.
     [[nodiscard]] virtual QString save(const Project& project, const QString& name) = 0;
-    /// Keeps entries of this kind as they are, each in place of an own one of its name.
+    /// Saves entries of this kind unchanged, each replacing an own one with its name.
     [[nodiscard]] virtual QString keep(const std::vector<CatalogueEntry>& entries) = 0;
     [[nodiscard]] virtual QString rename(const QString& from, const QString& to) = 0;
     [[nodiscard]] virtual QString remove(const QString& name) = 0;

@@ -55,7 +55,7 @@ std::uint64_t linkCount(const QString& path) {
 bool mayBeWritten(const QString& path) {
     const QString real = realPath(path);
     const auto found = factsOf(real);
-    // The mode is asked too: the system lets root write anything.
+    // Checks the mode, too: the system lets root write anything.
     if (found && (found->writeProtected || !mayWriteFile(systemPath(real)))) {
         return false;
     }

@@ -11,7 +11,7 @@ namespace sparkout {
 
 class Document;
 
-/// The guarded file of the document, and what is left of it after a crash.
+/// The guarded file of the document, and its recovery after a crash.
 class FileGuard : public GuardedFile {
     Q_OBJECT
 
@@ -19,12 +19,12 @@ public:
     explicit FileGuard(Document& document, QObject* parent = nullptr);
     ~FileGuard() override;
 
-    /// The file is protected, and recovery files are kept in this folder, too.
+    /// Protects the file, and keeps recovery files in this folder, too.
     void protect(const QString& stateFolder, Autosave::Times times = {});
 
-    /// Saves the document and, when all of it is known to be on the disk, marks it saved.
+    /// Saves the document and, once it is completely on the disk, marks it as saved.
     [[nodiscard]] std::optional<FileError> save(const QString& path);
-    void followDocument(); ///< also after it was reloaded from its file
+    void followDocument(); ///< also after reloading
 
     void adoptRecovery(RecoveryClaimPtr claim);
     [[nodiscard]] const RecoveryStore* recovery() const {

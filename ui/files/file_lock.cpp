@@ -23,20 +23,20 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::int64_t largestLock = 4096; ///< in bytes; a lock has some hundred
+constexpr std::int64_t largestLock = 4096; ///< in bytes; a lock has a few hundred
 
 /// QLockFile guards the removal of a dead lock by a helper file.
 QString helperOf(const QString& lock) {
     return lock + QStringLiteral(".rmlock");
 }
 
-/// A program killed while it removed a dead lock leaves the helper behind.
+/// A program killed while removing a dead lock leaves the helper behind.
 void removeHelper(const QString& lock) {
     const QString helper = helperOf(lock);
     if (QFileInfo::exists(helper)) {
         QLockFile file(helper);
         file.setStaleLockTime(0);
-        (void)file.tryLock(0); // taken over if nobody uses it, and removed by the destructor
+        (void)file.tryLock(0); // taken over if unused, and removed by the destructor
     }
 }
 
@@ -45,7 +45,7 @@ bool sameLock(const FileStamp& a, const FileStamp& b) {
            && a.modified_ns == b.modified_ns;
 }
 
-/// The name of the user a file belongs to. On Windows Qt looks for it when it is told to alone.
+/// The name of the user who owns a file. On Windows Qt looks for it only on request.
 QString ownerOf(const QFileInfo& file) {
 #ifdef Q_OS_WIN
     ++qt_ntfs_permission_lookup;
@@ -105,7 +105,7 @@ FileLock& FileLock::operator=(FileLock&& other) noexcept {
 }
 
 QString FileLock::lockPath(const QString& file) {
-    const QFileInfo real(realPath(file)); // one lock for all the symbolic links to a file
+    const QFileInfo real(realPath(file)); // one lock for all symbolic links to a file
     return real.absolutePath() + QStringLiteral("/.~") + real.fileName() + QStringLiteral(".lock");
 }
 
@@ -124,7 +124,7 @@ FileLock::State FileLock::acquire(const QString& file) {
 
 FileLock::State FileLock::takeOver() {
     if (m_state == State::conflict) {
-        // This removes no lock that a program on this host still holds open; the user may.
+        // Does not remove a lock that a program on this host holds open; the user may.
         if (!m_lock->removeStaleLockFile()) {
             QFile::remove(m_path);
         }
@@ -169,7 +169,7 @@ bool FileLock::stillOurs() const {
 
 void FileLock::release() {
     if (m_state == State::held && !stillOurs()) {
-        // QLockFile removes by name: the lock of whoever took over must outlive that.
+        // QLockFile removes by name: the lock of a new holder must not be removed.
         const std::filesystem::path lock = systemPath(m_path);
         const std::filesystem::path kept =
             systemPath(m_path + u'.' + QString::number(QCoreApplication::applicationPid()));

@@ -12,10 +12,9 @@ class QLockFile;
 
 namespace sparkout {
 
-/// Who holds a lock, as far as its file tells.
+/// The holder of a lock, from its file.
 struct LockHolder {
-    bool readable =
-        false; ///< false: the lock file holds no sense, only its owner and time are known
+    bool readable = false; ///< false: the lock file is invalid; only its owner and time are known
     QString user;
     QString host;
     QString program;
@@ -24,17 +23,17 @@ struct LockHolder {
 };
 
 /// "This file is open": the hidden file .~NAME.lock beside it. The lock of a program that no longer
-/// runs on this host is taken over; one of another host is respected, however old, and so is one
-/// that cannot be read, until the user says otherwise.
+/// runs on this host is taken over; one of another host, of any age, or one that is unreadable is
+/// respected unless the user decides otherwise.
 class FileLock {
 public:
     enum class State {
         none,
         held,
-        conflict, ///< somebody else has it, see holder()
-        noRight,  ///< the folder takes no files
-        failed,   ///< the lock could not be written, by a full disk for one
-        noLock,   ///< what stands at the lock's name is no lock: see strange()
+        conflict, ///< held by somebody else, see holder()
+        noRight,  ///< the folder is not writable
+        failed,   ///< the lock could not be written, for instance on a full disk
+        noLock,   ///< another object has the lock's name: see strange()
     };
 
     FileLock();
@@ -43,12 +42,12 @@ public:
     FileLock& operator=(FileLock&&) noexcept;
 
     State acquire(const QString& file);
-    State takeOver(); ///< after a conflict, when the user said so
+    State takeOver(); ///< after a conflict, if the user decides so
     void release();
 
     [[nodiscard]] State state() const { return m_state; }
     [[nodiscard]] const LockHolder& holder() const { return m_holder; }
-    /// What stood in the way, with State::noLock.
+    /// The obstacle, for State::noLock.
     [[nodiscard]] const QString& strange() const { return m_strange; }
     /// Whether a held lock is still the one on the disk: somebody else may have taken it over.
     [[nodiscard]] bool stillOurs() const;
@@ -60,20 +59,20 @@ private:
     void readHolder();
 
     std::unique_ptr<QLockFile> m_lock;
-    QString m_path; ///< of the lock file
+    QString m_path; ///< path of the lock file
     std::optional<FileStamp> m_stamp;
     State m_state = State::none;
     LockHolder m_holder;
     QString m_strange;
 };
 
-/// Whether a lock was written on this computer, by its name there: on Windows that is the one of
-/// NetBIOS, in capitals and of 15 letters at most.
+/// Whether a lock was written on this computer, by the host's name: on Windows its NetBIOS name, in
+/// capitals and at most 15 letters.
 [[nodiscard]] bool isThisComputer(const QString& host);
 
-/// What stands at the name of a lock, or of the helper that removes a dead one, and is no lock: a
-/// link, a pipe, a device, a folder, a file of more than a lock holds. It is never opened, for
-/// that may not come back. Empty: a lock, or nothing.
+/// An object with the name of a lock, or of the helper that removes a dead one, that is not a lock:
+/// a link, a pipe, a device, a folder, a file that is too large. It is never opened, since that may
+/// block. Empty: a lock, or nothing.
 [[nodiscard]] QString strangeLock(const QString& lock);
 
 } // namespace sparkout

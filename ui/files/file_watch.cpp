@@ -27,7 +27,7 @@ void FileWatch::follow(const QString& path, const QByteArray& hash) {
     m_known = hash;
     m_told.clear();
     m_toldMissing = false;
-    m_stamp.reset(); // the first look reads: the file may have changed since it was loaded
+    m_stamp.reset(); // reads at the first check: the file may have changed since it was loaded
     if (!m_path.isEmpty()) {
         watchPaths();
         m_settle.start();
@@ -50,7 +50,7 @@ void FileWatch::check() {
     }
 }
 
-/// A replaced file drops out of the watcher; its folder stays in.
+/// A replaced file drops out of the watcher; its folder does not.
 void FileWatch::watchPaths() {
     const QString real = realPath(m_path);
     for (const QString& path : {real, QFileInfo(real).absolutePath()}) {

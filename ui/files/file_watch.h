@@ -9,24 +9,24 @@
 
 namespace sparkout {
 
-/// Looks whether another program changes the file of the document. The system tells when something
-/// happens in its folder, a file that is replaced included; check() asks where it does not tell, as
-/// on a network disk. The hash of the content decides, so rewriting the same text is no change.
+/// Detects changes of the document's file by other programs. The system reports events in its
+/// folder, including replaced files; check() works without these, as on a network disk. The hash of
+/// the contents decides, so rewriting the same text is not a change.
 class FileWatch : public QObject {
     Q_OBJECT
 
 public:
     explicit FileWatch(QObject* parent = nullptr);
 
-    /// Follows this file, known to hold `hash`. An empty path ends it.
+    /// Watches this file, known to have `hash`. An empty path ends it.
     void follow(const QString& path, const QByteArray& hash);
-    void pause(); ///< until follow(): the document writes the file itself
-    void check(); ///< answered by changed(), later
+    void pause(); ///< until follow(), while the document writes the file
+    void check(); ///< reports by changed(), later
 
 signals:
-    /// What stands there now is not what the document knows; once for each such content.
+    /// The file differs from the document's; emitted once for each contents.
     void changed(sparkout::DiskState state);
-    void restored(); ///< after changed(): what the document knows stands there again
+    void restored(); ///< after changed(): the file has the document's contents again
 
 private:
     void watchPaths();
@@ -35,7 +35,7 @@ private:
 
     QString m_path;
     QByteArray m_known;
-    QByteArray m_told; ///< hash that was reported already
+    QByteArray m_told; ///< hash reported last
     bool m_toldMissing = false;
     std::optional<FileStamp> m_stamp;
     quint64 m_round = 0; ///< answers to an older question are dropped

@@ -39,7 +39,7 @@ GuardedFile::Access GuardedFile::claim(const QString& path) {
     switch (m_claim.acquire(path)) {
     case FileLock::State::conflict: return Access::conflict;
     case FileLock::State::noRight: return Access::readOnly;
-    default: return Access::write; // no lock, of a full disk for one, keeps nobody from working
+    default: return Access::write; // a missing lock must not prevent work
     }
 }
 
@@ -53,7 +53,7 @@ void GuardedFile::dropClaim() {
     m_keepLock = false;
 }
 
-/// The content is in the claimed file now.
+/// The contents are now those of the claimed file.
 void GuardedFile::settleClaim() {
     if (m_claim.state() == FileLock::State::conflict) {
         m_claim.release();
@@ -97,13 +97,13 @@ std::optional<DiskState> GuardedFile::changedOutside(const QString& path) {
     DiskState state;
     runAside([&] { state = diskState(path); });
     if (state.kind == DiskState::Kind::unreadable) {
-        return {}; // it cannot be judged; the save itself will say what is wrong there
+        return {}; // it cannot be checked; the save reports the error
     }
     m_seen = state;
     return isKnown(state.hash) ? std::nullopt : m_seen;
 }
 
-/// What a write may replace; nothing: whatever stands there, as the user has chosen the place.
+/// The version that a write may replace; empty: any, since the user has chosen the file.
 std::optional<std::string> GuardedFile::expectedAt(const QString& path) const {
     if (!isFile(path)) {
         return std::nullopt;
@@ -112,8 +112,8 @@ std::optional<std::string> GuardedFile::expectedAt(const QString& path) const {
     return hash.toHex().toStdString();
 }
 
-/// The version that is about to be replaced. That it could not be kept stops no save: the version
-/// also becomes NAME.bak, and a save without that is refused.
+/// Keeps the version about to be replaced. A failure does not prevent saving: the version also
+/// becomes NAME.bak, without which a save is refused.
 void GuardedFile::keepEarlierVersion(const QString& path) const {
     const auto old = readFile(systemPath(path), limits::fileBytes);
     const auto* bytes = std::get_if<std::string>(&old);

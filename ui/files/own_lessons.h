@@ -6,7 +6,7 @@
 
 namespace sparkout {
 
-/// Where the user's own lessons stand, below the folder of the settings; empty without one.
+/// The folder of the user's own lessons, below that of the settings; empty without one.
 [[nodiscard]] QString ownLessonsFolder(const QString& settingsFolder);
 
 /// The paths of the lessons there, by their names.

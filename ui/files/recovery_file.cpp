@@ -39,7 +39,7 @@ QByteArray hashOf(std::string_view text, const std::vector<std::string>& open) {
     return contentHash(all);
 }
 
-/// The line before the project's text; empty where there is none.
+/// The line before the project's text; empty if there is none.
 std::string_view headOf(std::string_view text) {
     const std::size_t end = text.find('\n');
     return end == std::string_view::npos || end > longestHeader ? std::string_view()

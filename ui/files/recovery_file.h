@@ -12,19 +12,19 @@
 #include <string_view>
 #include <vector>
 
-/// The recovery file: one line of JSON that says what follows, then the project text. The line
-/// holds the SHA-256 of the text and of the names of open inputs, so a torn or edited file shows.
+/// The recovery file: one line of JSON about the contents, then the project text. The line has the
+/// SHA-256 of the text and of the names of open inputs, so that damage is detected.
 namespace sparkout {
 
-/// What a document has beside its project.
+/// The data of a document besides its project.
 struct RecoveryHeader {
     QString title;
-    QString path; ///< of the user's file; empty: never saved
+    QString path; ///< path of the user's file; empty: never saved
     QDateTime when;
-    QByteArray diskHash; ///< of the user's file as it was last read or written; may be empty
+    QByteArray diskHash; ///< hash of the user's file when last read or written; may be empty
     bool readOnly = false;
     bool modified = true;            ///< false: the edits had been undone again
-    std::vector<std::string> open{}; ///< inputs yet to be given; what the project has stands in
+    std::vector<std::string> open{}; ///< missing inputs, for which the project has substitutes
 };
 
 struct RecoveryContent {
@@ -32,7 +32,7 @@ struct RecoveryContent {
     std::optional<Setup> setup; ///< absent: the file is damaged
 };
 
-/// The header alone, and whether the text behind it is the one that was written.
+/// The header, and whether the text after it is undamaged.
 struct RecoveryGlance {
     RecoveryHeader header;
     bool whole = false;
@@ -40,9 +40,9 @@ struct RecoveryGlance {
 
 [[nodiscard]] std::string recoveryText(const RecoveryHeader& header, const Setup& setup);
 
-/// What can be read of it: of a damaged file perhaps the header, perhaps nothing.
+/// The readable part: for a damaged file perhaps the header, perhaps nothing.
 [[nodiscard]] RecoveryContent readRecovery(std::string_view text);
-/// Much quicker: the project is not read.
+/// Much quicker, without reading the project.
 [[nodiscard]] RecoveryGlance glanceAtRecovery(std::string_view text);
 
 } // namespace sparkout

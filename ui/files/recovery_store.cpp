@@ -23,8 +23,8 @@ const QString recoverySuffix = QStringLiteral(".recovery");
 const QString lockSuffix = QStringLiteral(".lock");
 const QString recoveryTimeFormat = QStringLiteral("yyyyMMdd'T'HHmmss");
 
-/// Whether a lock is surely that of a program that no longer runs. QLockFile knows more, but to
-/// ask it is to take the lock, which waits for the disk.
+/// Whether a lock surely belongs to a program that no longer runs. QLockFile knows more, but only
+/// by taking the lock, which waits for the disk.
 bool surelyDead(const QString& lock) {
     qint64 process = 0;
     QString host, program;
@@ -32,8 +32,7 @@ bool surelyDead(const QString& lock) {
            && !isRunning(process);
 }
 
-/// The recovery files of a folder, also those that are pipes and the like: they are listed, and
-/// not read.
+/// The recovery files of a folder, including pipes and the like, which are listed but not read.
 QStringList recoveryNames(const QDir& folder) {
     return folder.entryList({u'*' + recoverySuffix}, QDir::Files | QDir::System, QDir::Name);
 }
@@ -42,7 +41,7 @@ QString idOf(const QString& file) {
     return QFileInfo(file).completeBaseName();
 }
 
-/// When a file was discarded stands in its name: copying a folder changes the times.
+/// The time of discarding, from the file's name, since copying a folder changes file times.
 QDateTime discardedWhen(const QString& file) {
     const QString name = QFileInfo(file).fileName();
     QDateTime when = QDateTime::fromString(name.section(u'-', 0, 0), recoveryTimeFormat);
@@ -63,7 +62,7 @@ public:
     explicit RecoveryOffer(Descriptor lock) : m_lock(std::move(lock)) {}
 
 private:
-    Descriptor m_lock; ///< of the folder
+    Descriptor m_lock; ///< lock of the folder
 };
 
 RecoveryClaim::RecoveryClaim(QString file, std::unique_ptr<QLockFile> lock)
@@ -104,7 +103,7 @@ bool RecoveryStore::inUse(const RecoveryItem& item) const {
     return item.offer && inUse(idOf(item.file));
 }
 
-/// What is no lock is passed over: nobody holds it.
+/// An object that is not a lock is ignored: nobody holds it.
 bool RecoveryStore::inUse(const QString& id) const {
     const QString lock = lockOf(id);
     const bool free = !QFileInfo::exists(lock) || !strangeLock(lock).isEmpty() || surelyDead(lock);
@@ -125,7 +124,7 @@ std::vector<RecoveryItem> RecoveryStore::left(bool* offeredElsewhere) const {
     const QDir folder(m_folder);
     for (const QString& name : recoveryNames(folder)) {
         if (inUse(idOf(name))) {
-            continue; // its session runs
+            continue; // its session is running
         }
         RecoveryItem item = readItem(folder.filePath(name));
         if (item.state == RecoveryItem::State::ready && !item.header.modified) {
@@ -142,7 +141,7 @@ std::vector<RecoveryItem> RecoveryStore::left(bool* offeredElsewhere) const {
     return items;
 }
 
-/// What a session left that was killed before its first recovery file was whole.
+/// Removes the remains of a session that was killed before its first recovery file was complete.
 void RecoveryStore::tidy(const QString& id) const {
     const QString lock = lockOf(id);
     if (QFileInfo::exists(m_folder + u'/' + id + recoverySuffix) || !strangeLock(lock).isEmpty()) {
@@ -162,10 +161,10 @@ RecoveryItem RecoveryStore::readItem(const QString& file) {
     RecoveryItem item;
     item.file = file;
     item.state = RecoveryItem::State::damaged;
-    // The header comes on top of what a project may hold.
+    // The header adds to the greatest size of a project.
     const auto read = readFile(systemPath(file), limits::fileBytes + (64u << 10));
     if (const auto* text = std::get_if<std::string>(&read)) {
-        RecoveryGlance glance = glanceAtRecovery(*text); // the project is read when it is chosen
+        RecoveryGlance glance = glanceAtRecovery(*text); // the project is read when chosen
         item.header = std::move(glance.header);
         if (glance.whole) {
             item.state = RecoveryItem::State::ready;
@@ -196,10 +195,10 @@ bool RecoveryStore::discard(const QString& file) const {
     if ((!found.exists() && !found.isSymLink()) || !makePrivateFolder(m_discarded)) {
         return false;
     }
-    // A number of its own: the same session may discard twice a second.
+    // A unique number: a session may discard twice a second.
     const QString name = QDateTime::currentDateTimeUtc().toString(recoveryTimeFormat) + u'-'
                          + QUuid::createUuid().toString(QUuid::Id128) + recoverySuffix;
-    // Not QFile::rename(): what it cannot rename it opens and copies.
+    // Not QFile::rename(), which copies if renaming fails.
     return renamePath(systemPath(file), systemPath(m_discarded + u'/' + name)) == 0;
 }
 

@@ -14,8 +14,8 @@ class QLockFile;
 
 namespace sparkout {
 
-/// A name in the recovery folder that belongs to one running session: as long as this object
-/// lives, no other instance takes the recovery file for one that a crash left.
+/// A name in the recovery folder owned by a running session: during its lifetime no other instance
+/// takes the recovery file for one left by a crash.
 class RecoveryClaim {
 public:
     ~RecoveryClaim();
@@ -29,12 +29,12 @@ private:
 };
 using RecoveryClaimPtr = std::shared_ptr<const RecoveryClaim>;
 
-/// The right to offer what crashes left: as long as this object lives, no other instance offers it
-/// as well. One for all files: there may be thousands of them.
+/// The right to offer the work of crashed sessions: during its lifetime no other instance offers
+/// it. One for all files, since there may be thousands.
 class RecoveryOffer;
 using RecoveryOfferPtr = std::shared_ptr<const RecoveryOffer>;
 
-/// One recovery file found at the start.
+/// A recovery file found at the start.
 struct RecoveryItem {
     enum class State { ready, damaged, discarded };
     State state = State::ready;
@@ -43,8 +43,8 @@ struct RecoveryItem {
     RecoveryOfferPtr offer; ///< null for a discarded one
 };
 
-/// The folder with the recovery files of all sessions, and the folder of the discarded ones.
-/// Nothing here is ever deleted but what was discarded 14 days ago.
+/// The folder with the recovery files of all sessions, and the folder of the discarded ones. Only
+/// files discarded 14 days ago are deleted.
 class RecoveryStore {
 public:
     explicit RecoveryStore(const QString& stateFolder);
@@ -52,20 +52,20 @@ public:
     [[nodiscard]] const QString& folder() const { return m_folder; }
     [[nodiscard]] const QString& discardedFolder() const { return m_discarded; }
 
-    /// A new name, locked; null when the folder cannot be used.
+    /// A new name, locked; null if the folder cannot be used.
     [[nodiscard]] RecoveryClaimPtr claimNew() const;
 
-    /// What sessions that no longer run left behind, newest first; nothing while another instance
-    /// is offering it, which `offeredElsewhere` then says.
+    /// The work of sessions that no longer run, newest first; empty while another instance offers
+    /// it, which `offeredElsewhere` reports.
     [[nodiscard]] std::vector<RecoveryItem> left(bool* offeredElsewhere = nullptr) const;
-    /// The name of an item, for the session that goes on in its file. Null: another session was
-    /// quicker, or what stands at the name of its lock is none.
+    /// The name of an item, for a session that continues in its file. Null if another session was
+    /// quicker, or if the lock is invalid.
     [[nodiscard]] RecoveryClaimPtr claim(const RecoveryItem& item) const;
-    /// Whether another session goes on in its file.
+    /// Whether another session continues in its file.
     [[nodiscard]] bool inUse(const RecoveryItem& item) const;
     [[nodiscard]] std::vector<RecoveryItem> discarded() const; ///< newest first
 
-    /// Moves a recovery file to the discarded ones; false when it stayed where it was.
+    /// Moves a recovery file to the discarded ones; false if it could not be moved.
     bool discard(const QString& file) const;
     void removeOldDiscarded(const QDateTime& now) const;
 
@@ -82,10 +82,10 @@ private:
     QString m_discarded;
 };
 
-/// Where this user's programs keep what outlives a start but is no document and no setting.
+/// The folder for the user's program state, which is neither documents nor settings.
 [[nodiscard]] QString userStateFolder();
 
-/// Makes a folder only its user can read; false when there is none afterwards.
+/// Makes a folder that only its user can read; false on failure.
 bool makePrivateFolder(const QString& path);
 
 } // namespace sparkout

@@ -8,12 +8,12 @@
 
 namespace sparkout {
 
-/// A term of the program in both languages, as resources/help/glossary.json has it.
+/// A term of the program in both languages, from resources/help/glossary.json.
 struct Term {
     QString english, russian;
     QString englishMeaning, russianMeaning;
-    /// Beginnings of Russian words, one of which each translation of a text with the English term
-    /// has. None for a common word with many translations.
+    /// Stems of Russian words, one of which occurs in each translation of a text with the English
+    /// term. Empty for a common word with many translations.
     QStringList stems;
     QStringList banned; ///< Russian words for the same that are not used
 };
@@ -21,7 +21,7 @@ struct Term {
 /// The terms in the order of their English names.
 [[nodiscard]] std::vector<Term> glossary();
 
-/// The terms as a table in the present language, in its order, each with its name in the other.
+/// The terms as a table in the current language, in its order, each with its name in the other.
 [[nodiscard]] QString glossaryHtml();
 
 } // namespace sparkout

@@ -19,7 +19,7 @@ namespace sparkout {
 namespace {
 
 struct HelpEntry {
-    const char* id; ///< and name of the file
+    const char* id; ///< also the name of the file
     const char* group;
 };
 
@@ -95,7 +95,7 @@ QString sourcesHtml() {
     return html + QStringLiteral("</table>");
 }
 
-/// What the program adds to a page by itself.
+/// The generated part of a page.
 QString madePart(const QString& id, const QString& shortcuts) {
     for (const Page page : formPages) {
         if (id == fieldPageId(page)) {
@@ -127,7 +127,7 @@ const QRegularExpression& headingPattern() {
 
 std::vector<HelpSection> sectionsOf(const QString& html) {
     std::vector<HelpSection> sections;
-    qsizetype end = 0; // of the last heading
+    qsizetype end = 0; // end of the last heading
     const auto finish = [&](qsizetype next) {
         if (!sections.empty()) {
             sections.back().text = plainOf(html.mid(end, next - end));

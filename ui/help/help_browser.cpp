@@ -40,7 +40,7 @@ QString HelpBrowser::topic() const {
 
 QVariant HelpBrowser::loadResource(int type, const QUrl& name) {
     if (type != QTextDocument::HtmlResource || !m_book || m_book->pages().empty()) {
-        return QVariant(QString()); // the pages hold text only
+        return QVariant(QString()); // the pages have only text
     }
     const HelpPage* page = m_book->find(name.path());
     return page ? page->html : m_book->pages().front().html;

@@ -7,18 +7,18 @@ namespace sparkout {
 
 class HelpBook;
 
-/// Shows pages of a help book, in the colours and the type of the window.
+/// Shows pages of a help book, in the colours and the font of the window.
 class HelpBrowser : public QTextBrowser {
     Q_OBJECT
 
 public:
     explicit HelpBrowser(QWidget* parent = nullptr);
 
-    void setBook(const HelpBook* book) { m_book = book; } ///< outlives what is shown of it
-    void openTopic(const QString& topic); ///< "feeds#mouse"; a page that is none shows the first
-    [[nodiscard]] QString topic() const;  ///< that is shown
-    void renew();                         ///< the same page anew: of another book, look or type
-    void mark(const QString& words);      ///< every place of each of the words
+    void setBook(const HelpBook* book) { m_book = book; } ///< must outlive its use here
+    void openTopic(const QString& topic); ///< "feeds#mouse"; an unknown page shows the first
+    [[nodiscard]] QString topic() const;  ///< the current one
+    void renew();                         ///< reloads the page after a change of book, look or font
+    void mark(const QString& words);      ///< every occurrence of each word
 
 protected:
     QVariant loadResource(int type, const QUrl& name) override;

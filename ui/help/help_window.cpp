@@ -30,7 +30,7 @@ constexpr QSize helpSize(900, 640);
 constexpr QSize helpFrame(40, 80);
 constexpr int contentsWidth = 250;
 constexpr int topicRole = Qt::UserRole;
-constexpr int searchPause_ms = 200; ///< after a letter of what is sought
+constexpr int searchPause_ms = 200; ///< after typing a search
 
 QTreeWidgetItem* contentsItem(QTreeWidget& list, const QString& topic) {
     for (int i = 0; i < list.topLevelItemCount(); ++i) {

@@ -16,7 +16,7 @@ namespace sparkout {
 class HelpBook;
 class HelpBrowser;
 
-/// The help in a window beside the work: contents or found places on the left, the page on the
+/// The help in a window beside the work: contents or search results on the left, the page on the
 /// right.
 class HelpWindow : public QWidget {
     Q_OBJECT
@@ -38,7 +38,7 @@ protected:
 private:
     void build();
     void connectParts();
-    void renew(); ///< in the present language
+    void renew(); ///< in the current language
     void fillList();
     void openListed();
     void showPlace(); ///< in the contents and in the title
@@ -50,8 +50,8 @@ private:
     QLineEdit* m_search;
     QTreeWidget* m_list;
     HelpBrowser* m_browser;
-    QString m_page;         ///< that is shown
-    QTimer m_renewal;       ///< once the language is changed in everything
+    QString m_page;         ///< the current one
+    QTimer m_renewal;       ///< after the language has changed everywhere
     bool m_showing = false; ///< the list follows the page
 };
 

@@ -44,11 +44,11 @@ QString HelpWords::stemOf(const QString& folded) const {
             : nullptr;
     return stem ? QString::fromUtf8(reinterpret_cast<const char*>(stem),
                                     sb_stemmer_length(m_stemmer.get()))
-                : folded; // no memory
+                : folded; // out of memory
 }
 
 bool HelpWords::Wanted::is(const QString& found, const HelpWords& words) const {
-    constexpr int least = 3; // letters of a stem that tells: that of «ось» is «о»
+    constexpr int least = 3; // least letters of a distinctive stem: that of «ось» is «о»
     return found.startsWith(word)
            || (stem.size() >= least && found.front() == stem.front()
                && words.stemOf(found) == stem);

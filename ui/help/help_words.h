@@ -10,21 +10,21 @@ struct sb_stemmer;
 
 namespace sparkout {
 
-/// Words that are looked for in the help, in the present language. A word of a text is one of them
-/// when it begins as it or differs by its ending alone: "feeds" and "feed", «подачей» and «подача».
-/// Case, and е for ё, make no difference.
+/// Search words for the help, in the current language. A word of a text matches if it begins with
+/// one of them or differs only by its ending: "feeds" and "feed", «подачей» and «подача». Case, and
+/// е for ё, make no difference.
 class HelpWords {
 public:
     explicit HelpWords(const QString& wanted);
 
     [[nodiscard]] bool isEmpty() const { return m_wanted.empty(); }
-    /// Whether each of them stands in the text.
+    /// Whether the text contains each word.
     [[nodiscard]] bool areIn(const QString& text) const;
 
     struct Place {
         qsizetype at, length;
     };
-    /// Where any of them stands in the text.
+    /// The occurrences of any of them in the text.
     [[nodiscard]] std::vector<Place> placesIn(const QString& text) const;
 
 private:

@@ -31,9 +31,9 @@ void Tour::end() {
         return;
     }
     qApp->removeEventFilter(this);
-    m_balloon->disconnect(this); // a key that is on its way to it leads nowhere
+    m_balloon->disconnect(this); // a key press on its way to it has no effect
     m_balloon->hide();
-    m_balloon.release()->deleteLater(); // one of its buttons may have called
+    m_balloon.release()->deleteLater(); // one of its buttons may be the caller
     emit finished();
 }
 
@@ -43,7 +43,7 @@ bool Tour::running() const {
 
 void Tour::go(int by) {
     for (m_step += by; m_step < int(m_steps.size()); m_step += by) {
-        if (m_step < 0) { // nothing there before what is shown
+        if (m_step < 0) { // there is nothing before the first shown step
             m_step = 0;
             by = 1;
         }
@@ -56,7 +56,7 @@ void Tour::go(int by) {
 
 bool Tour::showStep() {
     const TourStep& step = m_steps[std::size_t(m_step)];
-    step.target(); // in sight, and laid out:
+    step.target(); // visible, and laid out:
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     const QRect target = step.target() & m_window.rect();
     if (target.isEmpty()) {
@@ -79,7 +79,7 @@ bool Tour::eventFilter(QObject* watched, QEvent* event) {
     }
     if (watched == &m_window && running()
         && (event->type() == QEvent::Resize || event->type() == QEvent::LanguageChange)) {
-        QTimer::singleShot(0, this, [this] { // once its parts are in place
+        QTimer::singleShot(0, this, [this] { // after the layout of its parts
             if (running()) {
                 showStep();
             }

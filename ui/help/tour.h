@@ -15,15 +15,15 @@ namespace sparkout {
 
 class TourBalloon;
 
-/// A part of the window the tour stops at.
+/// A part of the window shown by the tour.
 struct TourStep {
-    /// Brings it into sight; its place in the window, empty: the step is passed over.
+    /// Makes it visible; returns its area in the window, empty: the step is skipped.
     std::function<QRect()> target;
-    std::function<QString()> title; ///< in the present language
+    std::function<QString()> title; ///< translated
     std::function<QString()> text;
 };
 
-/// A walk through the window: a balloon beside one part after the other. Escape ends it.
+/// A tour of the window: a balloon beside one part after the other. Escape ends it.
 class Tour : public QObject {
     Q_OBJECT
 
@@ -38,14 +38,14 @@ public:
     [[nodiscard]] const TourBalloon* balloon() const { return m_balloon.get(); }
 
 signals:
-    void finished(); ///< came to its end, or was skipped
+    void finished(); ///< was completed, or skipped
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void go(int by);
-    bool showStep(); ///< false: its part is not in sight
+    bool showStep(); ///< false: its part is not visible
 
     QWidget& m_window;
     std::vector<TourStep> m_steps;

@@ -17,12 +17,12 @@ namespace sparkout {
 
 namespace {
 
-constexpr int tipSize = 14; ///< length and half width of what points at the widget
+constexpr int tipSize = 14; ///< length and half width of the pointer to the widget
 constexpr int balloonWidth = 300;
 constexpr double balloonCorner = 6;
 
-/// Where a balloon of a size may stand beside a target: right, left, below, above of it, or in its
-/// middle when there is room nowhere else.
+/// The place of a balloon beside a target: right, left, below or above it, or in its middle if it
+/// fits nowhere else.
 QRect placeBeside(const QRect& target, const QSize& size, const QRect& room) {
     const QPoint middle = target.center();
     const std::array<QPoint, 4> corners{

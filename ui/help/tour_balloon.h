@@ -8,7 +8,7 @@ class QPushButton;
 
 namespace sparkout {
 
-/// A text with buttons beside a widget of the window, to which its tip points.
+/// A text with buttons beside a widget of the window, with a tip that points at it.
 class TourBalloon : public QWidget {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ public:
         QString title, body, place; ///< place: "2 of 7"
         bool first = false, last = false;
     };
-    void show(const Text& text, const QRect& target); ///< in the window's coordinates
+    void show(const Text& text, const QRect& target); ///< in window coordinates
     [[nodiscard]] QRect body() const;
     [[nodiscard]] QPoint tip() const; ///< what it points at, in the window                 ///< of
                                       ///< the balloon, without the tip
@@ -42,7 +42,7 @@ private:
     QPushButton* m_skip;
     QPushButton* m_back;
     QPushButton* m_next;
-    QPoint m_tip; ///< in the balloon's coordinates
+    QPoint m_tip; ///< in balloon coordinates
 };
 
 } // namespace sparkout

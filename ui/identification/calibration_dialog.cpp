@@ -124,7 +124,7 @@ QString CalibrationDialog::calibrate(Document& document, QWidget* window) {
     }
     return names.isEmpty()
                ? QString()
-               : tr("Calibrated: %1. Undo takes it back.").arg(names.join(QStringLiteral("; ")));
+               : tr("Calibrated: %1. Undo reverts it.").arg(names.join(QStringLiteral("; ")));
 }
 
 } // namespace sparkout

@@ -11,20 +11,20 @@ namespace sparkout {
 
 class Document;
 
-/// Calibrate from measurements: the process from measured cycles, the wheel from measured Ra and a
-/// reading at the limit. What is taken is one edit.
+/// Calibration by measurements: the process by measured cycles, the wheel by measured Ra and a
+/// reading at the limit. Applying the result is one edit.
 class CalibrationDialog : public QDialog {
     Q_OBJECT
 
 public:
     explicit CalibrationDialog(const Project& project, QWidget* parent = nullptr);
 
-    [[nodiscard]] const Project& project() const { return m_taken; } ///< once accepted
-    /// Asks, and edits the document; what was done in words, empty: nothing.
+    [[nodiscard]] const Project& project() const { return m_taken; } ///< when accepted
+    /// Shows the dialog and edits the document; returns a description, empty if nothing was done.
     static QString calibrate(Document& document, QWidget* window);
 
 private:
-    [[nodiscard]] bool isEmpty() const; ///< nothing is measured
+    [[nodiscard]] bool isEmpty() const; ///< there are no measurements
     [[nodiscard]] QWidget* emptyPage();
     void take(const Project& calibrated);
 

@@ -28,7 +28,7 @@ namespace sparkout {
 
 namespace {
 
-/// The number of no trace: an empty list would be all of them.
+/// The number of no trace: an empty list would mean all.
 constexpr int noTrace = -1;
 
 QScrollArea* scrolledPart(QWidget* content, QWidget* parent) {
@@ -37,7 +37,7 @@ QScrollArea* scrolledPart(QWidget* content, QWidget* parent) {
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus);
-    area->viewport()->setAutoFillBackground(false); // the page's own shows through
+    area->viewport()->setAutoFillBackground(false); // the page's own background is visible
     content->setAutoFillBackground(false);
     return area;
 }
@@ -116,7 +116,7 @@ QWidget* CycleFitPage::buildButtons() {
     m_fault->setObjectName(QStringLiteral("fitFault"));
     m_fault->setTextFormat(Qt::PlainText);
     m_fault->setWordWrap(true);
-    m_progress->setRange(0, 0); // how many cycles it takes is not known
+    m_progress->setRange(0, 0); // the number of cycles is not known
     m_progress->setAccessibleName(tr("Progress"));
     m_fit->setDefault(true);
     row->addWidget(m_fit);
@@ -177,7 +177,7 @@ void CycleFitPage::start() {
     m_result.reset();
     m_shown->clear();
     m_job.start(
-        0, // how many cycles it takes is not known before
+        0, // the number of cycles is not known in advance
         [project = m_project, wanted = m_requested](const Job::Means& means) {
             return std::make_shared<const Identification>(identify(project, wanted, means.stop));
         },
@@ -191,8 +191,8 @@ void CycleFitPage::showResult(const IdentificationPtr& result) {
     follow();
 }
 
-/// Of parameters that are not told apart, the others may be told without one of them: without the
-/// chips' share, which the wear flats' outweighs by far, else without the last one.
+/// Leaves out one of several inseparable parameters: the chips' share, which is much smaller than
+/// that of the wear flats, otherwise the last one.
 void CycleFitPage::leaveOut() {
     for (const Unidentified& one : m_result->unidentified) {
         std::size_t left = one.parameters.back();
@@ -219,8 +219,8 @@ Project CycleFitPage::calibrated() const {
                            QDate::currentDate().toString(Qt::ISODate).toStdString());
 }
 
-/// A fit may be good and yet put inputs where they are unusual: then something else of the project
-/// is not as it was at the machine, or the data hardly tell its parameters apart.
+/// A good fit may give unusual values: then another input of the project is not as it was at the
+/// machine, or the data hardly separate its parameters.
 QString CycleFitPage::consequences() const {
     QStringList refused, unusual;
     bool isOfDullness = false;

@@ -20,7 +20,8 @@ class DataChoice;
 class FitResult;
 class ParameterChoice;
 
-/// Fits parameters of the process to measured cycles and parts, aside, and offers the result.
+/// Fits parameters of the process to measured cycles and parts, in the background, and offers the
+/// result.
 class CycleFitPage : public QWidget {
     Q_OBJECT
 
@@ -41,7 +42,7 @@ private:
     void leaveOut();
     void fitTimes();
     void take();
-    [[nodiscard]] Project calibrated() const; ///< with the values found
+    [[nodiscard]] Project calibrated() const; ///< the project with the fitted values
     /// Inputs that would be refused or unusual with the values found, in words.
     [[nodiscard]] QString consequences() const;
     [[nodiscard]] IdentificationRequest request() const;
@@ -60,7 +61,7 @@ private:
     QPushButton* m_take;
     IdentificationRequest m_requested;
     IdentificationPtr m_result;
-    Job m_job; ///< last: ended before what it reports to is gone
+    Job m_job; ///< last member: stopped before the objects it reports to are destroyed
 };
 
 } // namespace sparkout

@@ -39,7 +39,7 @@ DataChoice::DataChoice(const Project& project, QWidget* parent) : QGroupBox(pare
     if (parts != all.groups.end()) {
         m_parts =
             add(tr("diameters of parts (n = %1)").arg(parts->measured), QStringLiteral("parts"));
-        m_parts->setChecked(all.groups.size() == 1); // their cycles need not be that of a trace
+        m_parts->setChecked(all.groups.size() == 1); // their cycles may differ from that of a trace
     }
 }
 

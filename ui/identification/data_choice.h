@@ -11,14 +11,14 @@ class QCheckBox;
 
 namespace sparkout {
 
-/// Which of the measurements take part in a fit: traces, and the diameters of the parts.
+/// The choice of measurements for a fit: traces, and the diameters of the parts.
 class DataChoice : public QGroupBox {
     Q_OBJECT
 
 public:
     explicit DataChoice(const Project& project, QWidget* parent = nullptr);
 
-    [[nodiscard]] std::vector<int> traces() const; ///< by their numbers in the project
+    [[nodiscard]] std::vector<int> traces() const; ///< indices in the project
     [[nodiscard]] bool withParts() const;
 
 signals:
@@ -28,7 +28,7 @@ private:
     QCheckBox* add(const QString& text, const QString& name);
 
     std::vector<QCheckBox*> m_traces;
-    std::vector<int> m_numbers;   ///< of the traces
+    std::vector<int> m_numbers;   ///< numbers of the traces
     QCheckBox* m_parts = nullptr; ///< null: no part has a diameter
 };
 

@@ -25,7 +25,7 @@ namespace {
 
 /// Below it residuals are hardly normal.
 constexpr double doubtfulNormality = 0.05;
-/// Beyond it two parameters are hardly told apart.
+/// Above it two parameters are barely separable.
 constexpr double closeCorrelation = 0.95;
 constexpr double residualSize = 3; ///< [px]
 constexpr double residualRoom = 0.06;
@@ -128,7 +128,7 @@ QString FitResult::words() const {
         lines << tr("A current without its factor in kW per A was left out.");
     }
     for (const Issue& issue : m_result.issues) {
-        if (m_result.values.empty()) { // else they stand beside Apply
+        if (m_result.values.empty()) { // otherwise they are beside Apply
             lines << Names::issue(issue);
         }
     }

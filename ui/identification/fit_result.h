@@ -15,7 +15,8 @@ class ChartPlot;
 class FitTable;
 struct LineChart;
 
-/// What a fit found: values, correlations, residuals; or what its data cannot tell, and what would.
+/// The result of a fit: values, correlations, residuals; or the undetermined parameters, and the
+/// measurement that would determine them.
 class FitResult : public QWidget {
     Q_OBJECT
 

@@ -28,7 +28,7 @@ FitSource sourceOf(TraceQuantity quantity) {
     return FitSource::size;
 }
 
-/// Listed, or behind the means that are summed up.
+/// Listed parts, or those behind the summaries.
 std::int64_t partsMeasured(const Project& project) {
     std::int64_t count = 0;
     for (const FitGroup& group : fitDataOf(project, {}, true).groups) {

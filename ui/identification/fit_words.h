@@ -14,36 +14,36 @@ namespace sparkout {
 
 struct MeasuredWords; // words/measured_words.h
 
-/// A fit and its data in the present language.
+/// Texts about a fit and its data in the current language.
 class FitWords {
     Q_DECLARE_TR_FUNCTIONS(FitWords)
 public:
     static QString parameter(const Project& project, const FittedParameter& parameter);
-    static QString unit(FittedKind kind); ///< empty of a factor
+    static QString unit(FittedKind kind); ///< empty for a factor
     static QString source(FitSource source);
     static QString unit(FitSource source);
     static QString trace(const MeasuredTrace& trace); ///< "size at the gauge, trace.csv (n = 261)"
     static QString group(const Project& project, const FitResiduals& residuals);
     static QString status(IdentificationStatus status);
     static QString advice(Advice advice);
-    static QString trial(const MeasuredWords& words); ///< of a trial
-    /// "factor of α, factor of β: record …", what the data do not tell.
+    static QString trial(const MeasuredWords& words); ///< text of a trial
+    /// "factor of α, factor of β: record …", for undetermined parameters.
     static QString unidentified(const Project& project, const std::vector<FittedParameter>& list,
                                 const Unidentified& one);
-    /// What a time that was left out does to the values.
+    /// The effect of an omitted time on the values.
     static QString outOfStep(const Project& project, const Identification& result,
                              const OutOfStep& one);
-    /// Which force law the spark-out supports, or what would decide.
+    /// The force law supported by the spark-out, or what would decide.
     static QString forceLaw(const ForceLawChoice& choice);
-    /// How much more than noise is left of a trace, and where it lies; empty: it is not.
+    /// The lack of fit of a trace, and its cause; empty if there is none.
     static QString lack(const Project& project, const FitResiduals& residuals);
     static QString place(const Project& project, int place); ///< "RZ1", "Section 2"
     static QString number(double value);
     static QString interval(const Interval& interval);
-    /// The same of a parameter: of a diameter to 0.1 µm.
+    /// The number of a parameter: a diameter to 0.1 µm.
     static QString number(FittedKind kind, double value);
     static QString interval(FittedKind kind, const Interval& interval);
-    /// What a calibration names as its data: "trace.csv, 12 parts".
+    /// The name of a calibration's data: "trace.csv, 12 parts".
     static std::string data(const Project& project, const std::vector<int>& traces, bool withParts);
 };
 

@@ -16,18 +16,19 @@ namespace sparkout {
 
 class NumberField;
 
-/// Which parameters are fitted, each with what is known of it before, if anything.
+/// The choice of fitted parameters, with optional prior values.
 class ParameterChoice : public QGroupBox {
     Q_OBJECT
 
 public:
     explicit ParameterChoice(const Project& project, QWidget* parent = nullptr);
 
-    void propose(const FitData& measured); ///< checks what such data can tell, unchecks the others
+    void propose(const FitData& measured); ///< checks the parameters that such data determine,
+                                           ///< unchecks the others
     void uncheck(const FittedParameter& parameter) { setChecked(parameter, false); }
     void check(FittedKind kind) { setChecked({kind, {}, {}}, true); }
     [[nodiscard]] std::vector<FittedParameter> parameters() const; ///< the checked ones
-    /// Why the values known before cannot be taken; empty: they can.
+    /// Why the prior values are invalid; empty if they are valid.
     [[nodiscard]] QString fault() const;
 
 signals:

@@ -124,7 +124,7 @@ bool StiffnessModel::setData(const QModelIndex& index, const QVariant& value, in
         return false;
     }
     put(index.row(), index.column(), value.toString());
-    cellsChanged(); // what a row lacks is said in its other cells
+    cellsChanged(); // faults of a row are shown in its other cells
     if (!isEmptyRow(m_rows.back())) {
         beginInsertRows({}, rowsShown(), rowsShown());
         m_rows.emplace_back();

@@ -12,8 +12,8 @@
 
 namespace sparkout {
 
-/// The readings of a stiffness trial as they are typed or pasted: place, load and deflection. A row
-/// without a deflection has not been read yet; an empty row follows the last one.
+/// The readings of a stiffness trial, typed or pasted: place, load and deflection. A row without a
+/// deflection has not been read yet; an empty row follows the last one.
 class StiffnessModel : public TableModel {
     Q_OBJECT
 
@@ -23,8 +23,8 @@ public:
     /// The rows of the sheet: each place at half the load and at the load, twice.
     StiffnessModel(const std::vector<double>& places_mm, double load_n, QObject* parent = nullptr);
 
-    [[nodiscard]] std::vector<StiffnessReading> readings() const; ///< those that are complete
-    /// What is wrong with the first row that has a fault; empty: nothing.
+    [[nodiscard]] std::vector<StiffnessReading> readings() const; ///< the complete ones
+    /// The fault of the first invalid row; empty if there is none.
     [[nodiscard]] QString fault() const;
 
     void paste(const QModelIndex& from, const PastedCells& cells);
@@ -46,7 +46,7 @@ private:
     [[nodiscard]] QVariant side(int row, int role) const override;
     [[nodiscard]] static QString faultOf(const Row& row, int column);
     void put(int row, int column, const QString& text);
-    void follow(); ///< an empty row at the end
+    void follow(); ///< adds an empty row at the end
 
     std::vector<Row> m_rows;
 };

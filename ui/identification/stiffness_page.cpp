@@ -48,12 +48,12 @@ QScrollArea* scrolledColumn(QWidget* content, QWidget* parent) {
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->viewport()->setAutoFillBackground(false); // the page's own shows through
+    area->viewport()->setAutoFillBackground(false); // the page's own background is visible
     content->setAutoFillBackground(false);
     return area;
 }
 
-/// Nothing is wrong; a missing compliance is what the trial is for.
+/// Whether there is no error, except that the compliance is missing, which the trial determines.
 bool isSoundBut(const Project& project, bool withCompliance) {
     return std::ranges::none_of(validate(project), [withCompliance](const Issue& issue) {
         return issue.severity == Severity::error
@@ -150,7 +150,7 @@ QWidget* StiffnessPage::buildReadings() {
                              | QAbstractItemView::AnyKeyPressed);
     QHeaderView* const heads = m_table->horizontalHeader();
     heads->setSectionResizeMode(QHeaderView::Stretch);
-    int widest = 0; // all alike
+    int widest = 0; // the same for all
     for (int section = 0; section < m_model->columnCount(); ++section) {
         widest = std::max(widest, heads->sectionSizeHint(section));
     }
@@ -203,7 +203,7 @@ bool StiffnessPage::eventFilter(QObject* watched, QEvent* event) {
         m_table->setCurrentIndex(m_model->index(row, column));
         return true;
     }
-    if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) { // on to the next reading
+    if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) { // moves to the next reading
         const QModelIndex at = m_table->currentIndex();
         m_table->setCurrentIndex(m_model->index(std::min(at.row() + 1, m_model->rowCount() - 1),
                                                 std::max(at.column(), 0)));
@@ -261,7 +261,7 @@ Project StiffnessPage::calibrated() const {
         places.insert(reading.position_mm);
     }
     const auto count = static_cast<int>(places.size());
-    StiffnessTrial rounded = m_trial; // no more digits than readings tell
+    StiffnessTrial rounded = m_trial; // limits the digits to those of the readings
     constexpr int digits = 4;
     for (FoundStiffness& found : rounded.found) {
         found.n_um = QString::number(found.n_um, 'g', digits).toDouble();

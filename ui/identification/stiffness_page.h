@@ -19,8 +19,8 @@ class FitTable;
 class StiffnessModel;
 class StiffnessSheet;
 
-/// The stiffness trial: its sheet to be printed, the readings, and what they tell of headstock,
-/// tailstock and wheel head.
+/// The stiffness trial: its sheet to print, the readings, and the resulting stiffnesses of
+/// headstock, tailstock and wheel head.
 class StiffnessPage : public QWidget {
     Q_OBJECT
 
@@ -29,7 +29,7 @@ public:
     ~StiffnessPage() override;
 
 signals:
-    void taken(const sparkout::Project& project); ///< with the stiffnesses found
+    void taken(const sparkout::Project& project); ///< the project with the found stiffnesses
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -54,7 +54,7 @@ private:
     FitTable* m_compliance;
     QPushButton* m_take;
     bool m_isMeasurable; ///< an external surface, a shaft with steps and no steady rests
-    bool m_isComplete;   ///< no input is wrong or missing but the compliance
+    bool m_isComplete;   ///< no input is wrong or missing except the compliance
     StiffnessTrial m_trial;
 };
 

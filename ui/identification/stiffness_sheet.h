@@ -14,8 +14,7 @@ class QWidget;
 
 namespace sparkout {
 
-/// The sheet of a stiffness trial: what is done at the machine, step by step, and a table for the
-/// readings to be written into by hand.
+/// The sheet of a stiffness trial: the steps at the machine, and a table to fill in by hand.
 class StiffnessSheet {
     Q_DECLARE_TR_FUNCTIONS(StiffnessSheet)
 

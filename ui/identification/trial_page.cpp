@@ -63,7 +63,7 @@ TrialPage::TrialPage(const Project& project, QWidget* parent)
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus);
-    area->viewport()->setAutoFillBackground(false); // the page's own shows through
+    area->viewport()->setAutoFillBackground(false); // the page's own background is visible
     results->setAutoFillBackground(false);
     auto* row = new QHBoxLayout;
     row->setSpacing(metrics::wide);
@@ -96,7 +96,7 @@ QWidget* TrialPage::buildChoices() {
             && kind != FittedKind::friction_power) {
             continue;
         }
-        // No recorded trial shows how the gauge is set.
+        // No recorded trial determines the gauge's setting.
         if (!areApplicable(m_project, {parameter}) || kind == FittedKind::gauge_setting) {
             continue;
         }

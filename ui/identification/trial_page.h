@@ -23,8 +23,8 @@ using TrialDesignPtr = std::shared_ptr<const TrialDesign>;
 
 class FitTable;
 
-/// Which short trial tells most about the parameters one wants to know: trials with several feeds,
-/// without and with a spark-out, by what is recorded, the best first.
+/// The most informative short trials for the parameters of interest: trials with several feeds,
+/// without and with a spark-out, by recorded quantity, the best first.
 class TrialPage : public QWidget {
     Q_OBJECT
 
@@ -37,7 +37,7 @@ private:
     void follow();
     void start();
     void showDesign();
-    void showTrial(int row); ///< what is done at the machine
+    void showTrial(int row); ///< the steps at the machine
     [[nodiscard]] std::vector<FittedParameter> parameters() const;
     [[nodiscard]] QStringList cellsOf(const Trial& trial) const;
     [[nodiscard]] QString stepsOf(const Trial& trial) const;
@@ -53,7 +53,7 @@ private:
     TrialRequest m_requested;
     TrialDesignPtr m_design;
     std::vector<const Trial*> m_shown; ///< row by row
-    Job m_job;                         ///< last: ended before what it reports to is gone
+    Job m_job; ///< last member: stopped before the objects it reports to are destroyed
 };
 
 } // namespace sparkout

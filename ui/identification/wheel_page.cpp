@@ -31,7 +31,7 @@ std::string dateOfToday() {
     return QDate::currentDate().toString(Qt::ISODate).toStdString();
 }
 
-/// Why the inputs cannot take over these values; empty: they can.
+/// Why the inputs cannot take these values; empty if they can.
 QString refusalOf(const Project& made) {
     Issues errors = validate(made);
     std::erase_if(errors, [](const Issue& issue) { return issue.severity != Severity::error; });
@@ -77,8 +77,8 @@ QWidget* WheelPage::buildRoughness() {
     take->setObjectName(QStringLiteral("roughnessTake"));
     take->setEnabled(m_roughness.has_value());
     if (!m_roughness) {
-        words->setText(tr("No Ra is measured, or the cycle does not end at size. Measured Ra comes "
-                          "into the project with the parts: Import measurements…"));
+        words->setText(tr("No Ra is measured, or the cycle does not end at size. Measured Ra is "
+                          "imported with the parts: Import measurements…"));
     } else {
         QStringList lines{tr("Factor of Ra: %1, now %2 (n = %3).")
                               .arg(FitWords::number(m_roughness->factor),

@@ -16,7 +16,7 @@ namespace sparkout {
 
 class NumberField;
 
-/// What measured parts tell of the wheel: its factor of Ra, and its strengths from one reading at
+/// Calibrates the wheel by measured parts: its factor of Ra, and its strengths by one reading at
 /// which it just began to shed its grains.
 class WheelPage : public QWidget {
     Q_OBJECT
@@ -25,7 +25,7 @@ public:
     explicit WheelPage(const Project& project, QWidget* parent = nullptr);
 
 signals:
-    void taken(const sparkout::Project& project); ///< with the values found
+    void taken(const sparkout::Project& project); ///< the project with the found values
 
 private:
     QWidget* buildRoughness();

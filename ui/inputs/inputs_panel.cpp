@@ -29,7 +29,7 @@ namespace {
 
 struct PageEntry {
     Page page;
-    const char* name; ///< translated as the panel's own
+    const char* name; ///< in the translation context of the panel
     const char16_t* icon;
 };
 
@@ -62,7 +62,7 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent, Settings* settings
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         button->setCheckable(true);
         button->setAutoRaise(true);
-        setRelativeFont(*button, noteType); // eight of them stand side by side
+        setRelativeFont(*button, noteType); // eight of them fit side by side
         m_strip->addWidget(button);
         m_group->addButton(button, static_cast<int>(m_pages.size()));
         m_buttons.push_back(button);
@@ -99,16 +99,16 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent, Settings* settings
         const QWidget* focused = QApplication::focusWidget();
         m_hint->showFieldOf(m_stack->currentWidget()->isAncestorOf(focused) ? focused : nullptr);
     });
-    // A text just typed is not announced before a pause; it is noted when the focus goes on.
+    // Typed text is announced after a pause; this notes it when the focus moves on.
     connect(qApp, &QApplication::focusChanged, this, &InputsPanel::noteRefusals);
-    showCycle(); // what one works on most
+    showCycle(); // the page used most
     retranslate();
 }
 
 InputsPanel::~InputsPanel() {
     disconnect(qApp, nullptr, this, nullptr); // the focus moves on while the pages go …
     for (FormPage* page : m_pages) {
-        disconnect(page, nullptr, this, nullptr); // … and leaves what was typed there
+        disconnect(page, nullptr, this, nullptr); // … and drops the text typed there
     }
 }
 
@@ -129,7 +129,7 @@ const std::vector<FormPage*>& InputsPanel::pages() {
     return m_pages;
 }
 
-/// As wide as the forms are laid out for, and the names of the pages need.
+/// Wide enough for the forms and the names of the pages.
 QSize InputsPanel::minimumSizeHint() const {
     return {std::max(panelWidth(), m_strip->minimumSize().width()),
             QWidget::minimumSizeHint().height()};
@@ -176,7 +176,7 @@ void InputsPanel::retranslate() {
     for (std::size_t i = 0; i < pageEntries.size(); ++i) {
         const QString name = tr(pageEntries[i].name);
         m_buttons[i]->setText(name);
-        // A style's margins beside the text are more than the buttons have room for.
+        // Leaves out the style's margins, for which the buttons have no room.
         const int width = m_buttons[i]->fontMetrics().horizontalAdvance(name) + 2 * metrics::hair;
         m_buttons[i]->setMinimumWidth(width);
         m_strip->setStretch(static_cast<int>(i), width);
@@ -202,7 +202,7 @@ void InputsPanel::endTyping() {
     if (auto* field = qobject_cast<NumberField*>(focus)) {
         field->settle();
     } else if (auto* line = qobject_cast<QLineEdit*>(focus); line && isAncestorOf(line)) {
-        emit line->editingFinished(); // as when it is left
+        emit line->editingFinished(); // as when the focus leaves it
     }
 }
 

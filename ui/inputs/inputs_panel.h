@@ -30,31 +30,31 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
 
     void setOutcome(const sparkout::OutcomePtr& outcome);
-    void forgetResults(); ///< that it tells beside the inputs
-    /// What may be changed, and what is shown; a page without inputs goes.
+    void forgetResults(); ///< removes results shown beside the inputs
+    /// Sets which inputs may be changed and which are shown; a page without inputs is hidden.
     void setAccess(const FormAccessPtr& access);
     void retranslate();
     void showPage(int index);
     void showCycle();
     void focusPath(const std::string& path);
-    void endTyping(); ///< takes what stands in the field one types in
-    /// Brings the field at a path into sight. The focus goes there only from another input.
+    void endTyping(); ///< commits the text of the field with the focus
+    /// Scrolls to the field at a path. It gets the focus only if another input had it.
     void revealPath(const std::string& path);
     [[nodiscard]] std::vector<Refusal> refusals() const;
-    /// Shows the document's value in place of the text refused last; false when there is none.
-    /// What undo does first.
+    /// Restores the document's value in the last refused field; false if there is none. Undo does
+    /// this first.
     bool dropNewestRefusal();
-    [[nodiscard]] const std::vector<FormPage*>& pages(); ///< built, all of them
+    [[nodiscard]] const std::vector<FormPage*>& pages(); ///< builds and returns all of them
 
 signals:
     void refusalsChanged();
 
 private:
     void showPath(const std::string& path, bool focus);
-    void hintAtCells(const FormPage& page); ///< what the chosen one of a table takes
-    void noteRefusals();                    ///< in the order in which they came
+    void hintAtCells(const FormPage& page); ///< shows the hint of the current cell of a table
+    void noteRefusals();                    ///< in the order of their refusal
 
-    QHBoxLayout* m_strip; ///< the buttons of the pages
+    QHBoxLayout* m_strip; ///< page buttons
     QButtonGroup* m_group;
     QStackedWidget* m_stack;
     std::vector<QToolButton*> m_buttons;

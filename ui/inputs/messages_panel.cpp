@@ -34,7 +34,7 @@ MessagesPanel::MessagesPanel(QWidget* parent) : QListWidget(parent) {
     retranslate();
 }
 
-/// Later: what is done replaces the lines, and this is one of them.
+/// Later, since the action replaces the lines, including this one.
 void MessagesPanel::activate(const QListWidgetItem& item) {
     if (item.data(fitRole).toBool()) {
         QMetaObject::invokeMethod(this, &MessagesPanel::stockFitAsked, Qt::QueuedConnection);
@@ -87,7 +87,7 @@ void MessagesPanel::fill() {
 QStringList MessagesPanel::paths() const {
     QStringList paths;
     for (int i = 0; m_worst != Mark::none && i < count(); ++i) {
-        if (!item(i)->data(fitRole).toBool()) { // which is a step to take, not a message
+        if (!item(i)->data(fitRole).toBool()) { // an action, not a message
             paths << item(i)->data(Qt::UserRole).toString();
         }
     }

@@ -9,8 +9,8 @@
 
 namespace sparkout {
 
-/// What is wrong or unusual in the inputs, a line each. Activating a line goes to its field; below
-/// stocks that do not add up stands a line that fits them by one click or Enter.
+/// Errors and unusual values of the inputs, one per line. Activating a line shows its field; a line
+/// below unmatched stocks fits them by one click or Enter.
 class MessagesPanel : public QListWidget {
     Q_OBJECT
 
@@ -19,11 +19,11 @@ public:
 
     void setOutcome(const sparkout::OutcomePtr& outcome);
     void setRefusals(std::vector<Refusal> refusals);
-    void offerStockFit(bool offers); ///< not where the stages are locked
+    void offerStockFit(bool offers); ///< false where the stages are locked
     void retranslate();
     /// The inputs the lines are of, the same in any language; none while all is in order.
     [[nodiscard]] QStringList paths() const;
-    [[nodiscard]] Mark worst() const; ///< of the lines
+    [[nodiscard]] Mark worst() const; ///< worst mark of the lines
 
 signals:
     void messagesChanged();

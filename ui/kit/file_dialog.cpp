@@ -24,11 +24,11 @@ namespace sparkout {
 
 namespace {
 
-constexpr QSize usualDialogSize(760, 460); ///< of Qt's own, at the usual size of type
+constexpr QSize usualDialogSize(760, 460); ///< size of Qt's dialog at the usual font size
 constexpr int placesWidth = 140, leastName = 220;
 enum Column { name, size, kind, changed };
 
-/// Sizes, kinds and dates in the language of the program, which need not be the system's.
+/// Shows sizes, types and dates in the language of the program, which may differ from the system's.
 class FileDelegate : public QStyledItemDelegate {
 public:
     FileDelegate(QString folder, QString kilobytes, QObject* parent)
@@ -58,7 +58,7 @@ private:
     QString m_folder, m_kilobytes;
 };
 
-/// What a name leaves to the other columns, which are as wide as their contents.
+/// Makes the other columns as wide as their contents and gives the name the rest.
 void fitColumns(QTreeView& files) {
     int rest = files.viewport()->width();
     for (const int column : {size, kind, changed}) {
@@ -72,7 +72,7 @@ void fitColumns(QTreeView& files) {
 
 void FileDialog::dress(QFileDialog& dialog) {
     auto* const files = dialog.findChild<QTreeView*>(QStringLiteral("treeView"));
-    if (!files) { // it is the desktop's
+    if (!files) { // it is the desktop's dialog
         return;
     }
     dialog.setViewMode(QFileDialog::Detail);

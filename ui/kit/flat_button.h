@@ -6,7 +6,7 @@ class QWidget;
 
 namespace sparkout {
 
-/// A button of a bar, which shows its frame under the pointer and can be reached by Tab.
+/// A button of a bar that shows its frame under the pointer and is reached by Tab.
 [[nodiscard]] QToolButton* flatButton(QWidget* parent, const char* name, const char16_t* icon);
 
 } // namespace sparkout

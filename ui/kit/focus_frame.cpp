@@ -13,7 +13,7 @@ namespace {
 
 constexpr int thickness = 3;
 
-/// What is in sight of a widget, in its window.
+/// The visible part of a widget, in window coordinates.
 QRect shownPart(const QWidget& widget) {
     const QWidget* const window = widget.window();
     QRect rect(widget.mapTo(window, QPoint(0, 0)), widget.size());
@@ -33,7 +33,7 @@ FocusFrame::FocusFrame(QWidget& window) : QWidget(&window) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setFocusPolicy(Qt::NoFocus);
     connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, const QWidget* now) {
-        if (now && now != m_widget) { // another program's window takes it only for a while
+        if (now && now != m_widget) { // another program's window takes the focus only temporarily
             leave();
         }
     });
@@ -73,7 +73,7 @@ void FocusFrame::leave() {
     hide();
 }
 
-/// Round the widget, where its neighbours leave room, else just inside of it.
+/// Places the frame around the widget if its neighbours leave room, otherwise just inside it.
 void FocusFrame::place() {
     const bool shown = m_widget && m_widget->isVisible() && m_widget->window() == parentWidget();
     const QRect rect =
@@ -97,7 +97,7 @@ bool FocusFrame::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Hide:
     case QEvent::LayoutRequest:
     case QEvent::ZOrderChange: place(); break;
-    case QEvent::MouseButtonPress: leave(); break; // who points sees where he is
+    case QEvent::MouseButtonPress: leave(); break; // a mouse user sees the position anyway
     default: break;
     }
     return QWidget::eventFilter(watched, event);

@@ -7,14 +7,14 @@
 
 namespace sparkout {
 
-/// A frame round the widget that has the focus, as long as it has it. Whoever goes through the
-/// panels by F6 sees where he has come to, also where the style marks a focus faintly or not at
-/// all: a list without a current row, a plot, a tab bar.
+/// A frame around the widget with the focus, for users who move through the panels by F6; it helps
+/// where the style marks the focus faintly or not at all: a list without a current row, a plot, a
+/// tab bar.
 class FocusFrame : public QWidget {
     Q_OBJECT
 
 public:
-    /// Frames a widget in its window, in place of the frame that was there.
+    /// Frames a widget in its window, replacing an earlier frame.
     static void showRound(QWidget& widget);
 
 protected:
@@ -27,8 +27,8 @@ private:
     void leave();
     void place();
 
-    QPointer<QWidget> m_widget;         ///< null: nothing is framed
-    QList<QPointer<QWidget>> m_watched; ///< it and what it stands in, which may outlive it
+    QPointer<QWidget> m_widget;         ///< null: no frame
+    QList<QPointer<QWidget>> m_watched; ///< the widget and its parents, which may outlive it
 };
 
 } // namespace sparkout

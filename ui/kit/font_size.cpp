@@ -15,7 +15,7 @@ namespace sparkout {
 
 namespace {
 
-// Properties of the program, and of widgets that follow the size.
+// Names of dynamic properties of the program, and of widgets that follow the size.
 constexpr const char* systemFont = "sparkoutSystemFont";
 constexpr const char* percentNow = "sparkoutFontSize";
 constexpr const char* widthWanted = "sparkoutTextWidth";
@@ -26,7 +26,7 @@ constexpr const char* pixelsMore = "sparkoutTextLinesMore";
 constexpr const char* timesWanted = "sparkoutFontTimes";
 constexpr const char* boldWanted = "sparkoutFontBold";
 
-/// As a label lays them out: at some sizes a line is a pixel higher than the font's line spacing.
+/// Measured like a label: at some sizes a line is a pixel higher than the font's line spacing.
 int heightOfLines(int lines) {
     const QFontMetrics metrics{QApplication::font()};
     const QString text = QStringLiteral("X\n").repeated(lines - 1) + u'X';
@@ -86,7 +86,7 @@ void applyFontSize(int percent) {
         enlarged(qApp->property(systemFont).value<QFont>(), percent / double(usualFontSize)));
     for (QWidget* widget : QApplication::allWidgets()) {
         follow(*widget);
-        if (auto* box = qobject_cast<QComboBox*>(widget)) { // keeps the least width of its old type
+        if (auto* box = qobject_cast<QComboBox*>(widget)) { // it would keep its old least width
             QEvent anew(QEvent::StyleChange);
             QCoreApplication::sendEvent(box, &anew);
             box->updateGeometry();

@@ -11,15 +11,15 @@ namespace sparkout {
 
 namespace {
 
-constexpr double hatchSpacing = 6; ///< lines, along the axes
+constexpr double hatchSpacing = 6; ///< distance of the lines along the axes
 constexpr double hatchWidth = 1.2;
 constexpr std::array hatchOrder{Hatch::none,    Hatch::rising,  Hatch::falling, Hatch::level,
                                 Hatch::crossed, Hatch::upright, Hatch::squared};
 
-/// Lines x + y = c or x − y = c, one through the corner that all areas share their lines with: the
-/// origin, so that what stands side by side is hatched as one.
+/// Draws lines x + y = c or x − y = c, one through the origin, so that the hatching of adjacent
+/// areas matches.
 void paintSlanting(QPainter& painter, const QRectF& area, bool rising) {
-    const double sign = rising ? 1 : -1; // of y, which grows downwards
+    const double sign = rising ? 1 : -1; // y grows downwards
     const double low = std::min(area.top() * sign, area.bottom() * sign) + area.left();
     const double high = std::max(area.top() * sign, area.bottom() * sign) + area.right();
     for (double c = std::ceil(low / hatchSpacing) * hatchSpacing; c <= high; c += hatchSpacing) {

@@ -9,13 +9,13 @@ class QRectF;
 
 namespace sparkout {
 
-/// Lines over a coloured area, by which it is told apart without colour, too.
+/// A hatching that distinguishes coloured areas without colour.
 enum class Hatch { none, rising, falling, level, crossed, upright, squared };
 
-/// Of several areas side by side the one at an index: the first has none; they repeat.
+/// The hatching of one of several adjacent areas, by index: the first has none; they repeat.
 [[nodiscard]] Hatch hatchAt(std::size_t index);
 
-/// In single lines and not by a pattern of the brush, which has another size on paper and is no
+/// Draws single lines instead of a brush pattern, which would have another size on paper and not be
 /// vectors in SVG.
 void paintHatch(QPainter& painter, const QRectF& area, Hatch hatch, const QColor& line);
 

@@ -7,10 +7,10 @@ class QWidget;
 
 namespace sparkout {
 
-/// Says which page of the help tells of a widget and of what stands in it: "verdict", "plots#keys".
+/// Sets the help page of a widget and its contents: "verdict", "plots#keys".
 void setHelpTopic(QWidget& widget, const QString& topic);
 
-/// The topic set nearest to a widget, of it or of its parents; empty when there is none.
+/// The topic of a widget or its nearest parent with one; empty if there is none.
 [[nodiscard]] QString helpTopicOf(const QWidget* widget);
 
 } // namespace sparkout

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* tipProperty = "sparkoutTip"; ///< the tooltip nameShortcut() made
 
-/// A text without its mnemonic, ampersands that are shown still doubled.
+/// A text without its mnemonic; literal ampersands stay doubled.
 QString withoutMnemonic(QString text) {
     for (qsizetype i = 0; i + 1 < text.size(); ++i) {
         if (text[i] != u'&') {
@@ -32,7 +32,7 @@ QString withoutMnemonic(QString text) {
     return text;
 }
 
-/// Where a letter of its own could be marked: first letters of words before all others.
+/// The possible places of a mnemonic: first letters of words before all others.
 QList<qsizetype> places(const QString& text) {
     QList<qsizetype> first;
     QList<qsizetype> other;
@@ -115,7 +115,7 @@ void keepMnemonics(QWidget& window) {
 
 void nameShortcut(QAction& action) {
     if (action.property(tipProperty).toString() == action.toolTip()) {
-        action.setToolTip(QString()); // then it is the text again, in the present language
+        action.setToolTip(QString()); // it then falls back to the translated text
     }
     const QString keys = action.shortcut().toString(QKeySequence::NativeText);
     if (!keys.isEmpty() && !action.text().isEmpty()) {

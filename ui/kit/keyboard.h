@@ -8,26 +8,26 @@ class QAction;
 class QObject;
 class QWidget;
 
-/// What makes the whole window work by keyboard, whatever is added to it: a mnemonic for every
-/// entry of every menu, shortcuts named in tooltips, a key that goes round the panels.
+/// Keyboard access to the whole window, including later additions: a mnemonic for every menu entry,
+/// shortcuts named in tool tips, a key that cycles through the panels.
 namespace sparkout {
 
-/// Gives every entry its own letter: a letter a text asks for with & is kept where it is free, the
-/// others get the first free one.
+/// Gives every entry its own letter: the letter marked with & if it is free, otherwise the first
+/// free one.
 void assignMnemonics(const QList<QAction*>& entries);
 
-/// Does so for the menu bar below a window and, whenever they open, for its menus.
+/// Does so for the menu bar of a window and, whenever they open, for its menus.
 void keepMnemonics(QWidget& window);
 
 /// Adds the shortcut to the tooltip of an action; or of every action below an object.
 void nameShortcut(QAction& action);
 void nameShortcuts(QObject& owner);
 
-/// The mnemonic a text asks for, in upper case; null when none.
+/// The mnemonic of a text, in upper case; null if it has none.
 [[nodiscard]] QChar mnemonicOf(const QString& text);
 
-/// Moves the focus to the next (1) or previous (-1) of the panels in sight: to what had it last
-/// there, else to the first thing that takes it.
+/// Moves the focus to the next (1) or previous (-1) visible panel: to its last focused widget, or
+/// the first that accepts focus.
 void movePanel(const QList<QWidget*>& panels, int by);
 
 } // namespace sparkout

@@ -9,15 +9,14 @@
 
 namespace sparkout {
 
-/// A text with markup that is read like a label, as high as its lines. It is laid out once for a
-/// width, and the rest of a long one bit by bit; a QLabel lays it out many times over, which takes
-/// seconds of a page with tables.
+/// A read-only text with markup, as high as its lines. It is laid out once for a width, a long text
+/// in steps; a QLabel repeats the layout many times, which takes seconds for a page with tables.
 class MarkupText : public QTextEdit {
 public:
     explicit MarkupText(QWidget* parent = nullptr) : QTextEdit(parent) {
         setReadOnly(true);
         setTextInteractionFlags(Qt::TextSelectableByMouse);
-        setFocusPolicy(Qt::NoFocus); // read, not used
+        setFocusPolicy(Qt::NoFocus); // read-only
         setFrameShape(QFrame::NoFrame);
         setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -39,7 +38,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {1, height()}; }
 
 protected:
-    void wheelEvent(QWheelEvent* event) override { event->ignore(); } ///< what it stands in scrolls
+    void wheelEvent(QWheelEvent* event) override { event->ignore(); } ///< the page scrolls
 
 private:
     void fit() { setFixedHeight(static_cast<int>(std::ceil(document()->size().height()))); }

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// The window's one scale of distances, icon sizes and type. Layouts take their numbers from here,
-/// so that pages made years apart still line up.
+/// The window's one scale of distances, icon sizes and fonts, so that all layouts match.
 namespace sparkout::metrics {
 
 // Distances, in device-independent pixels.
 constexpr int hair = 2;   ///< between parts of one control
 constexpr int row = 3;    ///< between the rows of a form
 constexpr int tight = 4;  ///< between controls of one bar
-constexpr int gap = 6;    ///< between things that belong together
+constexpr int gap = 6;    ///< between related controls
 constexpr int margin = 8; ///< around a page or a box, and between groups
-constexpr int wide = 16;  ///< between things that do not belong together
+constexpr int wide = 16;  ///< between unrelated controls
 
 // Icons, in device-independent pixels.
 constexpr int iconSmall = 13; ///< within a line of text
@@ -22,9 +21,9 @@ constexpr int iconProgram = 64;
 // Widths of the controls of the forms, in device-independent pixels.
 constexpr int field = 104;     ///< a number
 constexpr int fieldWide = 176; ///< a choice or a text
-constexpr int unit = 52;       ///< the unit behind a number
+constexpr int unit = 52;       ///< the unit after a number
 
-// Type, as a multiple of the usual size.
+// Font sizes, as multiples of the usual size.
 constexpr double headline = 1.6; ///< the one number of a panel
 
 } // namespace sparkout::metrics

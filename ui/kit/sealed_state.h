@@ -6,12 +6,12 @@
 
 #include <optional>
 
-/// Saved states of widgets behind a check sum: Qt takes some damaged states for good ones and puts
-/// panels where nobody finds them.
+/// Saved states of widgets with a checksum: Qt accepts some damaged states and puts panels out of
+/// reach.
 namespace sparkout {
 
 [[nodiscard]] QByteArray sealed(const QList<QByteArray>& parts);
-/// The parts, or nothing when the bytes are damaged or hold another number of parts.
+/// The parts; empty if the bytes are damaged or contain another number of parts.
 [[nodiscard]] std::optional<QList<QByteArray>> unsealed(const QByteArray& bytes, qsizetype count);
 
 } // namespace sparkout

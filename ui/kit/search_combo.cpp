@@ -26,7 +26,7 @@ QString folded(const QString& text) {
     return text.toCaseFolded().replace(u'ё', u'е');
 }
 
-/// The entries that hold every word.
+/// Accepts the entries that contain every word.
 class WordFilter : public QSortFilterProxyModel {
 public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
@@ -109,7 +109,7 @@ void SearchCombo::open(const QString& text) {
     m_search->setFocus(Qt::PopupFocusReason);
 }
 
-/// Below the box, or above it where there is more room, as wide as its entries.
+/// Places the list below the box, or above it if there is more room, as wide as its entries.
 void SearchCombo::place() {
     const int rows = std::min(count(), shownEntries);
     const int width = std::max(this->width(), m_list->sizeHintForColumn(0)

@@ -11,13 +11,13 @@ class QSortFilterProxyModel;
 
 namespace sparkout {
 
-/// A combo box with a long list: what is typed, in the closed box or above its open list, leaves
-/// the entries that hold every word of it, whatever the case.
+/// A combo box with a long list: text typed in the closed box or above its open list filters the
+/// entries by words, ignoring case.
 class SearchCombo : public QComboBox {
     Q_OBJECT
 
 public:
-    /// Words an entry is found by beside its text: a symbol, a key, its name in another language.
+    /// Additional search words of an entry: a symbol, a key, its name in another language.
     static constexpr int wordsRole = Qt::UserRole + 50;
 
     explicit SearchCombo(QWidget* parent = nullptr);

@@ -18,7 +18,7 @@ QString code(const char* text) {
     return QString::fromLatin1(text);
 }
 
-/// Surfaces that Fusion shades its frames and buttons with.
+/// Colours with which Fusion shades its frames and buttons.
 void addShades(QPalette& palette, const ThemeColours& c) {
     const QColor button(c.button);
     const bool dark = isDark(palette);
@@ -29,7 +29,7 @@ void addShades(QPalette& palette, const ThemeColours& c) {
     palette.setColor(QPalette::Shadow, dark ? QColor(Qt::black) : button.darker(220));
 }
 
-/// Whether the desktop is dark: Qt 6.4 tells it by the palette it starts with only.
+/// Whether the desktop is dark: Qt 6.4 shows it only in the initial palette.
 bool systemIsDark() {
     QApplication::setPalette(QPalette()); // back to the desktop's
     return QGuiApplication::palette().color(QPalette::Window).lightness() < 128;

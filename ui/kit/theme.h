@@ -7,8 +7,8 @@
 
 #include <array>
 
-/// How the window looks: themes, each one row of a table. Everything painted takes its colours from
-/// here, by the palette it is painted on.
+/// The looks of the window: themes, each one row of a table. All painting takes its colours from
+/// here, by the palette.
 namespace sparkout {
 
 enum class Theme { system, light, dark, contrast };
@@ -16,21 +16,20 @@ enum class Theme { system, light, dark, contrast };
 inline constexpr std::array allThemes{Theme::system, Theme::light, Theme::dark, Theme::contrast};
 
 [[nodiscard]] QString themeCode(Theme theme);       ///< "system", "light", …: for settings
-[[nodiscard]] Theme themeFrom(const QString& code); ///< system when it is none of them
+[[nodiscard]] Theme themeFrom(const QString& code); ///< system for any other code
 [[nodiscard]] bool isThemeCode(const QString& code);
-[[nodiscard]] QPalette paletteOf(Theme theme); ///< of the system's, light or dark
+[[nodiscard]] QPalette paletteOf(Theme theme); ///< for the system theme: the light or dark one
 
-/// Gives the whole program a theme; may be called again at any time. The present one is shown by
-/// appliedTheme().
+/// Sets the theme of the whole program; may be called again. appliedTheme() returns it.
 void applyTheme(Theme theme);
 [[nodiscard]] Theme appliedTheme();
 
-/// What a colour is for, beside the roles of QPalette.
+/// The purpose of a colour, in addition to the roles of QPalette.
 enum class Tone {
     error,   ///< a refused value: text and frame
     warning, ///< an unusual value: text and frame
-    outline, ///< of fields, buttons and boxes
-    // Curves and lights, Okabe and Ito's set: told apart by colour-blind readers too.
+    outline, ///< fields, buttons and boxes
+    // Curves and lights, Okabe and Ito's set, distinguishable by colour-blind readers.
     blue,
     sky,
     vermilion,
@@ -43,21 +42,21 @@ enum class Tone {
     paper,    ///< white surfaces
     steel,    ///< the workpiece, things of metal
     abrasive, ///< the wheel
-    grain,    ///< on the wheel, pointers
+    grain,    ///< grains of the wheel, pointers
     sand,     ///< folders
     accent,   ///< arrows, curves
     add,
     remove,
     amber,
-    amberInk, ///< the warning sign and what stands on it
+    amberInk, ///< warning sign and texts on amber
     count_
 };
 
-/// A colour of the theme a palette belongs to, or comes closest to.
+/// A colour of the theme to which a palette belongs, or which is nearest to it.
 [[nodiscard]] QColor tone(Tone which, const QPalette& palette);
 [[nodiscard]] bool isDark(const QPalette& palette);
 
-/// What is drawn over a map of colours, which is the same in every theme.
+/// Colours drawn over a colour map, which is the same in every theme.
 namespace onMap {
 inline constexpr QColor dark(0, 0, 0), light(255, 255, 255), accent(0xff, 0x9d, 0x5c);
 }

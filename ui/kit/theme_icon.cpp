@@ -16,7 +16,8 @@ namespace {
 constexpr double disabledIconOpacity = 0.4;
 
 QByteArray coloured(QByteArray svg, const QPalette& palette) {
-    // Through names no theme can contain: one theme's colour may be another's written one.
+    // Uses intermediate names that no theme can contain, since one theme's colour may be another's
+    // original one.
     int number = 0;
     for (const IconColour& c : iconColours()) {
         svg.replace(c.written, '\x01' + QByteArray::number(++number) + '\x02');
@@ -58,7 +59,7 @@ public:
         return scaledPixmap(size, mode, state, 1);
     }
 
-    /// The size is in device pixels already.
+    /// The size is in device pixels.
     QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State state,
                          qreal scale) override {
         const QSize pixels = actualSize(size, mode, state);

@@ -8,14 +8,14 @@
 
 #include <vector>
 
-/// Icons in the colours of the theme: the colours an icon is written in stand for tones.
+/// Icons in the colours of the theme: each colour in an icon file represents a tone.
 namespace sparkout {
 
-/// An icon of resources/icons by its name without ending: drawn at the size and in the colours of
-/// the moment, so a change of theme needs no new icon.
+/// An icon of resources/icons by its name without suffix, drawn in the current size and colours, so
+/// that it follows a change of theme.
 [[nodiscard]] QIcon themeIcon(QStringView name);
 
-/// A colour the icons are written in, and what it stands for.
+/// A colour in the icon files and its tone.
 struct IconColour {
     const char* written; ///< "#rrggbb"
     Tone tone;

@@ -18,7 +18,7 @@ constexpr double corner = 2;
 constexpr int groupBoxMargin = 3; ///< Fusion's, between the title of a box and its frame
 constexpr double disabledOpacity = 0.5;
 
-/// Round the outside of a rectangle, inside of it.
+/// Draws a frame just inside a rectangle.
 void outline(QPainter& painter, const QRect& rect, const QStyleOption& option) {
     if (rect.isEmpty()) {
         return;
@@ -32,7 +32,7 @@ void outline(QPainter& painter, const QRect& rect, const QStyleOption& option) {
     painter.restore();
 }
 
-/// A line along the outer edge of the tab that is chosen.
+/// Draws a line along the outer edge of the current tab.
 void markTab(QPainter& painter, const QStyleOptionTab& tab) {
     constexpr int high = 2, beside = 2;
     if (!(tab.state & QStyle::State_Selected)) {
@@ -42,7 +42,7 @@ void markTab(QPainter& painter, const QStyleOptionTab& tab) {
     switch (tab.shape) {
     case QTabBar::RoundedNorth: line.setHeight(high); break;
     case QTabBar::RoundedSouth: line.setTop(line.bottom() - high + 1); break;
-    default: return; // none stand at a side
+    default: return; // vertical tabs are not used
     }
     painter.fillRect(line, tone(Tone::accent, tab.palette));
 }
@@ -63,7 +63,7 @@ ThemeStyle::ThemeStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fus
 
 int ThemeStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                             const QWidget* widget) const {
-    // All tabs of the views side by side on a small screen.
+    // Padding that lets all tabs of the views fit on a small screen.
     constexpr int besideTabText = 8, besideNarrowText = 6;
     if (metric == PM_TabBarTabHSpace) {
         const bool isNarrow = widget && widget->font().stretch() != QFont::AnyStretch
@@ -80,7 +80,7 @@ void ThemeStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
         option->state & State_HasFocus && option->state & State_KeyboardFocusChange;
     switch (element) {
     case PE_FrameLineEdit:
-        if (!(option->state & State_HasFocus)) { // with the focus, Fusion's is highlighted
+        if (!(option->state & State_HasFocus)) { // with the focus, Fusion highlights it
             outline(*painter, option->rect, *option);
         }
         break;
@@ -96,7 +96,7 @@ void ThemeStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
     }
 }
 
-/// The title of a dock in its present type: Qt 6.4 goes on painting it in the one it was made with.
+/// Draws the title of a dock in its current font: Qt 6.4 keeps the font from its creation.
 void ThemeStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                              const QWidget* widget) const {
     if (element != CE_DockWidgetTitle || !widget) {

@@ -5,8 +5,8 @@
 
 namespace sparkout {
 
-/// Fusion with outlines one can see. Fusion's own are a shade of the window's colour: faint in a
-/// light theme, gone in a dark one.
+/// Fusion with visible outlines. Fusion's own are a shade of the window's colour: faint in a light
+/// theme, invisible in a dark one.
 class ThemeStyle : public QProxyStyle {
     Q_OBJECT
 

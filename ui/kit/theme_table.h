@@ -13,8 +13,8 @@ struct ThemeColours {
     std::array<QRgb, std::size_t(Tone::count_)> tones;
 };
 
-[[nodiscard]] const ThemeColours& coloursOf(Theme theme); ///< not of the system's
-/// The theme a palette was made from; of foreign palettes, one with a like background.
+[[nodiscard]] const ThemeColours& coloursOf(Theme theme); ///< not for the system theme
+/// The theme from which a palette was made; for other palettes, one with a similar background.
 [[nodiscard]] const ThemeColours& coloursFor(const QPalette& palette);
 
 } // namespace sparkout

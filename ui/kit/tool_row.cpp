@@ -17,14 +17,14 @@ int roundedShare(int whole, int part, int of) {
     return of > 0 ? static_cast<int>(static_cast<long long>(whole) * part / of) : 0;
 }
 
-/// Without the least width of a box, which may be of an older type.
+/// Ignores the least width of a box, which may be that of an older font.
 int hintOf(const QLayoutItem& item) {
     const auto* box = qobject_cast<const QComboBox*>(const_cast<QLayoutItem&>(item).widget());
     return box && !box->isHidden() ? box->sizeHint().width() : item.sizeHint().width();
 }
 
-/// A box needs no more than its present text does. Its other texts are not measured: of hundreds of
-/// them, many times in one layout, that would take its time.
+/// A box needs only the width of its current text. Measuring all its texts in every layout would
+/// take too long.
 int leastOf(const QLayoutItem& item) {
     const auto* box = qobject_cast<const QComboBox*>(const_cast<QLayoutItem&>(item).widget());
     if (!box) {
@@ -99,7 +99,7 @@ int ToolRow::leastWidth(const Line& line) const {
                            [](int sum, const Tool* tool) { return sum + tool->least(); });
 }
 
-/// What is left goes to those that stretch; what is wanting is taken from those that can shrink.
+/// Distributes surplus width to stretching items; takes missing width from those that can shrink.
 std::vector<int> ToolRow::widthsOf(const Line& line, int room) const {
     const int least = leastWidth(line);
     int wished = least, stretches = 0;
@@ -119,7 +119,7 @@ std::vector<int> ToolRow::widthsOf(const Line& line, int room) const {
     return widths;
 }
 
-/// A text that wraps is as high as its width makes it.
+/// The height of a wrapped text depends on its width.
 int ToolRow::heightOf(const Line& line, int room) const {
     const std::vector<int> widths = widthsOf(line, room);
     int height = 0;
@@ -131,7 +131,7 @@ int ToolRow::heightOf(const Line& line, int room) const {
     return height;
 }
 
-/// One if they fit; else what stands between two stretches stays together as far as it can.
+/// One line if all fit; otherwise tools between two stretches stay together as far as possible.
 std::vector<ToolRow::Line> ToolRow::lines(int width) const {
     std::vector<Line> groups(1);
     for (const Tool& tool : m_items) {

@@ -8,18 +8,18 @@
 
 namespace sparkout {
 
-/// Tools side by side, as in a QHBoxLayout; where they have no room they go on in further lines,
-/// at a stretch if that is enough. As wide as its widest tool at least; a box of choices shows the
-/// present one in full, not each.
+/// A row of tools like a QHBoxLayout that continues in further lines if needed, preferably breaking
+/// at a stretch. It is at least as wide as its widest tool; a box of choices shows its current
+/// entry in full.
 class ToolRow : public QLayout {
     Q_OBJECT
 public:
     explicit ToolRow(QWidget* parent = nullptr);
     ~ToolRow() override;
 
-    void addWidget(QWidget* widget, int stretch = 0); ///< shares what a line has to spare
-    /// A text that wraps: with a line to itself unless it is at least so many letters wide beside
-    /// the others, that it be no column of words.
+    void addWidget(QWidget* widget, int stretch = 0); ///< shares the surplus width of a line
+    /// Adds a text that wraps: it takes a line of its own unless it has room for so many letters
+    /// beside the others.
     void addText(QWidget* widget, int letters, int stretch);
     void addStretch(int stretch = 1);
 
@@ -38,7 +38,7 @@ private:
     struct Tool {
         std::unique_ptr<QLayoutItem> item;
         int stretch;
-        int letters = 0; ///< wide at least beside others
+        int letters = 0; ///< least width beside others
         [[nodiscard]] int least() const;
     };
     using Line = std::vector<const Tool*>;

@@ -17,14 +17,14 @@ namespace {
 
 constexpr const char* objectName_ = "sparkoutToolTips";
 
-/// Paragraphs with nothing in them that could load, link or style anything.
+/// Whether the text is paragraphs without anything that loads, links or styles.
 bool isOwnMarkup(const QString& text) {
     static const QRegularExpression own(
         QStringLiteral("\\A<p>(?:[^<]++|</?(?:p|i|b|sub|sup|code)>|<br>)*\\z"));
     return own.match(text).hasMatch();
 }
 
-/// Broken between words; breaks that are there stay.
+/// Broken between words; existing breaks are kept.
 QString wrapped(const QString& text) {
     QStringList lines;
     for (const QString& given : text.split(u'\n')) {
@@ -44,7 +44,7 @@ QString wrapped(const QString& text) {
 
 struct Tip {
     QString text;
-    QRect of; ///< what it is of, in the widget; empty: all of it
+    QRect of; ///< area in the widget; empty: all of it
 };
 
 Tip headingTip(const QHeaderView& header, const QPoint& at) {
@@ -108,7 +108,7 @@ QString ToolTips::markup(const QString& text) {
     return isOwnMarkup(text) ? text : Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal);
 }
 
-/// False where there is none: what stands around may have one.
+/// False if there is none; a parent may have one.
 bool ToolTips::show(QWidget& widget, const QHelpEvent& event) {
     const Tip tip = tipAt(widget, event.pos());
     if (tip.text.isEmpty()) {

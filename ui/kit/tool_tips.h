@@ -10,19 +10,19 @@ class QWidget;
 namespace sparkout {
 
 /// Shows the tool tips of the whole program: of widgets, cells and headings of tables, tabs and
-/// entries of menus. A line has some sixty characters. Only the markup of the program's own hints
-/// is markup; any other text, as of a file, is shown letter by letter.
+/// menu entries, in lines of about sixty characters. Only the program's own hints are markup; any
+/// other text, for instance from a file, is shown literally.
 class ToolTips : public QObject {
     Q_OBJECT
 public:
-    static constexpr int lineLength = 60; ///< characters; a longer word has a line of its own
+    static constexpr int lineLength = 60; ///< characters; a longer word takes a line of its own
 
-    /// For the whole program; once is enough, more do no harm.
+    /// For the whole program; further calls have no effect.
     static void install();
 
-    /// The text as it is handed to Qt.
+    /// The text as passed to Qt.
     [[nodiscard]] static QString shown(const QString& text);
-    /// The text for a label with markup, by the same rule; the label breaks its lines.
+    /// The text for a label with markup, by the same rule; the label wraps it.
     [[nodiscard]] static QString markup(const QString& text);
 
 protected:

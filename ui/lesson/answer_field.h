@@ -9,22 +9,22 @@
 
 namespace sparkout {
 
-/// Where a student answers a step, by the kind of its goal.
+/// A field for a student's answer to a step, by the kind of its goal.
 class AnswerField : public QWidget {
     Q_OBJECT
 
 public:
     using QWidget::QWidget;
 
-    /// For a step about a project; null: the step is answered by what is set in the inputs.
+    /// For a step on a project; null if the step is answered by settings of the inputs.
     [[nodiscard]] static AnswerField* make(const LessonStep& step, const Project& project,
                                            QWidget* parent);
 
     virtual void show(const Answer& answer) = 0;
-    virtual void put(Answer& answer) const = 0;     ///< what stands here into an answer
-    [[nodiscard]] virtual bool isWhole() const = 0; ///< whether it can be handed in
-    virtual void lock() = 0;                        ///< it was handed in for good
-    /// The engine's result beside what was predicted.
+    virtual void put(Answer& answer) const = 0;     ///< writes its contents into an answer
+    [[nodiscard]] virtual bool isWhole() const = 0; ///< whether it is complete
+    virtual void lock() = 0;                        ///< called when it was handed in finally
+    /// Shows the engine's result beside the prediction.
     virtual void showResult(const GoalResult&) {}
     virtual void retranslate() = 0;
 

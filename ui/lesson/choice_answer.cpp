@@ -17,7 +17,7 @@ namespace sparkout {
 
 namespace {
 
-/// The text of an option; a click on it is one on its box.
+/// The text of an option; clicking it clicks its box.
 class OptionText : public MarkupText {
 public:
     OptionText(QCheckBox& box, QWidget* parent) : MarkupText(parent), m_box(box) {

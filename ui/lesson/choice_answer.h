@@ -12,7 +12,7 @@ namespace sparkout {
 
 class MarkupText;
 
-/// One or several of some options.
+/// A choice of one or several options.
 class ChoiceAnswer : public AnswerField {
     Q_OBJECT
 

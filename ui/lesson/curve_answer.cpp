@@ -164,7 +164,7 @@ void CurveAnswer::showResult(const GoalResult& result) {
         for (const auto& value : values) {
             most = std::max(most, value.value_or(0));
         }
-        m_sketch->setTop(std::max(most, 1e-6)); // and what was said
+        m_sketch->setTop(std::max(most, 1e-6)); // includes the prediction
     }
     retranslate();
 }

@@ -13,7 +13,7 @@ namespace sparkout {
 class CurveSketch;
 class NumberField;
 
-/// A curve said before the run, drawn by points or typed; then the engine's is drawn over it.
+/// A curve predicted before the run, drawn by points or typed; later the engine's is drawn over it.
 class CurveAnswer : public AnswerField {
     Q_OBJECT
 

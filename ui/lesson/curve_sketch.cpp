@@ -19,7 +19,7 @@ namespace sparkout {
 namespace {
 
 constexpr int sketchWidth = 260, sketchHeight = 190, ticks = 5, stepsOfAxis = 100, keySteps = 50;
-constexpr double roomAboveCurve = 1.08; ///< of the highest point
+constexpr double roomAboveCurve = 1.08; ///< relative to the highest point
 
 /// The next of 1, 2, 5, 10, … from a value on.
 double roundTick(double value) {
@@ -111,7 +111,7 @@ double CurveSketch::tick() const {
     return roundTick((top() - bottom()) / ticks);
 }
 
-/// What the curve is of, in as many lines as that takes.
+/// The height of the heading with as many lines as needed.
 int CurveSketch::headHeight() const {
     return fontMetrics()
         .boundingRect(QRect(0, 0, width() - metrics::tight, height()), Qt::TextWordWrap, m_value)
@@ -179,7 +179,7 @@ void CurveSketch::drawAxes(QPainter& painter) const {
         const QString& text = m_places[qsizetype(i)];
         const double half = fontMetrics().horizontalAdvance(text) / 2.0;
         painter.drawLine(QPointF(x, in.bottom()), QPointF(x, in.bottom() + 3));
-        if (x - half > free) { // else it would stand on the one before
+        if (x - half > free) { // otherwise it would overlap the previous one
             painter.drawText(QRectF(x - half - 1, in.bottom() + 4, 2 * half + 2, line),
                              Qt::AlignCenter, text);
             free = x + half + metrics::tight;
@@ -191,7 +191,7 @@ void CurveSketch::drawAxes(QPainter& painter) const {
                      Qt::AlignLeft | Qt::TextWordWrap, m_value);
 }
 
-/// What was said is drawn through, with discs; what was found is dashed, with squares.
+/// The prediction is a solid line with discs, the result a dashed one with squares.
 void CurveSketch::drawCurve(QPainter& painter, const Values& values, bool isFound) const {
     const QColor colour = tone(isFound ? Tone::vermilion : Tone::blue, palette());
     painter.setPen(QPen(colour, 2, isFound ? Qt::DashLine : Qt::SolidLine));

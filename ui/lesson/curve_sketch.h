@@ -10,8 +10,8 @@
 namespace sparkout {
 
 /// A small plot on which a curve is drawn by points: a click puts the point of the nearest place at
-/// that height, dragging moves it; by keys Left and Right choose a place, Up and Down move its
-/// point, Delete takes it away. Beside what was said the engine's curve can be drawn.
+/// that height, dragging moves it; by keys, Left and Right choose a place, Up and Down move its
+/// point, Delete removes it. The engine's curve can be drawn beside the prediction.
 class CurveSketch : public QWidget {
     Q_OBJECT
 
@@ -25,9 +25,9 @@ public:
     void setCurveNames(QString said, QString found);
     void setSaid(const Values& values);
     void setFound(const Values& values);
-    void setTop(double top); ///< how far the axis goes at least
+    void setTop(double top); ///< least upper end of the axis
     void setEditable(bool editable);
-    [[nodiscard]] double top() const; ///< of the axis as it is drawn
+    [[nodiscard]] double top() const; ///< upper end of the axis as drawn
     [[nodiscard]] QPointF pointAt(std::size_t place, double value) const;
 
     [[nodiscard]] QSize sizeHint() const override;

@@ -17,7 +17,7 @@ void HiddenThings::add(Things with, std::function<void(bool hidden)> hide) {
 void HiddenThings::add(Things with, QAction* command) {
     add(std::move(with), [command](bool hidden) {
         command->setVisible(!hidden);
-        command->setEnabled(!hidden); // else it could be triggered all the same
+        command->setEnabled(!hidden); // otherwise it could still be triggered
     });
 }
 
@@ -95,8 +95,8 @@ HiddenThings::Things HiddenThings::telling(const Figure& figure) {
 
 HiddenThings::Things HiddenThings::of(const LessonRun& run) {
     LessonStep step = run.current();
-    // A step that is to read a result waits for the predictions before it, and later ones leave it
-    // what tells that result.
+    // A step that reads a result waits for the predictions before it; later predictions do not hide
+    // that result.
     const bool reads = step.goal.prediction && step.goal.prediction->after_run;
     const Things read = reads ? telling(*step.goal.asked()) : Things();
     for (const std::size_t open : run.openPredictions()) {

@@ -15,8 +15,8 @@ namespace sparkout {
 
 class LessonRun;
 
-/// What of the window a step of a lesson takes away: each view, panel and command is entered once
-/// with the things whose absence takes it away, and comes back when none of them is hidden.
+/// Hides parts of the window in a lesson's step: each view, panel and command is registered once
+/// with the things that hide it, and reappears when none of them is hidden.
 class HiddenThings : public QObject {
     Q_OBJECT
 
@@ -26,16 +26,15 @@ public:
     using QObject::QObject;
 
     void add(Things with, std::function<void(bool hidden)> hide);
-    void add(Things with, QAction* command); ///< neither in a menu nor by keys
+    void add(Things with, QAction* command); ///< removes it from menus and shortcuts
 
-    /// What a step hides, and what would show it in another way: reports and exports tell what the
-    /// views and the verdict do, remedies stand in the verdict; reports, formulas and compared runs
-    /// state inputs that are hidden.
+    /// The things that a step hides, including other ways to see them: reports and exports repeat
+    /// the views and the verdict, remedies belong to the verdict; reports, formulas and compared
+    /// runs state hidden inputs.
     [[nodiscard]] static Things of(const LessonStep& step);
-    /// The same of the step in front of a work, and what tells what other steps of it ask to
-    /// predict.
+    /// Those of a work's current step, including what would reveal predictions of its other steps.
     [[nodiscard]] static Things of(const LessonRun& run);
-    /// Where a figure is to be read, or seen.
+    /// The things that show a figure.
     [[nodiscard]] static Things telling(const Figure& figure);
     void hide(const Things& things);
     [[nodiscard]] bool isHidden(Hideable thing) const { return m_hidden.contains(thing); }

@@ -46,7 +46,7 @@ const QString diskNotice = QStringLiteral("lesson-disk");
 const QString lockNotice = QStringLiteral("lesson-lock");
 constexpr int draftPause_ms = 1000;
 
-/// What is handed in of a set-up: no kept runs and measurements.
+/// The part of a set-up that is handed in: without kept runs and measurements.
 std::string handedIn(Setup setup) {
     for (GroundSurface& surface : setup.surfaces) {
         surface.project.runs.clear();
@@ -92,7 +92,7 @@ LessonDesk::~LessonDesk() {
         keepDraft();
         m_run.flush();
     }
-    delete m_panel; // it looks at the run
+    delete m_panel; // it uses the run
 }
 
 void LessonDesk::protect(const QString& stateFolder) {
@@ -180,7 +180,7 @@ void LessonDesk::openLesson(const QString& path) {
     begin(*read.lesson, QFileInfo(path).completeBaseName());
 }
 
-/// Who does it, which variant, and where it is kept: asked once.
+/// Asks once for the student, the variant and the file.
 void LessonDesk::begin(const Lesson& lesson, const QString& name) {
     const QStringList before = m_settings.student();
     StudentDialog dialog(lesson, before.value(0), before.value(1), m_window);
@@ -202,7 +202,7 @@ void LessonDesk::begin(const Lesson& lesson, const QString& name) {
     }
     switch (keep(*work, path)) {
     case GuardQuestions::Outcome::saved: start(std::move(*work), path, true); break;
-    case GuardQuestions::Outcome::failed: // it is begun all the same, and can be kept elsewhere
+    case GuardQuestions::Outcome::failed: // it begins anyway, and can be saved elsewhere
         m_file.follow(path, {});
         start(std::move(*work), path, false);
         break;
@@ -251,7 +251,7 @@ std::optional<Work> LessonDesk::makeWork(const Lesson& lesson, int variant, cons
 }
 
 void LessonDesk::openWork(const QString& given) {
-    if (m_trial) { // it is worth nothing, and its file is not protected
+    if (m_trial) { // it is discarded, and its file is not protected
         finish();
     }
     const QString path = QFileInfo(given).absoluteFilePath();
@@ -315,7 +315,7 @@ void LessonDesk::start(Work work, const QString& path, bool isSaved) {
     putStep();
 }
 
-/// Neither a trial nor what somebody else works in.
+/// Empty for a trial and for a work that somebody else has open.
 QString LessonDesk::draftFolder() const {
     return m_stateFolder.isEmpty() || m_trial || m_file.isReadOnly()
                ? QString()
@@ -382,7 +382,7 @@ void LessonDesk::showNotSaved() {
                     {[] { return tr("Save elsewhere…"); }, [this] { saveAs(); }}}});
 }
 
-/// What the student should know of the file without being asked.
+/// Shows notices about the file.
 void LessonDesk::showFileState() {
     for (const QString& key : {readOnlyNotice, diskNotice, lockNotice}) {
         m_notices.remove(key);
@@ -433,7 +433,7 @@ void LessonDesk::showNext(int by) {
     }
 }
 
-/// The step in front comes into the window: its inputs, what is free and hidden, and its moment.
+/// Shows the current step in the window: its inputs, what is free and hidden, and its moment.
 void LessonDesk::putStep() {
     const LessonStep& step = m_run.current();
     m_moment = step.moment;
@@ -449,7 +449,7 @@ void LessonDesk::putStep() {
     emit limitsChanged();
 }
 
-/// Whether a set-up differs from that of the step only where the step lets it.
+/// Whether a set-up differs from that of the step only in free inputs.
 bool LessonDesk::allows(const SetupState& after) const {
     Lesson one;
     one.base = m_run.lesson().base;
@@ -472,7 +472,7 @@ void LessonDesk::handIn(Answer answer) {
     m_wasCovered = false;
 }
 
-/// What was handed in is shown before anything is asked.
+/// Shows what was handed in before asking anything.
 void LessonDesk::takeEntry() {
     if (m_wasCovered && !isCovered()) {
         m_hidden.hide(HiddenThings::of(m_run));
@@ -482,7 +482,7 @@ void LessonDesk::takeEntry() {
     write(m_run.file());
 }
 
-/// A set-up is kept with it where something was set.
+/// Includes the set-up if it was changed.
 void LessonDesk::keepDraft() {
     m_draft.stop();
     if (!isRunning()) {

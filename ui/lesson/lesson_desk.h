@@ -29,13 +29,13 @@ class NoticeBar;
 class Settings;
 
 /// Laboratory works in the window: opens lessons and works of students, puts each step's set-up
-/// into the document with a gate around what is free, and keeps the work. A lesson ends when
-/// another document comes.
+/// into the document with a gate that allows only free inputs, and saves the work. A lesson ends
+/// when another document is opened.
 class LessonDesk : public QObject {
     Q_OBJECT
 
 public:
-    /// Of variants that are begun by a number: whoever draws them gets the same ones everywhere.
+    /// Seed of variants chosen by number, so that they are the same everywhere.
     static constexpr std::uint32_t seedByNumber = 1;
 
     LessonDesk(Document& document, Settings& settings, NoticeBar& notices, QWidget* window);
@@ -49,40 +49,42 @@ public:
     [[nodiscard]] bool isRunning() const { return m_run.isRunning(); }
     [[nodiscard]] bool isCovered() const { return m_run.isCovered(); }
 
-    /// From now on works are locked and watched, and earlier versions and drafts of them are kept
-    /// in this folder.
+    /// Locks and watches works from now on, and keeps earlier versions and drafts of them in this
+    /// folder.
     void protect(const QString& stateFolder);
     [[nodiscard]] const QString& stateFolder() const { return m_stateFolder; }
     [[nodiscard]] bool isReadOnly() const { return isRunning() && m_file.isReadOnly(); }
-    /// What is typed in the inputs is taken before anything else.
+    /// Sets a function that commits typed text, called first.
     void endTypingBy(std::function<void()> end) { m_endTyping = std::move(end); }
 
-    [[nodiscard]] static bool isOfLesson(const QString& path); ///< by its ending
-    void open(const QString& path); ///< a lesson or a work; what is wrong with it is said
-    /// One of the lessons on a list; `mayDiscard` asks whether what is open may go.
+    [[nodiscard]] static bool isOfLesson(const QString& path); ///< by its suffix
+    void open(const QString& path); ///< a lesson or a work; shows its faults
+    /// Opens a lesson chosen from a list; `mayDiscard` asks whether the current document may be
+    /// closed.
     void choose(const std::function<bool()>& mayDiscard);
-    /// A lesson as a student has it, from a step on; nothing of it is kept. False: not begun.
+    /// Tries a lesson as a student would, from a step on, without keeping anything. False if it was
+    /// not begun.
     bool tryOut(const Lesson& lesson, std::size_t step);
-    void markWorks(); ///< shows the window that does
+    void markWorks(); ///< shows the window for marking
     void save();
     void saveAs();
     void leave(); ///< to a new project
     void showStep(std::size_t step);
     void showNext(int by);
-    /// Before the window closes or another document comes: all of it is on the disk, or the user
-    /// gives it up.
+    /// Before the window closes or another document is opened: saves everything, or the user
+    /// discards it.
     [[nodiscard]] bool mayLeave();
-    /// The views show a run of the present inputs.
+    /// Called when the views show a run of the current inputs.
     void takeOutcome(bool ran);
     void takeKeptRun(const KeptRun& run) { m_run.keepRun(run); }
     void retranslate();
 
 signals:
-    void limitsChanged(); ///< another step, or none: what is free, hidden and covered
-    void uncovered();     ///< the result may be shown now
+    void limitsChanged(); ///< another step, or none: changes what is free, hidden and covered
+    void uncovered();     ///< the result may be shown
     void momentWanted(const sparkout::ShownMoment& moment);
     void opened(const QString& path); ///< a work
-    void tried();                     ///< a trial is over
+    void tried();                     ///< a trial has ended
     void reported(const QString& text);
 
 private:
@@ -91,7 +93,7 @@ private:
     void begin(const Lesson& lesson, const QString& name);
     void start(Work work, const QString& path, bool isSaved);
     [[nodiscard]] QString askPath(const QString& suggested);
-    /// Asks what speaks against it and writes a work; the path may become another one, or empty.
+    /// Asks about every obstacle and writes a work; the path may change, or become empty.
     [[nodiscard]] GuardQuestions::Outcome keep(const Work& work, QString& path);
     bool write(QString path); ///< the work that is being done
     void showNotSaved();
@@ -116,23 +118,23 @@ private:
     QWidget* m_window;
     LessonRun m_run;
     LessonPanel* m_panel;
-    MarksDialog* m_marks = nullptr; ///< once it was asked for
+    MarksDialog* m_marks = nullptr; ///< created on request
     HiddenThings m_hidden;
     std::function<void()> m_endTyping = [] {};
-    std::optional<ShownMoment> m_moment; ///< to be gone to with the next outcome
-    GuardedFile m_file;                  ///< of the work
+    std::optional<ShownMoment> m_moment; ///< shown with the next outcome
+    GuardedFile m_file;                  ///< the file of the work
     DiskWait m_wait;
     GuardQuestions m_questions;
-    bool m_wasCovered = false; ///< before what is handed in
+    bool m_wasCovered = false; ///< before handing in
     QTimer m_draft;
-    /// A lesson that is tried out, and where its work is till then.
+    /// A trial of a lesson, and the work that it interrupts.
     struct Trial {
         QTemporaryDir folder;
         Setup base;
     };
     std::unique_ptr<Trial> m_trial;
     QString m_stateFolder;
-    bool m_isOwn = false; ///< the document is being replaced by a step
+    bool m_isOwn = false; ///< a step is replacing the document
 };
 
 } // namespace sparkout

@@ -37,7 +37,7 @@ QLabel* lessonLabel(QWidget* parent, const char* name) {
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    label->setFocusPolicy(Qt::NoFocus); // read, not used
+    label->setFocusPolicy(Qt::NoFocus); // read-only
     return label;
 }
 
@@ -84,7 +84,7 @@ void LessonPanel::build() {
     buildHead(*layout);
     buildTask();
     auto* scroll = new QScrollArea(this);
-    scroll->setFocusPolicy(Qt::NoFocus); // what stands in it has it
+    scroll->setFocusPolicy(Qt::NoFocus); // its contents have it
     scroll->setWidget(m_taskPage);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
@@ -263,7 +263,7 @@ void LessonPanel::showHints() {
                                  LessonText::tagged(step.hints[i].text)));
         m_hints->addWidget(hint);
     }
-    // What is answered for good, or rightly, needs none.
+    // A final or right answer needs no hints.
     const bool isOver = m_run.mark(m_run.step()) == LessonRun::Mark::passed
                         || (isPrediction(step.goal) && !m_run.isCovered());
     m_takeHint->setVisible(taken < step.hints.size() && !isOver);

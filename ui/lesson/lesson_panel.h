@@ -19,8 +19,8 @@ class AnswerField;
 class LessonRun;
 class MarkupText;
 
-/// A laboratory work as its student has it: aim and theory, the steps with how they stand, the
-/// task, the answer, what was found, and hints, each taken for its price.
+/// A laboratory work for its student: aim and theory, the steps with their states, the task, the
+/// answer, the result, and hints, each for its price.
 class LessonPanel : public QWidget {
     Q_OBJECT
 
@@ -28,14 +28,14 @@ public:
     explicit LessonPanel(LessonRun& run, QWidget* parent = nullptr);
 
     void retranslate();
-    /// What stands here, without a set-up.
+    /// The current contents, without a set-up.
     [[nodiscard]] Answer answer() const;
-    [[nodiscard]] AnswerField* field() const { return m_field; } ///< null: answered by setting
+    [[nodiscard]] AnswerField* field() const { return m_field; } ///< null: answered by settings
 
 signals:
     void handInAsked(const sparkout::Answer& answer);
     void stepAsked(std::size_t step);
-    void edited(); ///< what stands here
+    void edited(); ///< the contents have changed
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -44,7 +44,7 @@ private:
     void build();
     void buildHead(QVBoxLayout& into);
     void buildTask();
-    void showStep(); ///< another step is in front
+    void showStep(); ///< the current step has changed
     void showState();
     void showSteps();
     void showAnswered();
@@ -64,7 +64,7 @@ private:
     MarkupText* m_task;
     QLabel* m_asked;
     AnswerField* m_field = nullptr;
-    QVBoxLayout* m_place = nullptr; ///< of the field
+    QVBoxLayout* m_place = nullptr; ///< place of the field
     QLabel* m_note;
     QPushButton* m_handIn;
     QLabel* m_found;

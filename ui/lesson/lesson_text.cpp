@@ -24,13 +24,13 @@ bool speaksRussian() {
     return QLocale().language() == QLocale::Russian;
 }
 
-/// With so many decimals at most; zeros at the end say nothing.
+/// With at most this number of decimals, without trailing zeros.
 QString withDecimals(double value, int digits) {
     const double scale = std::pow(10.0, digits);
     return printedNumber(std::round(value * scale) / scale);
 }
 
-/// A number stays on the line of its sign, its tolerance and its per cent.
+/// Keeps a number on one line with its sign, tolerance and per cent sign.
 QString bound(QString text) {
     return text.replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))
         .replace(QStringLiteral(" ± "), QStringLiteral("\u00a0±\u00a0"));

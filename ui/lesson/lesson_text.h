@@ -13,12 +13,12 @@ namespace sparkout {
 class LessonText {
     Q_DECLARE_TR_FUNCTIONS(LessonText)
 public:
-    /// In the present language, or the one there is.
+    /// In the current language, or the only one.
     [[nodiscard]] static QString of(const Bilingual& text);
-    /// The same as markup, to be shown by Qt within other markup. A text that no lesson may have,
-    /// as an editor's may be, shows its tags.
+    /// As markup for use within other markup. A text that is invalid in a lesson, possible in an
+    /// editor, shows its tags.
     [[nodiscard]] static QString tagged(const Bilingual& text);
-    /// The same by itself: formulas stand apart.
+    /// As standalone markup: formulas are set apart.
     [[nodiscard]] static QString markup(const Bilingual& text);
 
     /// "Actual feed: zone НЗ, stage 1, double stroke 20".
@@ -26,15 +26,15 @@ public:
     [[nodiscard]] static QString unit(const Figure& figure);
     [[nodiscard]] static QString value(double value, const Figure& figure); ///< with its unit
     [[nodiscard]] static QString place(const Project& project, std::size_t index);
-    /// Where a predicted curve is compared: "5", "Stage 2", "НЗ".
+    /// A place of comparison of a predicted curve: "5", "Stage 2", "НЗ".
     [[nodiscard]] static QString at(const CurvePrediction& goal, double at, const Project& project);
-    /// What it runs along: "Double stroke", "Stage", "Zone".
+    /// Its abscissa: "Double stroke", "Stage", "Zone".
     [[nodiscard]] static QString along(const CurvePrediction& goal, const Project& project);
 
-    /// What is asked for, as the engine holds it: "Cycle time at most 2.500 min; every
-    /// requirement holds." Empty where the task says all.
+    /// The exact requirement: "Cycle time at most 2.500 min; every requirement is met." Empty if
+    /// the task is complete.
     [[nodiscard]] static QString asked(const Goal& goal, const Project& project);
-    /// What the engine found: "Not passed: cycle time 2.610 min, fails: roundness."
+    /// The engine's result: "Not passed: cycle time 2.610 min, not met: roundness."
     [[nodiscard]] static QString found(const Goal& goal, const GoalResult& result);
     [[nodiscard]] static QString points(double points);
     [[nodiscard]] static QString mark(LessonRun::Mark mark);

@@ -12,16 +12,16 @@ class QTextBrowser;
 
 namespace sparkout {
 
-/// The laboratory works that there are, the shipped ones and the user's own, each with its aim,
-/// steps and points.
+/// The available laboratory works, the shipped ones and the user's own, each with its aim, steps
+/// and points.
 class LessonsDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// @param settingsFolder beside which his own stand; empty: he has none
+    /// @param settingsFolder contains the folder of the user's own; empty: none
     explicit LessonsDialog(const QString& settingsFolder, QWidget* parent = nullptr);
 
-    [[nodiscard]] QString chosen() const; ///< path of the lesson; empty: none
+    [[nodiscard]] QString chosen() const; ///< path of the lesson; may be empty
 
     /// Paths of the shipped lessons in the resources, in order.
     [[nodiscard]] static QStringList paths();

@@ -124,7 +124,7 @@ void MarksDialog::build() {
     m_mark = button(tr("&Mark"), "marksMark", [this] { mark(); });
     m_mark->setDefault(true);
     m_stop = button(tr("&Stop"), "marksStop", [this] {
-        m_marking.request_stop(); // what is marked by then is shown
+        m_marking.request_stop(); // the finished part is shown
         m_stop->setEnabled(false);
     });
     m_export = button(tr("&Export CSV…"), "marksExport", [this] { exportCsv(); });
@@ -272,7 +272,7 @@ void MarksDialog::mark() {
          stop = m_marking.get_token()](const std::stop_token&, const NewestJob::Post& post) {
             const ClassWorks works(static_cast<std::size_t>(paths.size()), [&paths](std::size_t i) {
                 const QString& path = paths[static_cast<qsizetype>(i)];
-                QStringList faults; // it is marked as one that cannot be read
+                QStringList faults; // it is marked as unreadable
                 return HandedIn{QFileInfo(path).fileName().toStdString(),
                                 fileContent(path, faults).value_or(std::string())};
             });
@@ -364,7 +364,7 @@ void MarksDialog::dropEvent(QDropEvent* event) {
         }
     }
     event->acceptProposedAction();
-    // Later: the program it was dragged from shall not wait for an answer.
+    // Later: the source of the drag must not wait for an answer.
     QMetaObject::invokeMethod(
         this, [this, paths] { add(paths); }, Qt::QueuedConnection);
 }

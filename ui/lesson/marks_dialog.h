@@ -23,9 +23,9 @@ class CopyTable;
 class Settings;
 class ValueModel;
 
-/// Marks works against their lesson, beside the window, as `sparkout-cli course grade` does. Files
-/// and folders come by buttons or are dropped: lessons, works, the list of students and the
-/// teacher's table of best answers are known by what they are.
+/// Marks works against their lesson in a non-modal window, like `sparkout-cli course grade`. Files
+/// and folders are chosen by buttons or dropped: lessons, works, the list of students and the
+/// teacher's table of best answers are recognised by their contents.
 class MarksDialog : public QDialog {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ public:
     void add(const QStringList& paths);
     void mark();
     [[nodiscard]] const std::vector<GradedWork>& marks() const { return m_marks; }
-    [[nodiscard]] const Lesson& lesson() const { return m_marked; } ///< that they are of
+    [[nodiscard]] const Lesson& lesson() const { return m_marked; } ///< the lesson of the marks
     [[nodiscard]] bool busy() const { return m_isBusy; }
 
 signals:
@@ -66,17 +66,17 @@ private:
     GradeWish m_wish;
     bool m_isBusy = false;
     std::vector<GradedWork> m_marks;
-    Lesson m_marked; ///< what they are of
+    Lesson m_marked; ///< their lesson
     ValueModel* m_model;
     QLabel* m_inputs;
     QPushButton* m_mark = nullptr;
-    QPushButton *m_export = nullptr, *m_book = nullptr; ///< as CSV, as a workbook
+    QPushButton *m_export = nullptr, *m_book = nullptr; ///< buttons for CSV and for a workbook
     QPushButton* m_stop = nullptr;
     QProgressBar* m_progress;
     CopyTable* m_table;
     QTextBrowser* m_detail;
-    std::stop_source m_marking; ///< stopped by the user
-    NewestJob m_job;            ///< last: stopped before what it uses is gone
+    std::stop_source m_marking; ///< to stop by the user
+    NewestJob m_job;            ///< last member: stopped before the objects it uses are destroyed
 };
 
 } // namespace sparkout

@@ -9,10 +9,10 @@
 
 namespace sparkout {
 
-/// The marks of a class: a row a work, the points by step, their sum and what is to be looked at.
+/// The marks of a class: a row for each work, the points by step, their sum and remarks.
 [[nodiscard]] ValueTable marksTable(const Lesson& lesson, const std::vector<GradedWork>& works);
 
-/// What is to be looked at in a work, in one line.
+/// The remarks on a work, on one line.
 [[nodiscard]] QString workRemarks(const GradedWork& work);
 
 } // namespace sparkout

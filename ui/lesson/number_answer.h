@@ -10,7 +10,7 @@ namespace sparkout {
 
 class NumberField;
 
-/// A number said before the run; then the engine's stands below it.
+/// A number predicted before the run; later the engine's is shown below it.
 class NumberAnswer : public AnswerField {
     Q_OBJECT
 

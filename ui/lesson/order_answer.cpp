@@ -86,7 +86,7 @@ void OrderAnswer::fill(const std::vector<std::size_t>& order) {
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
     }
     m_list->setCurrentRow(0);
-    m_list->reset(); // its model was silent
+    m_list->reset(); // its model emitted no signals
     m_list->setCurrentRow(0);
     fitHeight();
 }

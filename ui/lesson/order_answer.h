@@ -10,8 +10,8 @@ class QToolButton;
 
 namespace sparkout {
 
-/// The zones or sections in an order, the largest first, put so by dragging, by buttons or by
-/// Ctrl+Up and Ctrl+Down; then the engine's order stands beside it.
+/// The order of the zones or sections, the largest first, arranged by dragging, by buttons or by
+/// Ctrl+Up and Ctrl+Down; later the engine's order is shown beside it.
 class OrderAnswer : public AnswerField {
     Q_OBJECT
 

@@ -12,17 +12,17 @@ class QSpinBox;
 
 namespace sparkout {
 
-/// Asks once who does a work, and which variant of it.
+/// Asks for the student and the variant of a work.
 class StudentDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// With what was given the last time.
+    /// Begins with the last entries.
     StudentDialog(const Lesson& lesson, const QString& name, const QString& group, QWidget* parent);
 
     [[nodiscard]] QString name() const;
     [[nodiscard]] QString group() const;
-    [[nodiscard]] int variant() const; ///< from 1
+    [[nodiscard]] int variant() const; ///< counted from 1
 
     static constexpr int mostVariants = 100;
 

@@ -33,7 +33,7 @@ TextAnswer::TextAnswer(TextGoal goal, QWidget* parent)
     layout->addWidget(m_text);
     layout->addWidget(m_letters);
     connect(m_text, &QPlainTextEdit::textChanged, this, [this] {
-        if (m_text->toPlainText().size() > longestAnswer) { // more than a file need hold
+        if (m_text->toPlainText().size() > longestAnswer) { // longer than a file should contain
             const QSignalBlocker blocker(m_text);
             m_text->setPlainText(m_text->toPlainText().left(longestAnswer));
         }

@@ -20,7 +20,7 @@ struct AdequacyTable {
     Q_DECLARE_TR_FUNCTIONS(AdequacyTable)
 };
 
-/// To sort by; what is not there comes last.
+/// The sort key; missing values come last.
 template <class Of, class Number>
 CsvCell orNone(const std::optional<Of>& of, Number Of::*number) {
     return of ? CsvCell(static_cast<double>((*of).*number)) : CsvCell(QString());
@@ -55,7 +55,7 @@ std::vector<ValueHead> headsOf() {
          .key = "inside"}};
 }
 
-/// With all its numbers and their digits.
+/// The table with all numbers and their digits.
 CsvTable sheetOf(const Project& project, const std::vector<AdequacyRow>& rows) {
     CsvTable table;
     table.header << AdequacyTable::tr("Quantity") << AdequacyTable::tr("Where");

@@ -9,7 +9,8 @@
 
 namespace sparkout {
 
-/// Measured against predicted: a row a quantity in a zone or section; copied with all its numbers.
+/// Measured and predicted values: a row for each quantity in a zone or section; copied with all its
+/// numbers.
 [[nodiscard]] ValueTable adequacyTable(const Project& project,
                                        const std::vector<AdequacyRow>& rows);
 

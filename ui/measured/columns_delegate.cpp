@@ -37,8 +37,8 @@ void ColumnsDelegate::setModelData(QWidget* editor, QAbstractItemModel* model,
     model->setData(index, static_cast<QComboBox*>(editor)->currentData(), Qt::EditRole);
 }
 
-/// A box hands over each choice at once. At Return the delegate would do so later, when the table
-/// may have been read in another way and the box be gone.
+/// A box passes each choice on at once. At Return the delegate would do so later, when the table
+/// may have been read again and the box deleted.
 bool ColumnsDelegate::eventFilter(QObject* editor, QEvent* event) {
     if (event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();

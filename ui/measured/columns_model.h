@@ -12,8 +12,8 @@
 
 namespace sparkout {
 
-/// How the columns of a table of measurements are read: a row a column, or a key of key-value
-/// lines, each of whose properties is chosen out of a few.
+/// The interpretation of a table's columns: a row for each column, or key of key-value lines, whose
+/// properties have a few choices.
 class ColumnsModel : public TableModel {
     Q_OBJECT
 public:
@@ -24,7 +24,7 @@ public:
     void show(std::vector<ColumnMatch> matches);
     [[nodiscard]] const std::vector<ColumnMatch>& matches() const { return m_matches; }
 
-    /// What a cell may be chosen to be: texts and values; empty: nothing is to be chosen.
+    /// The choices of a cell: texts and values; empty if there is no choice.
     using Choices = std::vector<std::pair<QString, int>>;
     [[nodiscard]] Choices choices(const QModelIndex& cell) const;
     [[nodiscard]] static QString name(int column);
@@ -33,7 +33,7 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 signals:
-    void edited(); ///< by the user
+    void edited(); ///< called after an edit by the user
 
 private:
     [[nodiscard]] int rowsShown() const override { return static_cast<int>(m_matches.size()); }

@@ -38,7 +38,7 @@ namespace sparkout {
 namespace {
 
 constexpr int importWidth = 780, importHeight = 640;
-constexpr int openedRows = 60; ///< of columns whose boxes are always there
+constexpr int openedRows = 60; ///< columns with permanent boxes
 constexpr int faultLines = 4;
 constexpr qsizetype faultsListed = 50;
 
@@ -162,7 +162,7 @@ QWidget* ImportDialog::buildEnd() {
     m_state->setTextFormat(Qt::PlainText);
     m_state->setWordWrap(true);
     m_progress->setObjectName(QStringLiteral("importProgress"));
-    m_progress->setRange(0, 0); // how far it is, is not known
+    m_progress->setRange(0, 0); // the progress is not known
     m_progress->setAccessibleName(tr("Reading"));
     m_progress->setTextVisible(false);
     m_faults->setObjectName(QStringLiteral("importFaults"));
@@ -247,7 +247,7 @@ void ImportDialog::openBoxes() {
     }
 }
 
-/// The line of headings is taken apart in another way: its columns are others.
+/// The line of headings is split differently, so the columns change.
 void ImportDialog::takeDialect() {
     m_table.isKeyValue = m_layout->currentIndex() == 1;
     if (m_table.isKeyValue) {
@@ -390,7 +390,7 @@ bool ImportDialog::replaces() const {
 
 Project ImportDialog::withMeasured(Project project, const ReadMeasured& read, bool replaces) {
     Measured& measured = project.measured ? *project.measured : project.measured.emplace();
-    if (replaces) { // a table of parts leaves the traces, and the other way round
+    if (replaces) { // a table of parts keeps the traces, and the other way round
         if (!read.data.parts.empty()) {
             measured.parts.clear();
         }

@@ -21,20 +21,20 @@ class ColumnsModel;
 class NumberField;
 class ValueModel;
 
-/// How a table of measurements is to be read: its dialect, what its columns hold, and beneath what
-/// comes of that. The whole table is read aside after every change, so that the faults are those of
-/// all its lines.
+/// Options for reading a table of measurements: its dialect and the contents of its columns, with
+/// the result below. The whole table is read in the background after every change, so that all
+/// faults are found.
 class ImportDialog : public QDialog {
     Q_OBJECT
 
 public:
     ImportDialog(MeasuredSource source, const Project& project, QWidget* parent);
 
-    /// Once accepted: what was read, without the refused cells.
+    /// Once accepted: the data without the refused cells.
     [[nodiscard]] const ReadMeasured& read() const { return *m_read; }
-    [[nodiscard]] bool replaces() const; ///< what the project has of the same kind goes
+    [[nodiscard]] bool replaces() const; ///< replaces the project's data of the same kind
 
-    /// A project with what was read.
+    /// A project with the read data.
     [[nodiscard]] static Project withMeasured(Project project, const ReadMeasured& read,
                                               bool replaces);
 
@@ -53,12 +53,12 @@ private:
     void takeRead(const ReadMeasuredPtr& read);
     void showResult();
     [[nodiscard]] QString resultText() const;
-    [[nodiscard]] QString obstacle() const; ///< why it cannot be imported; empty: it can
+    [[nodiscard]] QString obstacle() const; ///< why it cannot be imported; empty if it can
 
     MeasuredSourcePtr m_source;
     Project m_project;
     MeasuredTable m_table;
-    ReadMeasuredPtr m_read; ///< null: it is being read
+    ReadMeasuredPtr m_read; ///< null while reading
     QComboBox *m_layout, *m_delimiter, *m_decimal, *m_first;
     QLabel* m_factorLabel = nullptr;
     NumberField* m_factor; ///< kW to an ampere

@@ -14,8 +14,8 @@ namespace sparkout {
 
 namespace {
 
-constexpr double normalQuartile = 0.6745; ///< of the standard normal law
-constexpr double whiskerReach = 2;        ///< standard deviations, where no extremes are stated
+constexpr double normalQuartile = 0.6745; ///< quartile of the standard normal distribution
+constexpr double whiskerReach = 2;        ///< standard deviations, without given extremes
 
 } // namespace
 
@@ -29,7 +29,7 @@ std::optional<BarBox> MeasuredBoxes::predicted(const PredictedRange& range) {
         const Quartiles& of = *range.quartiles;
         return BarBox{range.least, of.low, of.median, of.high, range.most, predictedKind};
     }
-    if (range.least == range.most && range.count > 0) { // nothing scatters
+    if (range.least == range.most && range.count > 0) { // no scatter
         return BarBox{range.mean, range.mean, range.mean, range.mean, range.mean, predictedKind};
     }
     return std::nullopt;

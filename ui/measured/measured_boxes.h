@@ -11,25 +11,25 @@
 
 namespace sparkout {
 
-/// Measured parts beside the predicted ones as boxes: of the view "Measured", of "Overview" and of
-/// the passport.
+/// Measured and predicted parts as boxes, for the views "Measured" and "Overview" and for the
+/// passport.
 class MeasuredBoxes {
     Q_DECLARE_TR_FUNCTIONS(MeasuredBoxes)
 public:
     enum Kind : std::size_t { predictedKind, measuredKind };
-    static std::vector<BoxKind> kinds(); ///< of a chart, in that order
+    static std::vector<BoxKind> kinds(); ///< kinds of boxes of a chart, in that order
 
     static std::optional<BarBox> predicted(const PredictedRange& range);
-    /// Of listed parts their quartiles; of a summary those of a normal law of its mean and s.
+    /// Quartiles of listed parts; for a summary those of a normal distribution with its mean and s.
     static std::optional<BarBox> measured(const MeasuredStatistics& of);
-    /// A place as a category, on two lines: "RZ1", then of which kind.
+    /// A place as a category, on two lines: "RZ1", then the kind.
     static QString category(const QString& place, Kind kind);
-    static QString summaryRemark(); ///< how the box of a summary is made
+    static QString summaryRemark(); ///< how the box of a summary is computed
 
-    /// One quantity, place beside place; empty where there is nothing to draw.
+    /// One quantity, place by place; empty without data.
     static BarChart chart(const Project& project, const std::vector<AdequacyRow>& rows,
                           MeasuredQuantity quantity);
-    /// Those of which there are rows.
+    /// The quantities with rows.
     static std::vector<MeasuredQuantity> quantities(const std::vector<AdequacyRow>& rows);
 
 private:

@@ -19,10 +19,10 @@ class MeasuredImport : public QObject {
 public:
     MeasuredImport(Document& document, Settings& settings, QWidget* window);
 
-    void importFile(); ///< asks for it
+    void importFile(); ///< asks for the file
     void importFrom(const QString& path);
     void paste();
-    void take(MeasuredSource source); ///< asks how it is to be read
+    void take(MeasuredSource source); ///< asks how to read it
 
 signals:
     void imported();

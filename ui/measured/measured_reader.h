@@ -29,7 +29,7 @@ signals:
 
 private:
     bool m_running = false;
-    NewestJob m_job; ///< the last member: gone before what its work uses
+    NewestJob m_job; ///< last member: destroyed before the objects its work uses
 };
 
 } // namespace sparkout

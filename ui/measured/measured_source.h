@@ -9,9 +9,9 @@
 
 namespace sparkout {
 
-/// The text of a table of measurements, and where it is from.
+/// The text of a table of measurements, and its origin.
 struct MeasuredSource {
-    QString name; ///< of the file; empty: pasted
+    QString name; ///< name of the file; empty: pasted
     TableText text;
 };
 

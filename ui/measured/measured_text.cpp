@@ -18,7 +18,7 @@ namespace sparkout {
 namespace {
 
 const QString noneStated = QStringLiteral("–");
-constexpr qsizetype placesListed = 6; ///< of a quantity, in a sentence
+constexpr qsizetype placesListed = 6; ///< number of places of a quantity listed in a sentence
 
 QString capitalised(QString text) {
     if (!text.isEmpty()) {
@@ -300,7 +300,7 @@ QStringList MeasuredText::holdOut(const Project& project, const std::vector<Hold
     return sentences;
 }
 
-/// What else makes a bias than compliance and force.
+/// Other causes of a bias than compliance and force.
 QStringList MeasuredText::where(const std::vector<AdequacyRow>& rows) {
     const auto isBiased = [&rows](MeasuredQuantity quantity) {
         return std::ranges::any_of(rows, [quantity](const AdequacyRow& row) {

@@ -13,7 +13,7 @@
 
 namespace sparkout {
 
-/// Measured values and what they say of the model, in the present language.
+/// Measured values and their comparison with the model, in the current language.
 class MeasuredText {
     Q_DECLARE_TR_FUNCTIONS(MeasuredText)
 public:
@@ -23,28 +23,28 @@ public:
     static QString brief(MeasuredQuantity quantity);                           ///< "Diameter"
     static QString name(const Project& project, const MeasuredStatistics& of); ///< brief, place
 
-    static QString column(ColumnQuantity quantity); ///< what a column of a table holds
+    static QString column(ColumnQuantity quantity); ///< contents of a column
     static QString unit(ColumnUnit unit);           ///< "mm"; a dash for none
     static QString fault(const CellFault& fault);   ///< "Line 3, column 2: …"
 
-    // Of a comparison, as a table states them; a dash where there is nothing.
+    // A value of a comparison for tables; a dash if it is missing.
     static QString value(double value_um, MeasuredQuantity quantity);
-    static QString width(double width_um, MeasuredQuantity quantity); ///< of an interval
+    static QString width(double width_um, MeasuredQuantity quantity); ///< width of an interval
     static QString mean(const AdequacyRow& row);
     static QString bias(const AdequacyRow& row); ///< "−0.7 ± 0.5 (1.6)"
     static QString predicted(const AdequacyRow& row);
-    static QString scatter(const AdequacyRow& row); ///< F with what it stays between by chance
+    static QString scatter(const AdequacyRow& row); ///< F with its bounds by chance
     static QString share(const AdequacyRow& row);
     static QString verdict(AdequacyVerdict verdict);
     static QString briefVerdict(AdequacyVerdict verdict); ///< a word or two
-    /// What all of them come to, a sentence each: what is so, of which quantities, what follows.
+    /// The overall judgement, in sentences: the finding, the quantities, the consequence.
     static QStringList judgement(const Project& project, const std::vector<AdequacyRow>& rows);
 
-    /// Each comparison with a trace that no calibration used, a sentence.
+    /// A sentence for each comparison with a trace that no calibration used.
     static QStringList holdOut(const Project& project, const std::vector<HoldOutRow>& rows);
 
 private:
-    static QStringList where(const std::vector<AdequacyRow>& rows); ///< to look besides
+    static QStringList where(const std::vector<AdequacyRow>& rows); ///< other possible causes
     /// "Diameter: RZ1, NZ; Ra: RZ1".
     static QString listed(const Project& project, const std::vector<AdequacyRow>& rows,
                           AdequacyVerdict verdict);

@@ -20,7 +20,7 @@ QString textOf(std::string_view cell) {
     return printableText(QString::fromUtf8(cell.substr(0, bytesOfCell)));
 }
 
-/// The cells of a line with what is wrong in them.
+/// The cells of a line with their faults.
 std::vector<ValueCell> cellsOf(const std::vector<std::string_view>& cells,
                                const CellFaults& ofLine) {
     std::vector<ValueCell> shown;

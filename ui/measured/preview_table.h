@@ -8,8 +8,8 @@
 
 namespace sparkout {
 
-/// The first rows of a table of measurements, as they are taken apart, by the lines in which they
-/// begin, with the faults of their cells.
+/// The first rows of a table of measurements as split into cells, by their first lines, with the
+/// faults of the cells.
 [[nodiscard]] ValueTable previewTable(std::string_view text, const MeasuredTable& table,
                                       const CellFaults& faults = {});
 

@@ -14,27 +14,26 @@ namespace sparkout {
 
 class Settings;
 
-/// Makes packs and takes them in.
+/// Exports and imports packs.
 class PackCommands : public QObject {
     Q_OBJECT
 
 public:
     PackCommands(Settings& settings, QWidget* window);
 
-    /// From now on a pack is locked while it is written, and the versions it replaces are kept in
-    /// this folder.
+    /// Locks a pack while writing from now on, and keeps replaced versions in this folder.
     void protect(const QString& stateFolder) { m_file.protect(stateFolder); }
     void exportPack();
     void importPack();
-    void importFile(const QString& path); ///< asks what of it is taken
+    void importFile(const QString& path); ///< asks which parts to apply
 
-    /// Whether a path is one of a pack, by its name.
+    /// Whether a path is that of a pack, by its name.
     [[nodiscard]] static bool isPack(const QString& path);
 
 private:
     Settings& m_settings;
     QWidget* m_window;
-    GuardedFile m_file; ///< that was exported last
+    GuardedFile m_file; ///< last exported pack
     DiskWait m_wait;
     GuardQuestions m_questions;
 };

@@ -37,7 +37,7 @@ namespace sparkout {
 
 namespace {
 
-/// A text cut to so many bytes of UTF-8, no letter in half.
+/// A text cut to this number of UTF-8 bytes, between characters.
 std::string upTo(std::size_t bytes, const QString& text) {
     QString cut = text;
     while (static_cast<std::size_t>(cut.toUtf8().size()) > bytes) {

@@ -22,15 +22,15 @@ namespace sparkout {
 
 class Settings;
 
-/// Chooses what of the user's own goes into a pack.
+/// Selects the user's data for a pack.
 class PackExportDialog : public QDialog {
     Q_OBJECT
 
 public:
     PackExportDialog(Settings& settings, QWidget* parent);
 
-    [[nodiscard]] Pack pack() const; ///< what is chosen
-    /// Adds lessons from files, or says why one is none.
+    [[nodiscard]] Pack pack() const; ///< the selected data
+    /// Adds lessons from files, or shows why a file is not one.
     void addLessons(const QStringList& paths);
 
 private:
@@ -40,7 +40,7 @@ private:
     void chooseLessons();
     void showChosen();
 
-    /// What stands in a line of the tree.
+    /// A line of the tree.
     struct Item {
         QTreeWidgetItem* row;
         std::function<void(Pack&)> put;
@@ -54,7 +54,7 @@ private:
     QLabel* m_state;
     QPushButton* m_save = nullptr;
     std::vector<Item> m_items;
-    QStringList m_files; ///< names of the lessons, each once
+    QStringList m_files; ///< unique names of the lessons
 };
 
 } // namespace sparkout

@@ -113,8 +113,8 @@ QWidget* PackImportDialog::buildLines() {
     m_lines->header()->setStretchLastSection(false);
     m_lines->header()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
     connect(m_lines, &QTreeWidget::currentItemChanged, this, &PackImportDialog::showDifferences);
-    const auto conflict = std::ranges::find(m_plan.lines(), PackPlan::State::different,
-                                            &PackPlan::Line::state); // what there is to decide
+    const auto conflict =
+        std::ranges::find(m_plan.lines(), PackPlan::State::different, &PackPlan::Line::state);
     const bool found = conflict != m_plan.lines().end();
     m_lines->setCurrentItem(
         m_lines->topLevelItem(found ? static_cast<int>(conflict - m_plan.lines().begin()) : 0));

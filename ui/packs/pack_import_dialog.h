@@ -12,14 +12,14 @@ class QTreeWidgetItem;
 
 namespace sparkout {
 
-/// What is in a pack, what the user has of it, and what of it he takes.
+/// The contents of a pack, the user's corresponding data, and the choice of what to apply.
 class PackImportDialog : public QDialog {
     Q_OBJECT
 
 public:
     PackImportDialog(Pack pack, Settings& settings, QWidget* parent);
 
-    void accept() override; ///< does it; stays open with what could not be kept
+    void accept() override; ///< applies it; stays open if something could not be saved
 
 private:
     QWidget* buildHead();

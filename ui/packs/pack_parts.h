@@ -12,7 +12,7 @@
 
 namespace sparkout {
 
-/// What a pack is made of, in the words and types of the window.
+/// The parts of a pack, as texts and types of the window.
 enum class PackPart { machine, wheel, material, company, lesson };
 
 class PackParts {
@@ -24,10 +24,10 @@ public:
     [[nodiscard]] static std::vector<CatalogueEntry> entries(const Pack& pack, PackPart part);
     static void add(const CatalogueEntry& entry, Pack& pack);
 
-    /// The heads of documents that a pack holds, without keys that are not known and without a logo
-    /// that is refused. Its picture is not decoded.
+    /// The document heads of a pack, without unknown keys and without a refused logo. Its picture
+    /// is not decoded.
     [[nodiscard]] static Company company(const Pack& pack);
-    [[nodiscard]] static QString logoFault(const Pack& pack);   ///< empty: its logo is not refused
+    [[nodiscard]] static QString logoFault(const Pack& pack);   ///< empty: its logo is valid
     static void setCompany(const Company& company, Pack& pack); ///< without a refused logo
 
     /// The title of a lesson in the window's language.

@@ -60,7 +60,7 @@ QString freeName(const QString& name, const Taken& isTaken) {
     }
 }
 
-/// The text of a file of the user's; nothing where there is none, or none that can be read.
+/// The text of a file of the user's; empty if it is missing or unreadable.
 std::optional<std::string> textOf(const QString& path) {
     std::variant<std::string, FileError> read;
     runAside([&] { read = readFile(systemPath(path), limits::fileBytes); });
@@ -107,7 +107,7 @@ void PackPlan::addEntries(PackPart part) {
     }
 }
 
-/// As it would stand in the settings: a logo that is refused takes nobody's place.
+/// The company as it would be saved: a refused logo replaces nothing.
 Company PackPlan::packsCompany() const {
     Company packs = PackParts::company(m_pack);
     if (!logoFault().isEmpty()) {
@@ -248,9 +248,9 @@ QString PackPlan::keepLesson(const Line& line) const {
                + ending;
         known.clear();
     }
-    QDir().mkpath(m_lessons); // its failure is the writer's
+    QDir().mkpath(m_lessons); // a failure shows when writing
     GuardedFile file;
-    file.protect({}); // the version it replaces stands beside it
+    file.protect({}); // the replaced version is kept beside it
     if (file.claim(path) == GuardedFile::Access::conflict) {
         return inUseText(path, file.holder());
     }
@@ -262,7 +262,7 @@ QString PackPlan::keepLesson(const Line& line) const {
     return error ? saveErrorText(*error) : QString();
 }
 
-/// The first time that the picture of the pack is decoded: it was chosen.
+/// Decodes the pack's picture for the first time, since it was chosen.
 QString PackPlan::keepCompany(Settings& settings) const {
     Company packs = packsCompany();
     const bool damaged = packs.logo != m_company.logo && !packs.logo.isEmpty()

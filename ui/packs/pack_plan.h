@@ -18,29 +18,29 @@ namespace sparkout {
 
 class Settings;
 
-/// What taking in a pack does, line by line, before it is done: each part is held against what the
-/// user has. Nothing of his is replaced unless he chooses it.
+/// The effects of importing a pack, line by line, before it is done: each part is compared with the
+/// user's data, which are replaced only by choice.
 class PackPlan {
     Q_DECLARE_TR_FUNCTIONS(PackPlan)
 
 public:
     enum class State {
-        fresh,    ///< he has nothing of that name
-        shipped,  ///< the program comes with one of that name, which his then stands before
-        same,     ///< he has the same
-        different ///< he has another of that name
+        fresh,    ///< the user has none with that name
+        shipped,  ///< a shipped one has that name; the user's own has priority
+        same,     ///< the user has the same
+        different ///< the user has another one with that name
     };
-    enum class Choice { leave, take, takeBeside }; ///< the last under a name of its own
+    enum class Choice { leave, take, takeBeside }; ///< the last under a new name
 
     struct Line {
         PackPart part;
-        std::size_t index; ///< among its kind in the pack
+        std::size_t index; ///< index among its kind in the pack
         QString name;
         QString note;
         State state;
         Choice choice;
     };
-    /// A value that he has, and the pack's.
+    /// A value of the user's and that of the pack.
     struct Difference {
         QString what, yours, packs;
     };
@@ -48,15 +48,15 @@ public:
     PackPlan(Pack pack, const Settings& settings);
 
     [[nodiscard]] const Pack& pack() const { return m_pack; }
-    /// Why the logo of the pack is left out, and the user's stays; empty: it is not.
+    /// Why the pack's logo is left out and the user's is kept; empty if it is valid.
     [[nodiscard]] QString logoFault() const { return PackParts::logoFault(m_pack); }
     [[nodiscard]] const std::vector<Line>& lines() const { return m_lines; }
-    [[nodiscard]] std::vector<Choice> choices(std::size_t line) const; ///< that there are
+    [[nodiscard]] std::vector<Choice> choices(std::size_t line) const; ///< the available ones
     void choose(std::size_t line, Choice choice) { m_lines[line].choice = choice; }
-    [[nodiscard]] int chosen() const; ///< lines of which something is taken
+    [[nodiscard]] int chosen() const; ///< number of lines to apply
     [[nodiscard]] std::vector<Difference> differences(std::size_t line) const;
 
-    /// Does it. What could not be kept is said, a sentence a fault; the rest is done all the same.
+    /// Applies the choices. Returns a sentence for each failure, and continues after it.
     [[nodiscard]] QStringList carryOut(Settings& settings);
 
 private:
@@ -72,10 +72,10 @@ private:
 
     Pack m_pack;
     Company m_company; ///< the user's
-    QString m_lessons; ///< the folder of his lessons; empty: he has none
+    QString m_lessons; ///< folder of the user's lessons; may be empty
     std::array<std::unique_ptr<CatalogueStore>, 3> m_stores;
     std::vector<Line> m_lines;
-    /// Hashes of the user's files of the same names as the pack's lessons, in their order; empty:
+    /// Hashes of the user's files with the names of the pack's lessons, in their order; empty if
     /// there is none.
     std::vector<QByteArray> m_known;
 };

@@ -36,7 +36,7 @@ namespace {
 
 enum class BeginWith { copy, traverse, plunge };
 
-/// Place, length and diameter are those of the step; what was given for another place goes.
+/// Place, length and diameter are those of the step; values for another place are removed.
 void putOnStep(Project& project, const PartOutline::Step& step) {
     Part& part = *project.part;
     part.shaft.ground_from_mm = step.from_mm;
@@ -83,7 +83,7 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     m_begin->addItem(tr("a new traverse cycle"), int(BeginWith::traverse));
     m_begin->addItem(tr("a new plunge cycle"), int(BeginWith::plunge));
     const bool travels = state.inFront().project.operation->travels;
-    m_begin->setCurrentIndex( // a drawing of its own, as a new project
+    m_begin->setCurrentIndex( // a drawing of its own, like a new project
         m_begin->findData(int(travels ? BeginWith::traverse : BeginWith::plunge)));
     m_name->setObjectName(QStringLiteral("surfaceName"));
     m_name->setAccessibleName(tr("Name"));
@@ -118,7 +118,7 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     follow();
 }
 
-/// Of the drawing of the surface that is copied, as far as it has it.
+/// Asks which parts of the copied surface's drawing to keep, if it has any.
 void AddSurfaceDialog::askWhatComesAlong() {
     const Part& part = *m_state.inFront().project.part;
     const Tolerance& of = part.tolerance;
@@ -147,7 +147,7 @@ void AddSurfaceDialog::onlyDuplicate() {
     setWindowTitle(tr("Duplicate the surface"));
     m_buttons->acceptButton()->setText(tr("&Duplicate"));
     m_begin->setCurrentIndex(m_begin->findData(int(BeginWith::copy)));
-    m_places->setCurrentRow(m_places->count() - 1); // where the present one is
+    m_places->setCurrentRow(m_places->count() - 1); // at the current place
     m_drawing->hide();
     m_form->setRowVisible(m_begin, false);
     m_form->setRowVisible(m_places, false);
@@ -183,7 +183,8 @@ void AddSurfaceDialog::chooseStep(std::size_t step) {
     }
 }
 
-/// A step that the wheel covers is plunged, a longer one traversed, unless the user says otherwise.
+/// Proposes plunge for a step that the wheel covers and traverse for a longer one, unless the user
+/// has chosen.
 void AddSurfaceDialog::offerOperation() {
     if (const auto at = step(); at && !m_isBeginChosen && !isCopy()) {
         const bool isCovered =

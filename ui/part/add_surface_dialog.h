@@ -21,9 +21,9 @@ namespace sparkout {
 class AnswerButtons;
 class PartDrawing;
 
-/// Asks where on the part a further surface is, which cycle it begins with, and its name; of a copy
-/// also what of the drawing comes along. A step of the shaft gives it place, length and diameter. A
-/// duplicate is a copy that stays in its place.
+/// Asks for the place of a new surface on the part, its initial cycle and its name; for a copy also
+/// which parts of the drawing to keep. A step of the shaft gives place, length and diameter. A
+/// duplicate is a copy at the same place.
 class AddSurfaceDialog : public QDialog {
     Q_OBJECT
 
@@ -33,11 +33,11 @@ public:
     AddSurfaceDialog(const SetupState& state, const QString& name, IsFreeName isFree,
                      std::optional<std::size_t> step, QWidget* parent = nullptr);
 
-    void onlyDuplicate();                        ///< asks for the name and what comes along alone
-    [[nodiscard]] bool hasAnythingToAsk() const; ///< of a copy: a keyway or tolerances
+    void onlyDuplicate();                        ///< asks only for the name and the parts to keep
+    [[nodiscard]] bool hasAnythingToAsk() const; ///< for a copy: a keyway or tolerances
 
     [[nodiscard]] QString name() const;
-    [[nodiscard]] bool isCopy() const; ///< of the surface in front: its cycle stays
+    [[nodiscard]] bool isCopy() const; ///< whether it copies the current surface, keeping its cycle
     [[nodiscard]] Project project() const;
     /// Numbers of its drawing that are yet to be given.
     [[nodiscard]] std::vector<std::string> openInputs() const;
@@ -49,7 +49,7 @@ private:
     void fillPlaces();
     void offerOperation();
     void follow();
-    [[nodiscard]] std::optional<std::size_t> step() const; ///< nothing: where the present one is
+    [[nodiscard]] std::optional<std::size_t> step() const; ///< empty: at the current place
     void chooseStep(std::size_t step);
 
     const SetupState m_state;
@@ -59,9 +59,9 @@ private:
     PartDrawing* m_drawing;
     QListWidget* m_places;
     QComboBox* m_begin;
-    bool m_isBeginChosen = false; ///< by the user
+    bool m_isBeginChosen = false; ///< whether the user chose the beginning
     QLineEdit* m_name;
-    QWidget* m_along; ///< what comes along
+    QWidget* m_along; ///< parts of the drawing to keep
     QCheckBox *m_gaps, *m_deviations, *m_tolerances;
     AnswerButtons* m_buttons;
 };

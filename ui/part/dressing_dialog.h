@@ -10,16 +10,16 @@ class QLabel;
 
 namespace sparkout {
 
-/// The parts between two dressings of a set-up's wheel, for the part as it stands or for the
-/// batches of its surfaces.
+/// The parts between two dressings of a set-up's wheel, for the nominal part or for the batches of
+/// its surfaces.
 class DressingDialog : public QDialog {
     Q_OBJECT
 
 public:
     DressingDialog(Setup setup, QWidget* parent);
 
-    void find(); ///< runs the parts, with their progress and a way to stop
-    /// Closed to edit the wear.
+    void find(); ///< runs the parts, with progress and a way to stop
+    /// Whether the dialog was closed to edit the wear.
     [[nodiscard]] bool wantsWear() const { return m_wantsWear; }
     [[nodiscard]] const DressingInterval& interval() const { return m_interval; }
 

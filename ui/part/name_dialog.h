@@ -9,7 +9,7 @@ class QLineEdit;
 
 namespace sparkout {
 
-/// Asks for the name of a surface, which no other one has.
+/// Asks for a unique name of a surface.
 class NameDialog : public QDialog {
     Q_OBJECT
 

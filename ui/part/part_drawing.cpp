@@ -52,7 +52,7 @@ QSize PartDrawing::minimumSizeHint() const {
     return {leastDrawingWidth, atFontSize(usualDrawingHeight)};
 }
 
-/// The same along the part and across it; the numbers stand above.
+/// The same along the part and across it; the numbers are above.
 double PartDrawing::scale() const {
     const double width = std::max(1, this->width() - 2 * metrics::tight);
     const double height = std::max(1, this->height() - fontMetrics().height() - metrics::tight);
@@ -106,7 +106,7 @@ void PartDrawing::drawSurface(QPainter& painter, std::size_t surface) const {
     painter.drawLine(place.bottomLeft(), place.bottomRight());
 }
 
-/// Those that have no room are left out; the list beside the drawing has them all.
+/// Leaves out numbers that do not fit; the list beside the drawing has them all.
 void PartDrawing::drawNumbers(QPainter& painter) const {
     const double body = scale() * m_outline.diameter_mm;
     const double axis = box(m_outline.steps.front()).center().y();

@@ -11,8 +11,8 @@
 
 namespace sparkout {
 
-/// The part from the side, to scale: its steps in thin lines, what is ground in bold ones with the
-/// number of the surface. A click says where it was: keys choose in the list beside it.
+/// The part from the side, to scale: its steps in thin lines, ground surfaces in bold ones with
+/// their numbers. Clicks report their place; the keyboard uses the list beside it.
 class PartDrawing : public QWidget {
     Q_OBJECT
 
@@ -20,11 +20,11 @@ public:
     explicit PartDrawing(QWidget* parent = nullptr);
 
     void setOutline(PartOutline outline);
-    void setPresent(std::optional<std::size_t> surface); ///< drawn as the one in front
-    void setChosenStep(std::optional<std::size_t> step); ///< where one is to be added
-    void setTips(QStringList tips);                      ///< by surface
+    void setPresent(std::optional<std::size_t> surface); ///< drawn as the current one
+    void setChosenStep(std::optional<std::size_t> step); ///< where a surface is to be added
+    void setTips(QStringList tips);                      ///< tool tips of the surfaces
     [[nodiscard]] const PartOutline& outline() const { return m_outline; }
-    [[nodiscard]] double xOf(double place_mm) const; ///< in the widget
+    [[nodiscard]] double xOf(double place_mm) const; ///< in widget coordinates
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 

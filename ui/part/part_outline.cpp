@@ -10,7 +10,7 @@ namespace sparkout {
 namespace {
 
 constexpr double mostTakenOfStep = 0.5; ///< of a step that counts as free
-constexpr double bushWall = 1.5; ///< of a bush whose body is not given: its diameter to the bore's
+constexpr double bushWall = 1.5; ///< ratio of diameter to bore for a bush without a given body
 
 double commonLength_mm(const PartOutline::Step& a, const PartOutline::Step& b) {
     return std::min(a.to_mm(), b.to_mm()) - std::max(a.from_mm, b.from_mm);

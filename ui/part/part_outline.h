@@ -9,10 +9,10 @@
 
 namespace sparkout {
 
-/// The part of a set-up as it is drawn from the side: the steps of its body, and what is ground.
+/// The part of a set-up as drawn from the side: the steps of its body, and the ground surfaces.
 struct PartOutline {
     struct Step {
-        double from_mm = 0; ///< from the headstock end
+        double from_mm = 0; ///< distance from the headstock end
         double length_mm = 0;
         double diameter_mm = 0;
 
@@ -22,9 +22,9 @@ struct PartOutline {
         bool isInternal = false;
     };
 
-    std::vector<Step> steps;      ///< from the headstock on; those of the drawing
+    std::vector<Step> steps;      ///< from the headstock; those of the drawing
     std::vector<Ground> surfaces; ///< in the order of the set-up
-    bool hasSteps = false;        ///< else the body is made up around what is ground
+    bool hasSteps = false;        ///< false: the body is assumed around the ground surfaces
     double length_mm = 0;
     double diameter_mm = 0; ///< the largest
 

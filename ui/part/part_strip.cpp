@@ -28,9 +28,9 @@ namespace sparkout {
 
 namespace {
 
-constexpr int leastOnTab = 6; ///< letters of a name; with less of it a tab has its number alone
+constexpr int leastOnTab = 6; ///< least letters of a name; below, a tab has only its number
 
-/// The widest that texts may be so that all of them fit into a room: short ones leave theirs over.
+/// The greatest width of texts with which all fit; short ones leave their surplus to the others.
 int widestOf(std::vector<int> widths, int room) {
     std::ranges::sort(widths);
     auto left = static_cast<int>(widths.size());
@@ -223,7 +223,7 @@ void PartStrip::changeEvent(QEvent* event) {
     QFrame::changeEvent(event);
 }
 
-/// The menu of a tab is that of its surface.
+/// Shows the menu of a tab's surface.
 bool PartStrip::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_tabs && event->type() == QEvent::ContextMenu) {
         const auto* asked = static_cast<QContextMenuEvent*>(event);

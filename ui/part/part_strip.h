@@ -16,18 +16,18 @@ class Document;
 class PartDrawing;
 class PartRuns;
 
-/// The surfaces of the set-up above the views: the part drawn to scale, and a tab for each of them
-/// in the order of grinding with its light. It is there while there are several.
+/// The surfaces of the set-up above the views: the part drawn to scale, and a tab for each surface
+/// in the order of grinding with its light. Shown for several surfaces.
 class PartStrip : public QFrame {
     Q_OBJECT
 
 public:
     PartStrip(Document& document, const PartRuns& runs, QWidget* parent = nullptr);
 
-    void setActions(const QList<QAction*>& actions); ///< of the menu at its end
+    void setActions(const QList<QAction*>& actions); ///< actions of the menu at its end
     void retranslate();
     void follow();                ///< the document
-    void tellResults(bool tells); ///< lights, margins and times, or names alone
+    void tellResults(bool tells); ///< lights, margins and times, or only names
     [[nodiscard]] QTabBar& tabs() { return *m_tabs; }
     [[nodiscard]] PartDrawing& drawing() { return *m_drawing; }
 
@@ -43,7 +43,7 @@ protected:
 
 private:
     void showStatuses();
-    void nameTabs(); ///< in full where there is room, else by their numbers
+    void nameTabs(); ///< full names if they fit, otherwise numbers
     [[nodiscard]] QString tip(std::size_t surface) const;
 
     Document& m_document;
@@ -53,7 +53,7 @@ private:
     QToolButton* m_whole; ///< time and verdict of the part
     QToolButton* m_menu;
     bool m_following = false;
-    bool m_tells = true; ///< what the runs said
+    bool m_tells = true; ///< shows results
 };
 
 } // namespace sparkout

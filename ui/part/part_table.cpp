@@ -27,7 +27,7 @@ struct PartTable {
     Q_DECLARE_TR_FUNCTIONS(PartTable)
 };
 
-/// With its unit; minutes for a spreadsheet.
+/// With its unit; in minutes for a spreadsheet.
 ValueCell minutesCell(const std::optional<double>& time_s) {
     constexpr int digits = 4;
     return ValueCell::of(time_s ? std::optional(*time_s / units::secondsPerMinute) : std::nullopt,
@@ -85,7 +85,7 @@ QString requirementName(const std::vector<SurfaceStatus>& statuses, ConstraintKi
     return *unit ? PartTable::tr("%1, %2").arg(name, unitText(unit)) : name;
 }
 
-/// "12.3 / 25" beside its light; what is not decided is not shown as what is known to hold.
+/// "12.3 / 25" beside its light; undecided values look different from those known to be met.
 ValueCell requirementCell(const SurfaceStatus& status, ConstraintKind kind) {
     const auto found = std::ranges::find(status.requirements, kind, &ConstraintResult::kind);
     if (found == status.requirements.end()) {

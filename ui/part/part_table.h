@@ -11,7 +11,7 @@
 
 namespace sparkout {
 
-/// What the searches and batches of the surfaces came to, by the ids of the surfaces.
+/// The results of the searches and batches of the surfaces, by the ids of the surfaces.
 struct PartStudies {
     std::map<int, SurfaceStudyPtr> searches, batches;
 
@@ -21,14 +21,14 @@ struct PartStudies {
 
 enum class PartColumn { surface, diameter, time, verdict, margin, search, batch };
 
-/// A row a surface: diameter, cycle time, verdict and least margin; behind them, once it was run,
-/// what its search and its batch came to.
+/// A row for each surface: diameter, cycle time, verdict and least margin, followed by the results
+/// of its search and batch, if they were run.
 [[nodiscard]] ValueTable partTable(const SetupState& state,
                                    const std::vector<SurfaceStatus>& statuses,
                                    const PartStudies& studies);
 
 /// The surfaces side by side: a column for each, a row for the cycle time and for every requirement
-/// that any of them has, with value and limit at its worst place.
+/// of any surface, with value and limit at its worst place.
 [[nodiscard]] ValueTable surfaceComparison(const SetupState& state,
                                            const std::vector<SurfaceStatus>& statuses);
 

@@ -172,7 +172,7 @@ void PartWindow::fitTables() {
 
 void PartWindow::showTables() {
     const SetupState& state = m_document.state();
-    if (m_runs.statuses().size() == state.surfaces.size()) { // else they follow in a moment
+    if (m_runs.statuses().size() == state.surfaces.size()) { // otherwise they follow soon
         m_model->update(partTable(state, m_runs.statuses(), m_studies));
         m_compared->update(surfaceComparison(state, m_runs.statuses()));
         fitTables();
@@ -194,7 +194,8 @@ void PartWindow::follow() {
         areCompleted = areCompleted && status.isCompleted();
         cycles_min += status.time_s / units::secondsPerMinute;
     }
-    // The surface to speak of first: one that is not computed, else the state that comes first.
+    // The surface to report first: one that is not computed, otherwise the one with the first
+    // state.
     const auto worst = std::ranges::min_element(statuses, {}, [](const SurfaceStatus& status) {
         return status.ran() ? status.judgement.state : JudgedState::notComputed;
     });
@@ -225,12 +226,12 @@ void PartWindow::showStudies() {
     m_progress->setVisible(runs);
     const bool isOld = !m_studies.empty() && !runs && !isCurrent();
     m_state->setText(isOld ? tr("The inputs have changed since the batch and the search were run.")
-                     : m_stopped ? tr("Stopped; what was done until then is shown.")
+                     : m_stopped ? tr("Stopped; partial results are shown.")
                                  : QString());
     m_state->setVisible(!m_state->text().isEmpty());
 }
 
-/// What was run of other inputs goes.
+/// Removes results for other inputs.
 void PartWindow::begin() {
     if (!isCurrent()) {
         m_found.clear();
@@ -264,7 +265,7 @@ void PartWindow::takeOver() {
         auto surface = std::make_shared<SurfaceState>(*state.surfaces[study->surface]);
         Project& project = surface->project;
         if (!project.optimisation) {
-            project = usualSearch(std::move(project)); // what the cycle was found by
+            project = usualSearch(std::move(project)); // the search that found the cycle
         }
         project = withFound(std::move(project), *study->search->answer());
         state.surfaces[study->surface] = std::move(surface);

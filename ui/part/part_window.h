@@ -22,13 +22,13 @@ class PartRuns;
 class SurfaceBars;
 class ValueModel;
 
-/// The whole part beside the workbench: verdict and times of all surfaces, their comparison, and
-/// the batches and searches of all of them.
+/// The window of the whole part: verdict and times of all surfaces, their comparison, and batches
+/// and searches of all of them.
 class PartWindow : public QDialog {
     Q_OBJECT
 
 public:
-    /// @param ticks  what is ticked for a search
+    /// @param ticks  the ticked options of a search
     PartWindow(Document& document, const PartRuns& runs, std::function<SearchTicks()> ticks,
                QWidget* parent = nullptr);
 
@@ -44,15 +44,15 @@ protected:
 
 private:
     void build();
-    void fitTables(); ///< as high as they are: the page scrolls
+    void fitTables(); ///< to their full height, since the page scrolls
     void showTables();
     void follow();
     void showStudies();
     void begin();
     void startBatches();
     void startSearches();
-    void takeOver(); ///< the cycles found and the searches added for them, one step of the history
-    [[nodiscard]] bool isCurrent() const; ///< the studies are of the inputs of now
+    void takeOver();                      ///< applies the found cycles, as one step of the history
+    [[nodiscard]] bool isCurrent() const; ///< the studies belong to the current inputs
 
     Document& m_document;
     const PartRuns& m_runs;
@@ -74,7 +74,7 @@ private:
     std::vector<SurfaceStudyPtr> m_found; ///< searches with an answer, …
     std::vector<SurfaceStatePtr> m_of;    ///< … of these surfaces
     bool m_stopped = false;
-    PartStudy m_study; ///< last: stopped before what it reports to is gone
+    PartStudy m_study; ///< last member: stopped before the objects it reports to are destroyed
 };
 
 } // namespace sparkout

@@ -20,7 +20,7 @@ QString shownTime(double value) {
     return printedNumber(value, timeTextDigits);
 }
 
-/// A sum of seconds is short to read; the time itself is in minutes.
+/// A short sum of seconds; the time itself is in minutes.
 QString auxiliaryLine(const SetupTimes& times, std::size_t surfaces, const PieceTime& piece) {
     if (times.auxiliary_min) {
         return PieceTimeText::tr("T_a = %1 min, as given").arg(shownTime(piece.auxiliary_min));

@@ -9,7 +9,7 @@
 
 namespace sparkout {
 
-/// The times of a part with their formulas and the numbers put in, a line each.
+/// The times of a part with their formulas and numbers, one per line.
 [[nodiscard]] QString pieceTimeText(const SetupTimes& times, std::size_t surfaces,
                                     std::optional<double> cycles_min);
 

@@ -11,10 +11,10 @@ namespace sparkout {
 /// The headline of its judgement; "inputs refused", "not run".
 [[nodiscard]] QString statusText(const SurfaceStatus& status);
 
-/// The requirement to speak of first and its margin: "Roundness +1.2 µm"; empty: not run.
+/// The requirement to report first, with its margin: "Roundness +1.2 µm"; empty: not run.
 [[nodiscard]] QString worstText(const SurfaceStatus& status);
 
-/// The mark of its judgement; what was not run has a ring, refused inputs a cross.
+/// The mark of its judgement: a ring if it was not run, a cross for refused inputs.
 [[nodiscard]] QPixmap statusPixmap(const SurfaceStatus& status, int size, qreal ratio);
 
 } // namespace sparkout

@@ -22,7 +22,7 @@ public:
     explicit SurfaceBars(QWidget* parent = nullptr);
 
     void setPart(const SetupState& state, const std::vector<SurfaceStatus>& statuses);
-    void retranslate(); ///< the names alone; setPart() follows
+    void retranslate(); ///< only the names; setPart() follows
 
     [[nodiscard]] static BarChart chartOf(const SetupState& state,
                                           const std::vector<SurfaceStatus>& statuses);

@@ -19,7 +19,7 @@ class TimesDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `cycles_min` is the time of all cycles together; nothing: not all of them end at size.
+    /// `cycles_min` is the time of all cycles together; empty: not all of them end at size.
     TimesDialog(const SetupTimes& times, const WheelWear& wear, std::size_t surfaces,
                 std::optional<double> cycles_min, QWidget* parent = nullptr);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pdf/pdf_attachment.h"
 
-#define POINTERHOLDER_TRANSITION 4 // libqpdf with std::shared_ptr alone
+#define POINTERHOLDER_TRANSITION 4 // libqpdf with std::shared_ptr only
 #include <qpdf/Pipeline.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFEFStreamObjectHelper.hh>
@@ -15,7 +15,7 @@ namespace sparkout {
 
 namespace {
 
-/// Takes no more than so many bytes, whatever a stream unpacks to.
+/// Accepts at most this number of bytes from an unpacked stream.
 class LimitedBuffer : public Pipeline {
 public:
     explicit LimitedBuffer(qsizetype most) : Pipeline("attachment", nullptr), m_most(most) {}
@@ -66,7 +66,7 @@ std::optional<PdfAttachment> attachmentOf(const QByteArray& pdf, const QString& 
             return PdfAttachment{name, buffer.data(),
                                  QString::fromStdString(file->getDescription())};
         }
-    } catch (const std::exception&) { // of libqpdf, or too long
+    } catch (const std::exception&) { // by libqpdf, or too long
     }
     return std::nullopt;
 }

@@ -10,18 +10,18 @@ class QPDF;
 
 namespace sparkout {
 
-/// A file that a PDF carries with it [ISO 32000-1, 7.11.4].
+/// A file attached to a PDF [ISO 32000-1, 7.11.4].
 struct PdfAttachment {
     QString name; ///< "shaft.sparkout"
     QByteArray data;
-    QString description; ///< what readers say beside the name
+    QString description; ///< shown by readers beside the name
 };
 
-/// Throws what libqpdf throws.
+/// Throws the exceptions of libqpdf.
 void putAttachment(QPDF& document, const PdfAttachment& attachment);
 
-/// The first attachment of a PDF whose name ends so; nothing where there is none, where it is
-/// longer than `mostBytes`, and where the file is no PDF.
+/// The first attachment of a PDF whose name has this suffix; empty if there is none, if it is
+/// longer than `mostBytes`, or if the file is not a PDF.
 [[nodiscard]] std::optional<PdfAttachment> attachmentOf(const QByteArray& pdf,
                                                         const QString& ending, qsizetype mostBytes);
 

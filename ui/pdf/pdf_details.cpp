@@ -3,7 +3,7 @@
 
 #include "ui/pdf/pdf_tags.h"
 
-#define POINTERHOLDER_TRANSITION 4 // libqpdf with std::shared_ptr alone
+#define POINTERHOLDER_TRANSITION 4 // libqpdf with std::shared_ptr only
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFExc.hh>
@@ -43,7 +43,7 @@ void putProperties(QPDF& document, const PdfDetails& details) {
                         "D:" + details.date.toString(QStringLiteral("yyyyMMdd")).toStdString()));
 }
 
-/// So that it is read aloud rightly, and its window is named by the title.
+/// Sets the language for reading aloud, and the title as the window's name.
 void putLanguage(QPDF& document, const QString& language) {
     QPDFObjectHandle root = document.getRoot();
     if (!language.isEmpty()) {
@@ -65,7 +65,7 @@ void putOutline(QPDF& document, const std::vector<Bookmark>& bookmarks) {
         QPDFObjectHandle place = QPDFObjectHandle::newArray();
         place.appendItem(page);
         place.appendItem(QPDFObjectHandle::newName("/XYZ"));
-        place.appendItem(QPDFObjectHandle::newNull()); // the left edge and the zoom stay
+        place.appendItem(QPDFObjectHandle::newNull()); // the left edge and the zoom are unchanged
         place.appendItem(QPDFObjectHandle::newReal(std::max(0.0, height - bookmark.y_pt), 2));
         place.appendItem(QPDFObjectHandle::newNull());
         QPDFObjectHandle item = QPDFObjectHandle::newDictionary();
@@ -89,8 +89,8 @@ void putOutline(QPDF& document, const std::vector<Bookmark>& bookmarks) {
     document.getRoot().replaceKey("/PageMode", QPDFObjectHandle::newName("/UseOutlines"));
 }
 
-/// Qt says of the glyph of the space that it is a tabulator, which has the same one: the first of
-/// the characters in its table. What is copied or read aloud has spaces.
+/// Qt maps the glyph of the space to the tabulator, which shares it and comes first in the table.
+/// This corrects copied and spoken text.
 void putSpaces(QPDF& document) {
     for (QPDFObjectHandle& object : document.getAllObjects()) {
         if (!object.isDictionary() || !object.hasKey("/ToUnicode")) {
@@ -113,8 +113,8 @@ void putSpaces(QPDF& document) {
     }
 }
 
-/// Six letters before the name of a font say that a part of it is embedded [ISO 32000-1, 9.6.4].
-/// Qt's are of the number of an object, which each start of the program gives to another font.
+/// Six letters before the name of a font mark an embedded subset [ISO 32000-1, 9.6.4]. Qt derives
+/// them from the number of an object, which differs between starts of the program.
 void putFontMarks(QPDF& document) {
     std::multimap<std::string, QPDFObjectHandle> fonts; // by their names
     for (QPDFObjectHandle& object : document.getAllObjects()) {
@@ -176,8 +176,7 @@ QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details,
         if (!details.structure.isEmpty()) {
             putTags(document, details.structure, stopIfAsked);
         }
-        // Objects that are not packed are numbered from the root on, whichever numbers Qt gave
-        // them.
+        // Unpacked objects are numbered from the root on, whatever numbers Qt gave them.
         const auto numbered = written(document, qpdf_o_disable, stopIfAsked);
         QPDF ordered;
         ordered.setSuppressWarnings(true);
@@ -187,7 +186,7 @@ QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details,
         const auto bytes = written(ordered, qpdf_o_generate, stopIfAsked);
         return {reinterpret_cast<const char*>(bytes->getBuffer()),
                 static_cast<qsizetype>(bytes->getSize())};
-    } catch (const std::exception&) { // of libqpdf: what it cannot read it throws; Stopped
+    } catch (const std::exception&) { // by libqpdf, for unreadable files; Stopped
         return {};
     }
 }

@@ -12,27 +12,28 @@
 #include <optional>
 #include <vector>
 
-/// What a PDF by Qt lacks: an outline, tags, and the author and the subject among its properties.
+/// Details that a PDF by Qt lacks: an outline, tags, and the author and the subject among its
+/// properties.
 namespace sparkout {
 
 /// An entry of the outline.
 struct Bookmark {
     QString text;
-    int page = 0;    ///< from 0
+    int page = 0;    ///< counted from 0
     double y_pt = 0; ///< from the top edge of the paper
 };
 
 struct PdfDetails {
-    QString title, author, subject, creator; ///< an empty one is left out
-    QString language;                        ///< of the whole document: "ru"
+    QString title, author, subject, creator; ///< empty ones are left out
+    QString language;                        ///< language of the whole document: "ru"
     QDate date;
     std::vector<Bookmark> outline; ///< in the order of the pages
     PdfStructure structure = {};   ///< its marks are painted; empty: the document is not tagged
     std::optional<PdfAttachment> attachment = {};
 };
 
-/// The same document with its details; the same bytes for the same details. Empty when `pdf` is no
-/// whole document, and where `goesOn`, asked page by page, says no.
+/// The document with its details; equal details give equal bytes. Empty if `pdf` is not a complete
+/// document, or if `goesOn`, called for each page, returns false.
 [[nodiscard]] QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details,
                                      const std::function<bool()>& goesOn = {});
 

@@ -20,7 +20,7 @@ void PdfStructure::placeBoxes(double scale, const QPointF& origin_pt) {
     }
 }
 
-/// Without a transform and a clip, so that what follows begins with a state of its own.
+/// Without a transform and a clip, so that the following content begins with its own state.
 void PdfStructure::mark(QPainter& painter, Id id) {
     painter.save();
     painter.resetTransform();

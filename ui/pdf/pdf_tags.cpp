@@ -3,7 +3,7 @@
 
 #include "ui/pdf/pdf_structure.h"
 
-#define POINTERHOLDER_TRANSITION 4 // libqpdf with std::shared_ptr alone
+#define POINTERHOLDER_TRANSITION 4 // libqpdf with std::shared_ptr only
 #include <qpdf/Pl_Buffer.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFObjectHandle.hh>
@@ -23,12 +23,12 @@ namespace {
 using Token = QPDFTokenizer::Token;
 using Id = PdfStructure::Id;
 
-/// Of an element on one page; its number there is its place in the list.
+/// The elements on one page; the number of each is its index.
 using MarkedContent = std::vector<Id>;
 
-/// Puts marked content in the place of the marks of one page. Qt writes a page as "q … q … Q q …
-/// Q Q": the outer level has the clip, which a mark has none of, the inner one all else. A sequence
-/// begins and ends where both are closed, so that it holds whole levels.
+/// Replaces the marks of one page by marked content. Qt writes a page as "q … q … Q q … Q Q": the
+/// outer level has the clip, which a mark does not have, the inner one everything else. A sequence
+/// begins and ends outside both, so that it contains whole levels.
 class MarksToContent : public QPDFObjectHandle::TokenFilter {
 public:
     explicit MarksToContent(const PdfStructure& structure) : m_structure(structure) {}
@@ -80,7 +80,7 @@ private:
         }
         m_operation.clear();
     }
-    /// The element of the last mark begins, where it is not the same as before.
+    /// Begins the element of the last mark, if it has changed.
     void begin() {
         if (!m_pending) {
             return;
@@ -109,9 +109,9 @@ private:
 
     const PdfStructure& m_structure;
     std::vector<Token> m_operation; ///< up to its name
-    std::vector<double> m_numbers;  ///< of its operands
+    std::vector<double> m_numbers;  ///< numbers among its operands
     int m_depth = 0;
-    bool m_isMark = false; ///< the rectangle was taken out, how it is filled is still to come
+    bool m_isMark = false; ///< the rectangle was removed, its fill operator follows
     bool m_isOpen = false;
     std::optional<Id> m_pending;
     Id m_current = 0;
@@ -128,7 +128,7 @@ public:
         }
     }
 
-    /// What a page has of the elements, in its order.
+    /// Adds a page's parts of the elements, in their order.
     void addContent(QPDFObjectHandle& page, const MarkedContent& content) {
         for (std::size_t number = 0; number < content.size(); ++number) {
             QPDFObjectHandle& element = m_objects[content[number]];
@@ -153,7 +153,7 @@ public:
         }
     }
 
-    /// The root; elements that no page shows anything of are left out, empty cells are not.
+    /// The root; without elements that no page shows, but with empty cells.
     QPDFObjectHandle finished(QPDF& document) {
         QPDFObjectHandle root =
             document.makeIndirectObject(QPDFObjectHandle::parse("<< /Type /StructTreeRoot >>"));
@@ -198,7 +198,7 @@ private:
                               QPDFObjectHandle::parse("<< /O /Table /ColSpan "
                                                       + std::to_string(element.span) + " >>"));
         } else if (element.box && object.hasKey("/Pg")) {
-            // Points from the upper left corner to points from the lower left one.
+            // Converts points from the upper left corner to the lower left one.
             const double height =
                 object.getKey("/Pg").getKey("/MediaBox").getArrayItem(3).getNumericValue();
             QPDFObjectHandle attributes = QPDFObjectHandle::parse("<< /O /Layout >>");
@@ -210,7 +210,7 @@ private:
     }
 
     const PdfStructure& m_structure;
-    std::vector<QPDFObjectHandle> m_objects; ///< by number; the first ones, of artifacts, are none
+    std::vector<QPDFObjectHandle> m_objects; ///< by number; the first ones, of artifacts, are empty
     std::vector<bool> m_shown;
 };
 

@@ -10,8 +10,8 @@ namespace sparkout {
 class PdfStructure;
 
 /// Tags a document whose pages were painted with the structure's marks: the marks become marked
-/// content, the elements a structure tree. Throws where a mark does not stand as Qt paints it, and
-/// what libqpdf throws. `afterPage` may throw as well.
+/// content, the elements a structure tree. Throws if a mark is not as Qt paints it, and the
+/// exceptions of libqpdf. `afterPage` may throw as well.
 void putTags(QPDF& document, const PdfStructure& structure, const std::function<void()>& afterPage);
 
 } // namespace sparkout

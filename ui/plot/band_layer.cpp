@@ -12,16 +12,16 @@ namespace sparkout {
 
 namespace {
 constexpr double nameGap = 4;
-constexpr double namePad = 2;   ///< of a name's coloured box, to both sides
+constexpr double namePad = 2;   ///< padding of a name's box, on both sides
 constexpr double leastBand = 2; ///< narrower bands are not named [px]
 } // namespace
 
-/// A visible band and the room its name takes.
+/// A visible band and the place of its name.
 struct BandLayer::Name {
     double from, to;  ///< the band's pixels
-    double width;     ///< of the box
-    double left = 0;  ///< of the box, once placed
-    const Band* band; ///< whose name it is
+    double width;     ///< width of the box
+    double left = 0;  ///< left edge of the box, once placed
+    const Band* band; ///< the named band
     const QString* text;
 
     [[nodiscard]] bool touchesBand() const { return left < to && left + width > from; }
@@ -59,7 +59,7 @@ void BandLayer::draw(QCPPainter* painter) {
     const QRectF area = m_rect->rect();
     painter->setPen(Qt::NoPen);
     for (std::size_t i = 0; i < m_bands.size();) {
-        // Neighbours of one colour are one: each rectangle takes Qt a change of threads.
+        // Merges neighbours of one colour: each rectangle costs Qt a change of threads.
         const Band& first = m_bands[i];
         double end = first.to;
         for (++i; i < m_bands.size() && m_bands[i].from == end && m_bands[i].colour == first.colour;
@@ -97,8 +97,8 @@ std::vector<BandLayer::Name> BandLayer::namesIn(const QRectF& area, bool brief) 
 
 namespace {
 
-/// Puts the boxes side by side, each as near to the middle of its band as the others let it. The
-/// index of the first that lost its band, or nothing when all are well.
+/// Puts the boxes side by side, each as near as possible to the middle of its band. Returns the
+/// index of the first that does not touch its band; empty if all do.
 template <typename Names>
 std::optional<std::size_t> place(Names& names, const QRectF& area) {
     double free = area.left();

@@ -8,12 +8,12 @@
 
 namespace sparkout {
 
-/// A coloured stretch of the horizontal axis with its name.
+/// A coloured interval of the horizontal axis with its name.
 struct Band {
-    double from = 0, to = 0; ///< in the axis' unit
+    double from = 0, to = 0; ///< in the unit of the axis
     QColor colour;
     QString name;    ///< "stage 1", drawn above the axis rect
-    QString brief;   ///< "st. 1", where the names are too long; empty: there is none
+    QString brief;   ///< "st. 1", used if names are too long; may be empty
     QString meaning; ///< "E1: plunge-in", for tooltips
 };
 
@@ -22,8 +22,8 @@ struct Band {
                             int middleAlpha = 38);
 
 /// Draws bands behind the curves of one axis rect, and their names in one line of its upper margin,
-/// where they cover no data. A name keeps touching its band and has its colour; where not all names
-/// fit, the brief ones are tried, then the narrowest bands go without.
+/// where they cover no data. A name always touches its band and has its colour; where not all names
+/// fit, the brief names are tried, then the narrowest bands have none.
 class BandLayer : public PaintedLayer {
     Q_OBJECT
 public:

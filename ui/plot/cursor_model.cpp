@@ -74,7 +74,7 @@ QString CursorModel::valueText(const Row& row, int column) const {
 }
 
 QVariant CursorModel::cell(int line, int column, int role) const {
-    const Row& row = m_rows[static_cast<std::size_t>(line) + 1]; // the places stand above
+    const Row& row = m_rows[static_cast<std::size_t>(line) + 1]; // row 0 has the places
     if (role == Qt::DisplayRole) {
         return column == 0 ? row.name : valueText(row, column - 1);
     }

@@ -9,8 +9,8 @@
 
 namespace sparkout {
 
-/// What the two cursors of a plot read: a row a curve, below their places; at A, at B and B − A,
-/// for each zone, section or run.
+/// The readings of a plot's two cursors: a row for each curve, below their places; columns at A, at
+/// B and for B − A, for each zone, section or run.
 class CursorModel : public TableModel {
     Q_OBJECT
 public:
@@ -35,7 +35,7 @@ private:
     struct Row {
         QString name;
         Digits digits = Digits::hundredths;
-        bool place = false; ///< of the cursors
+        bool place = false; ///< the row of the cursors' places
         std::vector<std::optional<double>> values;
     };
     [[nodiscard]] QString header(int section, QChar between) const;

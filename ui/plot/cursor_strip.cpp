@@ -24,7 +24,7 @@ namespace {
 
 constexpr int mostRows = 8, leastRows = 1; ///< visible
 
-/// As high as its rows, up to some; the others are scrolled to.
+/// A table as high as its rows, up to a limit; then it scrolls.
 class ReadingTable : public CopyTable {
 public:
     using CopyTable::CopyTable;
@@ -94,7 +94,7 @@ void CursorStrip::build() {
     }
     m_difference->setObjectName(QStringLiteral("cursorDifference"));
     m_difference->setTextFormat(Qt::PlainText);
-    m_difference->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // only what is left
+    m_difference->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     row->addSpacing(metrics::gap);
     row->addWidget(m_difference, 1);
     column->addLayout(row);
@@ -150,7 +150,7 @@ void CursorStrip::fill() {
     }
 }
 
-/// As much of it as there is room for; the tool tip has all.
+/// Shows as much as fits; the tool tip has the complete text.
 void CursorStrip::showDifference() {
     const QString text = m_difference->toolTip();
     m_difference->setText(
@@ -164,7 +164,7 @@ void CursorStrip::resizeEvent(QResizeEvent* event) {
     showDifference();
 }
 
-/// The first field's that is marked.
+/// Shows the reason of the first marked field.
 void CursorStrip::showReason() {
     for (const std::size_t cursor : {std::size_t{0}, std::size_t{1}}) {
         Remark remark = m_fields[cursor]->remark();

@@ -16,7 +16,8 @@ class NumberField;
 class PlotCursors;
 class ReasonLabel;
 
-/// Below a plot whose cursors are shown: their places to type, and what the curves are there.
+/// The strip below a plot with cursors: fields for their places, and the values of the curves
+/// there.
 class CursorStrip : public QWidget {
     Q_OBJECT
 public:
@@ -31,14 +32,14 @@ protected:
 
 private:
     void build();
-    void follow(); ///< later, what the plot shows now
+    void follow(); ///< updates later, in the event loop
     void fill();
     void showReason();
     void showDifference();
 
     PlotCursors& m_cursors;
     QLabel* m_axis;
-    QLabel* m_difference; ///< of the places
+    QLabel* m_difference; ///< difference of the places
     std::array<QLabel*, 2> m_letters{};
     std::array<NumberField*, 2> m_fields{};
     ReasonLabel* m_reason;

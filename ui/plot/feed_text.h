@@ -9,21 +9,21 @@ namespace sparkout {
 
 enum class StrokeStep;
 
-/// "E3/E1/E1 working stroke": a step of a double stroke with its code in each of the zones that are
-/// ground in it; empty where it has none.
+/// "E3/E1/E1 working stroke": a step of a double stroke with its code in each of the zones ground
+/// in it; empty if it has none.
 [[nodiscard]] QString strokeStepName(StrokeStep step);
 
-/// What a curve of the view is called in its legend.
+/// The name of a curve in the legend.
 [[nodiscard]] QString quantityName(Quantity quantity);
 
-/// The same with its unit: "actual feed, µm".
+/// The name with the unit: "actual feed, µm".
 [[nodiscard]] QString quantityWithUnit(Quantity quantity);
 
-/// How its values are stated.
+/// The number format of its values.
 [[nodiscard]] Digits quantityDigits(Quantity quantity);
 
-/// The values at a time as two lines of plain text: where in the cycle, and the numbers. Empty when
-/// the zone has no point there.
+/// The values at a time as two lines of plain text: the place in the cycle, and the numbers. Empty
+/// if the zone has no point there.
 [[nodiscard]] QString feedText(const FeedPoints& points, double time_s, const FeedSeries& series,
                                bool wholeStrokes);
 

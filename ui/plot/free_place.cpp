@@ -9,14 +9,14 @@ namespace sparkout {
 
 namespace {
 
-constexpr int squareSide = 4;  ///< of a small square [px]
+constexpr int squareSide = 4;  ///< side of a grid square [px]
 constexpr double far_px = 1e5; ///< a curve that leaves the plot is cut there
 
 int squaresIn(double length) {
     return std::max(1, static_cast<int>(std::ceil(length / squareSide)));
 }
 
-/// From a point to the nearest one of a rectangle.
+/// The distance of a point from a rectangle.
 double distanceOf(const QPointF& from, const QRectF& to) {
     return std::hypot(std::max({to.left() - from.x(), 0.0, from.x() - to.right()}),
                       std::max({to.top() - from.y(), 0.0, from.y() - to.bottom()}));
@@ -26,7 +26,7 @@ QPointF boundedBy(const QPointF& point) {
     return {std::clamp(point.x(), -far_px, far_px), std::clamp(point.y(), -far_px, far_px)};
 }
 
-/// The share of a line, from 0 to 1, between two values of one of its coordinates.
+/// Clips a line, as shares from 0 to 1, to values of one coordinate.
 void clip(double from, double to, double low, double high, double& first, double& last) {
     const double length = to - from;
     if (length == 0) {
@@ -41,7 +41,7 @@ void clip(double from, double to, double low, double high, double& first, double
 } // namespace
 
 FreePlace::FreePlace(const QRectF& within)
-    : m_within(within.normalized()) // before a plot is laid out its room is less than none
+    : m_within(within.normalized()) // before the layout of a plot its area is negative
     , m_columns(squaresIn(m_within.width()))
     , m_rows(squaresIn(m_within.height()))
     , m_covered(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows)) {}

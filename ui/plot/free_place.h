@@ -9,22 +9,22 @@
 
 namespace sparkout {
 
-/// Where a call-out of a plot stands beside what is drawn there. All in pixels.
+/// Finds a place for a call-out that covers as little of the plot as possible. All lengths in
+/// pixels.
 class FreePlace {
 public:
     struct Found {
         QRectF place;
-        int covered = 0; ///< small squares of it that a curve runs through; 0: it is free
-        double away = 0; ///< from the mark to its nearest point
+        int covered = 0; ///< number of covered squares; 0: it is free
+        double away = 0; ///< distance of the mark from its nearest point
     };
 
     explicit FreePlace(const QRectF& within);
     void addCurve(const QPolygonF& points); ///< the line through them
-    void addSpot(const QRectF& spot);       ///< as of a mark
+    void addSpot(const QRectF& spot);       ///< covers the area of a point mark
     /// Small squares of a place that something runs through.
     [[nodiscard]] int coveredIn(const QRectF& place) const;
-    /// The free place of a size that is nearest to a mark; where none is free, the one that covers
-    /// the least.
+    /// The free place of a size nearest to a mark; if none is free, the one that covers the least.
     [[nodiscard]] Found nearest(const QSizeF& size, const QPointF& mark) const;
 
 private:
@@ -33,7 +33,7 @@ private:
 
     QRectF m_within;
     int m_columns, m_rows;
-    std::vector<char> m_covered; ///< small squares, row by row
+    std::vector<char> m_covered; ///< squares, row by row
 };
 
 } // namespace sparkout

@@ -8,15 +8,15 @@
 namespace sparkout {
 
 /// A vertical line at one value of the horizontal axes, through every axis rect of a plot whose
-/// range holds it: under the mouse, or at the moment of the cycle that the views share. It has a
-/// layer of its own, so that moving it redraws no curve.
+/// range contains it: under the mouse, or at the moment of the cycle that the views share. On its
+/// own layer, so that moving it redraws no curve.
 class HairLine : public PaintedLayer {
     Q_OBJECT
 public:
     enum class Role { mouse, moment };
     explicit HairLine(QCustomPlot& plot, Role role = Role::mouse);
 
-    void setAt(std::optional<double> x); ///< draws at once; nothing: no line
+    void setAt(std::optional<double> x); ///< draws at once; empty: no line
     [[nodiscard]] std::optional<double> at() const { return m_x; }
     [[nodiscard]] Role role() const { return m_role; }
 

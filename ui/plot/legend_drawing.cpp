@@ -13,13 +13,13 @@ constexpr int sampleGap = 5;
 constexpr int between = 14;
 constexpr int swatchHeight = 10;
 constexpr int haloWidth = 4;
-constexpr double hiddenOpacity = 0.45; ///< opacity of what is hidden
+constexpr double hiddenOpacity = 0.45; ///< opacity of hidden entries
 
 int textWidth(const QString& text, const QFontMetrics& metrics) {
     return metrics.horizontalAdvance(text) + 2;
 }
 
-/// Of the text broken between words into lines of at most `width`.
+/// The size of a text broken between words into lines of at most `width`.
 QSize wrappedSize(const QString& text, const QFontMetrics& metrics, int width) {
     constexpr int unlimited = 100'000;
     return metrics.boundingRect(QRect(0, 0, width, unlimited), Qt::TextWordWrap, text).size();

@@ -104,7 +104,7 @@ void LegendStrip::mouseMoveEvent(QMouseEvent* event) {
     entryAt(event->pos()) >= 0 ? setCursor(Qt::PointingHandCursor) : unsetCursor();
 }
 
-/// The next entry that can be clicked, in the direction of the step.
+/// Moves to the next clickable entry in the direction of the step.
 void LegendStrip::choose(int step) {
     const int count = static_cast<int>(m_entries.size());
     int at = m_current < 0 && step < 0 ? count : m_current;

@@ -7,8 +7,8 @@
 
 namespace sparkout {
 
-/// A legend beside the plot that wraps its entries over as many lines as it needs. A click hides or
-/// shows a curve, Ctrl+click shows only this one; by keyboard: arrows choose, Space, Ctrl+Space.
+/// A legend beside the plot that wraps its entries over several lines. A click hides or shows a
+/// curve, Ctrl+click shows only this one; by keyboard: arrows choose, Space, Ctrl+Space.
 class LegendStrip : public QWidget {
     Q_OBJECT
 public:
@@ -16,7 +16,7 @@ public:
 
     void setEntries(LegendEntries entries);
     [[nodiscard]] const LegendEntries& entries() const { return m_entries; }
-    [[nodiscard]] QRect entryRect(int index) const; ///< in the widget
+    [[nodiscard]] QRect entryRect(int index) const; ///< in widget coordinates
     void retranslate();
 
     [[nodiscard]] bool hasHeightForWidth() const override { return true; }

@@ -7,7 +7,7 @@
 
 namespace sparkout {
 
-/// The numbers of an axis with a true minus, very small and large ones with a power of ten.
+/// The numbers of an axis with a typographic minus; very small and large ones with a power of ten.
 class NumberTicker : public QCPAxisTicker {
 protected:
     QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
@@ -17,7 +17,7 @@ protected:
     }
 };
 
-/// Whole numbers alone, as of things that are counted.
+/// Only whole numbers, for counts.
 class WholeTicker : public QCPAxisTickerFixed {
 public:
     WholeTicker() {

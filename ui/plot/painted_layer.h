@@ -5,8 +5,8 @@
 
 namespace sparkout {
 
-/// Something a plot paints besides its curves, on one of its layers: anywhere in the plot, or
-/// within an axis rect.
+/// A painting on a layer of a plot, besides its curves: anywhere in the plot, or within an axis
+/// rect.
 class PaintedLayer : public QCPLayerable {
 protected:
     enum class Edges { sharp, smooth };
@@ -23,7 +23,7 @@ protected:
         return m_rect ? m_rect->rect() : QCPLayerable::clipRect();
     }
 
-    QCPAxisRect* m_rect = nullptr; ///< null: anywhere
+    QCPAxisRect* m_rect = nullptr; ///< null: the whole plot
 
 private:
     Edges m_edges;

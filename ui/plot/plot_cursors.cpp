@@ -16,7 +16,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double mouseReach = 5; ///< of the mouse, in pixels
+constexpr double mouseReach = 5; ///< reach of the mouse, in pixels
 constexpr double stepShare = 0.01;
 constexpr double firstPlaces[] = {0.25, 0.75};
 constexpr int tagPadding = 2;
@@ -28,7 +28,7 @@ QString cursorsLayer(QCustomPlot& plot) {
     return name;
 }
 
-/// The cursor a key moves; nothing: the key is for something else.
+/// The cursor moved by a key; empty for any other key.
 std::optional<std::size_t> cursorOf(const QKeyEvent& event) {
     const bool arrow = event.key() == Qt::Key_Left || event.key() == Qt::Key_Right;
     const auto modifiers = event.modifiers() & ~Qt::KeypadModifier;
@@ -52,7 +52,7 @@ PlotCursors::PlotCursors(QCustomPlot& plot, CursorSubject subject)
     toggle->setShortcut(Qt::Key_C);
     toggle->setShortcutContext(Qt::WidgetShortcut);
     plot.addAction(toggle);
-    plot.installEventFilter(this); // after the navigation's, hence asked before it
+    plot.installEventFilter(this); // installed after the navigation, so called before it
     connect(toggle, &QAction::toggled, this, &PlotCursors::showThem);
     retranslate();
 }
@@ -135,7 +135,7 @@ void PlotCursors::draw(QCPPainter* painter) {
     }
 }
 
-/// A's letter to the left of its line and B's to the right, so that both are read when they meet.
+/// A's letter is left of its line and B's right, so that both are legible when they meet.
 void PlotCursors::drawTag(QCPPainter& painter, const QCPAxisRect& rect, std::size_t cursor,
                           double x) const {
     const QFontMetricsF metrics(mParentPlot->font());
@@ -217,7 +217,7 @@ bool PlotCursors::onMouse(QMouseEvent& event) {
             m_pointing = over;
             over ? mParentPlot->setCursor(Qt::SplitHCursor) : mParentPlot->unsetCursor();
         }
-        return false; // the values under the mouse stay those under the mouse
+        return false; // the values under the mouse remain visible
     }
     case QEvent::MouseButtonRelease:
         if (m_dragged && event.button() == Qt::LeftButton) {
@@ -238,7 +238,7 @@ bool PlotCursors::onKey(const QKeyEvent& event) {
     return cursor.has_value();
 }
 
-/// To the right as it is seen; from outside the visible range to its edge.
+/// Steps towards the right of the screen; from outside the visible range to its edge.
 void PlotCursors::step(std::size_t cursor, int steps) {
     const std::vector<QCPAxisRect*> all = rects();
     if (all.empty() || !at(cursor)) {

@@ -10,18 +10,18 @@
 
 namespace sparkout {
 
-/// What the cursors need to know of a view's plot.
+/// The properties of a plot that its cursors need.
 struct CursorSubject {
-    std::function<QString()> axis;      ///< name of the horizontal axes, with its unit
+    std::function<QString()> axis;      ///< name of the horizontal axes, with the unit
     std::function<QCPRange()> span;     ///< the places there are
-    std::function<ReadCurves()> curves; ///< that are shown, row by row
-    /// What of a place stays when the axis changes its unit, and the place of it [the same].
+    std::function<ReadCurves()> curves; ///< the visible curves, row by row
+    /// Converts a place into a value that survives a change of the axis' unit, and back [identity].
     std::function<double(double)> keep, place;
 };
 
 /// Two vertical lines, A and B, through every axis rect of a plot, to read its curves at. They are
-/// dragged with the mouse, moved with Shift and arrows (A) or Ctrl, Shift and arrows (B), and put
-/// to places that are typed; and they are drawn in exported pictures, while shown.
+/// dragged with the mouse, moved with Shift and arrows (A) or Ctrl, Shift and arrows (B), or placed
+/// by typing; while shown they are part of exported pictures.
 class PlotCursors : public PaintedLayer {
     Q_OBJECT
 public:
@@ -31,7 +31,7 @@ public:
 
     QAction* toggle; ///< shows and hides them
     [[nodiscard]] bool shown() const { return toggle->isChecked() && !mParentPlot->isHidden(); }
-    /// The place of a cursor on the axis of now; nothing before they were first shown.
+    /// The place of a cursor on the current axis; empty before it was first shown.
     [[nodiscard]] std::optional<double> at(std::size_t cursor) const;
     void moveTo(std::size_t cursor, double x);
     [[nodiscard]] static QString letter(std::size_t cursor); ///< "A", "B"
@@ -50,20 +50,20 @@ protected:
 private:
     void drawTag(QCPPainter& painter, const QCPAxisRect& rect, std::size_t cursor, double x) const;
     void showThem(bool on);
-    [[nodiscard]] std::vector<QCPAxisRect*> rects() const; ///< that have a horizontal axis
+    [[nodiscard]] std::vector<QCPAxisRect*> rects() const; ///< rects with a horizontal axis
     [[nodiscard]] std::optional<std::size_t> cursorAt(const QPointF& at) const;
     void dragTo(const QPointF& at);
     bool onMouse(QMouseEvent& event);
     bool onKey(const QKeyEvent& event);
-    bool takes(QEvent& event); ///< of what concerns the cursors shown
+    bool takes(QEvent& event); ///< handles an event of the visible cursors
     void step(std::size_t cursor, int steps);
-    [[nodiscard]] double rounded(double x) const; ///< to what a pixel can tell
+    [[nodiscard]] double rounded(double x) const; ///< to the resolution of a pixel
 
     CursorSubject m_subject;
     std::array<std::optional<double>, count> m_kept;
     std::optional<std::size_t> m_dragged;
     QCPAxisRect* m_pressedIn = nullptr; ///< while dragged, the one the mouse was pressed in
-    bool m_pointing = false;            ///< the mouse is over a cursor
+    bool m_pointing = false;            ///< the mouse is on a cursor
 };
 
 } // namespace sparkout

@@ -32,7 +32,7 @@ QFont titleFont(const QCustomPlot& plot) {
     return font;
 }
 
-/// A heading's lines wrapped to the width; texts of the user may be long.
+/// A heading's lines wrapped to the width; the user's texts may be long.
 std::vector<QRect> headingRects(const PlotPicture& picture, int width) {
     std::vector<QRect> rects;
     int y = margin;
@@ -47,11 +47,11 @@ std::vector<QRect> headingRects(const PlotPicture& picture, int width) {
     return rects;
 }
 
-/// Where the parts of a picture stand.
+/// The layout of a picture.
 struct PictureSheet {
     std::vector<QRect> heading;
     LegendEntries entries;
-    std::vector<QRect> legend; ///< from (0, 0)
+    std::vector<QRect> legend; ///< rectangles from (0, 0)
     QPoint legendAt;
     QRect plot;
     QSize size;
@@ -75,7 +75,7 @@ PictureSheet layOut(const PlotPicture& picture) {
 struct PlotWords {
     Q_DECLARE_TR_FUNCTIONS(PlotWords)
 public:
-    /// For those who cannot see it: what its axes and its curves are.
+    /// The alternative text: the axes and the curves.
     static QString of(const PlotPicture& picture, const LegendEntries& entries) {
         QStringList axes, curves, all = picture.heading.mid(0, 1);
         for (const QCPAxisRect* rect : picture.plot->axisRects()) {
@@ -121,7 +121,7 @@ void paintPlot(QCPPainter& painter, const PlotPicture& picture, const PictureShe
     painter.restore();
 }
 
-/// What was drawn, apart from the plot: another thread may draw it again.
+/// A recorded drawing, independent of the plot, so that another thread may replay it.
 struct Recording {
     struct Piece {
         QPicture drawing;
@@ -189,7 +189,7 @@ QImage rendered(const Recording& recording, int scale) {
     if (image.isNull() || !replay(recording, image, scale)) {
         return {};
     }
-    // Only now: it would enlarge the fonts.
+    // Set last, since it would enlarge the fonts.
     const int dotsPerMetre = qRound(recording.dotsPerInch * scale * units::mmPerM / mmPerInch);
     image.setDotsPerMeterX(dotsPerMetre);
     image.setDotsPerMeterY(dotsPerMetre);

@@ -6,31 +6,31 @@
 
 namespace sparkout {
 
-/// What was visible before, for Back and Forward.
+/// The visible states of a plot, for Back and Forward.
 class PlotHistory {
 public:
-    /// What is visible, as numbers of the plot's own meaning (usually ranges of axes).
+    /// A visible state, as numbers defined by the plot (usually ranges of axes).
     using State = std::vector<double>;
     static constexpr std::size_t mostStates = 100;
 
     /// Forgets all, and starts from a state.
     void restart(State state);
-    /// Something else became visible. Steps of one gesture (a number above 0) are one entry; a
-    /// state that is visible already is none.
+    /// Adds a new visible state. Steps of one gesture (a positive number) are one entry; an
+    /// unchanged state is not added.
     void visit(State state, int gesture = 0);
-    /// What is visible is replaced without a way back, as by a new result.
+    /// Replaces the current state without a way back, for instance by a new result.
     void amend(State state);
 
     [[nodiscard]] bool canGoBack() const { return m_at > 0; }
     [[nodiscard]] bool canGoForward() const { return m_at + 1 < m_states.size(); }
-    const State& back();    ///< only if canGoBack()
-    const State& forward(); ///< only if canGoForward()
+    const State& back();    ///< requires canGoBack()
+    const State& forward(); ///< requires canGoForward()
     [[nodiscard]] std::size_t size() const { return m_states.size(); }
 
 private:
     std::vector<State> m_states{State{}};
-    std::size_t m_at = 0; ///< index of what is visible
-    int m_gesture = 0;    ///< that made the visible entry
+    std::size_t m_at = 0; ///< index of the current state
+    int m_gesture = 0;    ///< gesture of the current entry
 };
 
 } // namespace sparkout

@@ -12,8 +12,8 @@ namespace sparkout {
 
 namespace {
 
-constexpr double wheelFactor = 0.85; ///< for one notch of the wheel
-constexpr double notch = 120;        ///< of a wheel, in eighths of a degree
+constexpr double wheelFactor = 0.85; ///< factor for a notch of the wheel
+constexpr double notch = 120;        ///< angle of a notch, in eighths of a degree
 constexpr double keyFactor = 0.8;
 constexpr double panShare = 0.1;
 constexpr qint64 sameGesture_ms = 700;
@@ -38,7 +38,7 @@ double middleOf(const QCPAxis& axis) {
                                                       : range.center();
 }
 
-/// The navigation keys a main window must not take for shortcuts of its own.
+/// Whether it is a navigation key, which the main window must not use as a shortcut.
 bool isKey(const QKeyEvent* event) {
     switch (event->key()) {
     case Qt::Key_Plus:
@@ -276,7 +276,7 @@ void PlotNavigation::onRelease() {
 bool PlotNavigation::eventFilter(QObject* watched, QEvent* event) {
     const bool moves = event->type() == QEvent::Wheel || event->type() == QEvent::KeyPress
                        || event->type() == QEvent::ShortcutOverride;
-    if (moves && m_plot.axisRectCount() == 0) { // there is nothing to move in
+    if (moves && m_plot.axisRectCount() == 0) { // an empty plot cannot be moved
         return QObject::eventFilter(watched, event);
     }
     bool taken = false;

@@ -19,40 +19,40 @@ class QWheelEvent;
 
 namespace sparkout {
 
-/// Moves a plot by mouse and keys, and remembers where it was. The wheel zooms at the mouse, over
-/// an axis that axis only, with Shift it pans; a drag pans; a double click fits. Keys: + − zoom,
-/// arrows pan, Ctrl+Up and Ctrl+Down zoom the values; the last plot pointed at is meant.
+/// Moves a plot by mouse and keys, with a history. The wheel zooms at the mouse, over an axis that
+/// axis only, with Shift it pans; a drag pans; a double click fits. Keys: + − zoom, arrows pan,
+/// Ctrl+Up and Ctrl+Down zoom the values; the last plot pointed at is meant.
 class PlotNavigation : public QObject {
     Q_OBJECT
 public:
-    /// What the plot does differently from the defaults in brackets.
+    /// Overrides of a plot; the defaults are in brackets.
     struct Hooks {
         std::function<void()> fit;                 ///< show everything [the axes' data]
-        std::function<PlotHistory::State()> state; ///< what is visible [ranges of all axes]
-        std::function<void(const PlotHistory::State&)> setState; ///< no replot needed
-        /// Axes that wheel, drag and keys move within an axis rect [bottom and left].
+        std::function<PlotHistory::State()> state; ///< visible state [ranges of all axes]
+        std::function<void(const PlotHistory::State&)> setState; ///< without replot
+        /// Axes moved by wheel, drag and keys in an axis rect [bottom and left].
         std::function<QList<QCPAxis*>(QCPAxisRect&)> axes;
     };
 
     explicit PlotNavigation(QCustomPlot& plot, Hooks hooks = {}, QObject* parent = nullptr);
 
-    /// Of all axes, as numbers of a state; in the order of setRanges().
+    /// Ranges of all axes as a state, in the order of setRanges().
     [[nodiscard]] static PlotHistory::State rangesOf(const QCustomPlot& plot);
     static void setRanges(const QCustomPlot& plot, const PlotHistory::State& ranges);
 
     void fit();
     void back();
     void forward();
-    void zoom(double factor);                             ///< below 1 shows less
-    void pan(int right, int up, bool zoomValues = false); ///< by a tenth of the range each
+    void zoom(double factor);                             ///< zooms in if below 1
+    void pan(int right, int up, bool zoomValues = false); ///< by a tenth of the range
     [[nodiscard]] bool canGoBack() const { return m_history.canGoBack(); }
     [[nodiscard]] bool canGoForward() const { return m_history.canGoForward(); }
 
-    /// For the owner of the plot: other tools changed what is visible (an entry of the history) …
+    /// Called by the plot when another tool changed the visible state (a new entry) …
     void noteView(int gesture = 0);
-    void amendView();   ///< … a new result did, which cannot be taken back …
+    void amendView();   ///< … when a new result did, without a way back …
     void forgetViews(); ///< … or the plot was built anew.
-    /// A number for noteView(): steps of the same kind that follow closely are one gesture.
+    /// A number for noteView(): steps of one kind in quick succession are one gesture.
     [[nodiscard]] int gestureOf(int kind);
 
 signals:
@@ -63,7 +63,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    /// An axis rect and the axes of it that are meant at a point.
+    /// An axis rect and its axes at a point.
     struct Target {
         QCPAxisRect* rect = nullptr;
         QList<QCPAxis*> axes;
@@ -84,7 +84,7 @@ private:
     PlotHistory m_history;
     QPointer<QCPAxisRect> m_current; ///< last pointed at
     QElapsedTimer m_sinceStep;
-    PlotHistory::State m_pressed; ///< what was visible when the drag began
+    PlotHistory::State m_pressed; ///< state at the beginning of the drag
     int m_kind = 0;
     int m_gesture = 0;
 };

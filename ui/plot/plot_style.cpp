@@ -78,14 +78,14 @@ void applyPalette(QCustomPlot& plot, const QPalette& palette) {
 
 int ticksWithRoom(int height, const QFont& font) {
     constexpr int least = 2, usual = 5;
-    constexpr double lines = 1.4; // of a number and what is clear of it
+    constexpr double lines = 1.4; // height of a tick label with spacing, in lines
     return std::clamp(static_cast<int>(height / (lines * QFontMetrics(font).height())), least,
                       usual);
 }
 
 bool fitValueAxes(QCPAxisRect& rect, const QFont& font) {
-    constexpr double least = 0.6; // of the usual size
-    constexpr int air = 6;        // beyond the plot, before a neighbour's label
+    constexpr double least = 0.6; // least share of the usual size
+    constexpr int air = 6;        // space beyond the plot, before a neighbour's label
     bool changed = false;
     const auto fit = [&](QCPAxis& axis, int room) {
         int need = 1;
@@ -99,7 +99,7 @@ bool fitValueAxes(QCPAxisRect& rect, const QFont& font) {
             changed = true;
         }
     };
-    const QRect all = rect.outerRect(); // a label stands in the middle of its axis
+    const QRect all = rect.outerRect(); // a label is centred on its axis
     const int centre = rect.center().x();
     for (QCPAxis* axis : rect.axes(QCPAxis::atBottom)) {
         fit(*axis, 2 * std::min(centre - all.left(), all.right() - centre) - air);

@@ -21,32 +21,32 @@ namespace sparkout {
 
 class Settings;
 
-/// What the tools need to know of a view's plot; only `heading` must be given.
+/// The properties of a plot that its tools need; only `heading` is required.
 struct PlotSubject {
-    std::function<QStringList()> heading; ///< over an exported picture: the view, then the project
-    std::function<QString()> name; ///< where a view has several plots: of its export button …
+    std::function<QStringList()> heading; ///< for an exported picture: view, then project
+    std::function<QString()> name; ///< name in the export button, for a view with several plots …
     QStringView icon = u"export";  ///< … and its icon
     std::function<LegendEntries()> legend;
     std::function<CsvTable()> table;  ///< the visible curves within the visible range
-    PlotNavigation::Hooks navigation; ///< how wheel, drag and keys move it
-    QList<QAction*> own = {};         ///< the view's own, first in the context menu
+    PlotNavigation::Hooks navigation; ///< behaviour of wheel, drag and keys
+    QList<QAction*> own = {};         ///< own actions of the view, first in the context menu
 };
 
-/// The tools every plot has: fit, back and forward; copy as picture or data; PNG, SVG, PDF, XLSX
-/// and CSV files; all in the plot's context menu and as actions and buttons for the view's tool
-/// row. Pictures show what is on the screen, in the light look.
+/// The tools common to all plots: fit, back and forward; copy as picture or data; PNG, SVG, PDF,
+/// XLSX and CSV files; in the plot's context menu and as actions and buttons for the view's tool
+/// row. Pictures show the current content in the light theme.
 class PlotTools : public QObject {
     Q_OBJECT
 public:
     PlotTools(QCustomPlot& plot, PlotSubject subject);
 
-    void setSettings(Settings* settings) { m_settings = settings; } ///< for the last folder
-    void setEnabled(bool enabled); ///< false: nothing is shown that could be exported
+    void setSettings(Settings* settings) { m_settings = settings; } ///< for the last used folder
+    void setEnabled(bool enabled); ///< false: there is nothing to export
     void retranslate();
-    void addTool(QAction* action); ///< a further one of the plot, to the context menu
+    void addTool(QAction* action); ///< adds an action to the context menu
 
     [[nodiscard]] PlotNavigation& navigation() { return m_navigation; }
-    /// A button for one of the actions, and one that opens the menu of the exports.
+    /// A button for one of the actions, and one for the export menu.
     [[nodiscard]] static QToolButton* button(QAction* action, QWidget* parent);
     [[nodiscard]] QToolButton* exportButton(QWidget* parent);
 
@@ -66,7 +66,7 @@ private:
     QAction* make(const char16_t* icon, const QList<QKeySequence>& keys = {});
     void buildMenus();
     void connectActions();
-    void follow(); ///< enables what can be done now
+    void follow(); ///< enables the actions possible now
     void showContextMenu(const QPoint& at);
     [[nodiscard]] QString fileName() const;
     [[nodiscard]] PlotPicture picture() const;
@@ -78,8 +78,8 @@ private:
     void savePicture(const QString& suffix, const QString& filter,
                      const std::function<PictureWork(const PlotPicture&)>& draw);
     void saveData(TableFormat format);
-    void nameSizes();              ///< of the pictures, as they would be now
-    void say(const QString& text); ///< in the status bar, for a while
+    void nameSizes();              ///< shows the current sizes of the pictures
+    void say(const QString& text); ///< shows a temporary message in the status bar
 
     QCustomPlot& m_plot;
     PlotSubject m_subject;
@@ -88,7 +88,7 @@ private:
     QMenu* m_export = nullptr;
     QMenu* m_png = nullptr;
     QMenu* m_csv = nullptr;
-    QList<QAction*> m_more; ///< tools of the view's own
+    QList<QAction*> m_more; ///< additional tools of the view
     std::vector<QPointer<QToolButton>> m_exportButtons;
     bool m_enabled = true;
 };

@@ -30,7 +30,7 @@ namespace sparkout {
 
 namespace {
 
-/// Processor time of this thread: a busy machine does not make an update longer.
+/// Processor time of this thread, so that other load does not count.
 double ownTime_ms() {
     std::timespec time{};
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -101,7 +101,7 @@ QScrollArea* PlotView::scrolled(QWidget& plots) {
 QWidget* PlotView::pageButtons(PlotTools& tools) {
     auto* buttons = new QWidget(this);
     auto* row = rowIn<QHBoxLayout>(buttons);
-    if (tools.fit->isVisible()) { // else all is always in sight
+    if (tools.fit->isVisible()) { // otherwise everything is visible
         row->addWidget(PlotTools::button(tools.fit, buttons));
     }
     row->addWidget(tools.exportButton(buttons));
@@ -198,7 +198,7 @@ CopyTable* PlotView::addTable(ValueModel& model, std::function<CsvTable()> saved
 
 void PlotView::setUpTable(CopyTable& table, std::function<CsvTable()> saved) {
     table.setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    table.setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded); // with large type
+    table.setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded); // needed with large fonts
     table.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table.setSaving(
         std::move(saved), [this] { return projectTitle(); }, m_settings);
@@ -344,7 +344,7 @@ void PlotView::showState() {
 }
 
 void PlotView::showLegend() {
-    if (m_front) { // a plot may tell of its content before it is added
+    if (m_front) { // a plot may report its content before it is added
         m_legend->setEntries(m_front->legendEntries());
     }
 }

@@ -30,38 +30,38 @@ class ValueModel;
 class ViewPlot;
 struct Project;
 
-/// A view of plots: it keeps the last outcome that could be drawn, faint while a newer one is
-/// refused, and owns what stands about its plots: notice, legend, cursors' strip, the values under
-/// the mouse and the tools of each plot. What a view draws and says of an outcome is its own.
+/// A view with plots: it keeps the last outcome that could be drawn, faint while a newer one is
+/// refused, and owns what surrounds its plots: notice, legend, cursor strip, the values under the
+/// mouse and the tools of each plot. Subclasses draw and describe the outcome.
 class PlotView : public View {
     Q_OBJECT
 public:
-    [[nodiscard]] PlotTools* tools() const;     ///< of the plot in front
-    [[nodiscard]] PlotCursors* cursors() const; ///< null: the view has none
+    [[nodiscard]] PlotTools* tools() const;     ///< of the front plot
+    [[nodiscard]] PlotCursors* cursors() const; ///< null if the view has none
     [[nodiscard]] LegendStrip* legend() const { return m_legend; }
     [[nodiscard]] double lastUpdate_ms() const { return m_lastUpdate_ms; } ///< processor time
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
     void retranslate() override;
 
 protected:
-    /// The name is that of the view, and the beginning of those of its parts.
+    /// `name` is that of the view, and the prefix of the names of its parts.
     PlotView(const QString& name, QWidget* parent, Settings* settings);
 
-    // Building.
-    /// A plot that is always shown; its legend is the view's.
+    // Adds a plot that is always visible; its legend is the view's.
     void addPlot(ViewPlot& plot, PlotSubject subject = {});
-    void addCursors(ViewPlot& plot); ///< after addPlot()
-    /// One of several of which one is in front; with buttons to fit and export it.
+    void addCursors(ViewPlot& plot); ///< requires addPlot()
+    /// Adds one of several plots, of which one is shown at a time, with buttons to fit and export
+    /// it.
     void addPage(ViewPlot& plot, PlotSubject subject = {});
     void addPageButtons(QLayout& row) const;
-    [[nodiscard]] QComboBox* content(); ///< a box to choose the page in, made after all pages
+    [[nodiscard]] QComboBox* content(); ///< the box to choose the page; call after adding all pages
     void showPage(std::size_t index);
     [[nodiscard]] QStackedWidget* pages() const { return m_pages; }
-    /// Boxes as wide as what is chosen in them.
+    /// Adds boxes that are as wide as their current entry.
     static void addBoxes(QLayout& row, std::initializer_list<QComboBox*> boxes);
-    /// A plot, or several, scrolled where they have no room to be legible: for minimumSizeHint().
+    /// Puts one or several plots into a scroll area, used below their minimumSizeHint().
     QScrollArea* scrolled(QWidget& plots);
-    /// Buttons for actions of the front plot, and the one of its exports.
+    /// Adds buttons for actions of the front plot, and the export button.
     void addButtons(QLayout& row, const QList<QAction*>& actions) const;
     /// A row of tools that fills a widget.
     template <typename Row>
@@ -72,35 +72,37 @@ protected:
     }
     /// The first above the second, with their shares of the height.
     static void share(QSplitter& splitter, std::initializer_list<std::pair<QWidget*, int>> parts);
-    /// The view's column of parts, with the usual margins; the main part takes what room is left.
+    /// Adds the view's column of parts with the usual margins; the main part takes the remaining
+    /// height.
     QVBoxLayout* addColumn(std::initializer_list<QWidget*> parts, QWidget* main);
-    /// A row of tools for the pages: the box to choose one in, the boxes, the buttons of the page.
+    /// Adds a row of tools for the pages: the box to choose one, the given boxes, the buttons of
+    /// the page.
     template <typename Row>
     QWidget* pageTools(std::initializer_list<QComboBox*> boxes) {
         auto* bar = new QWidget(this);
         auto* row = rowIn<Row>(bar);
         addBoxes(*row, {content()});
         addBoxes(*row, boxes);
-        setTabOrder((*boxes.begin())->previousInFocusChain(), content()); // made after it
+        setTabOrder((*boxes.begin())->previousInFocusChain(), content()); // it was created later
         row->addStretch(1);
         addPageButtons(*row);
         return bar;
     }
-    /// A table beside the plots, with scroll bars, to copy and to save.
-    /// @param text what is copied of it, with tabs [the table itself]
+    /// Adds a table beside the plots, to copy and to save. @param text the copied text, with tabs
+    /// [the table itself]
     CopyTable* addTable(QAbstractItemModel& model, std::function<CsvTable()> table,
                         std::function<QString()> text = {});
-    /// The same of a table as a value.
-    /// @param saved what is saved of it, and copied of the whole [the table itself]
+    /// Adds a table given as a value. @param saved the saved table, also copied as a whole [the
+    /// table itself]
     CopyTable* addTable(ValueModel& model, std::function<CsvTable()> saved = {});
-    /// Texts in the present language; what was chosen stays.
+    /// Sets translated texts and keeps the current entry.
     static void fillChoice(QComboBox& box, const QStringList& texts);
     void hideUntilDrawn(std::initializer_list<QWidget*> parts);
     void disableUntilDrawn(std::initializer_list<QWidget*> parts);
     static void nameObjects(std::initializer_list<std::pair<QWidget*, const char*>> names);
-    /// What a control is for, for a screen reader and as its tool tip.
+    /// Sets the accessible name and the tool tip of a control.
     static void tell(QWidget& widget, const QString& text);
-    /// The same of one whose name is short.
+    /// Sets a short accessible name and a longer tool tip.
     static void tell(QWidget& widget, const QString& name, const QString& tip);
     static void tellButton(QAbstractButton& button, const QString& text, const QString& tip);
 
@@ -109,40 +111,40 @@ protected:
     [[nodiscard]] QLabel* values() const { return m_values; }
     [[nodiscard]] CursorStrip* strip() const { return m_strip; }
     [[nodiscard]] const std::vector<ViewPlot*>& plots() const { return m_plots; }
-    [[nodiscard]] ViewPlot& front() const { return *m_front; } ///< whose legend and tools are meant
+    [[nodiscard]] ViewPlot& front() const { return *m_front; } ///< with the legend and the tools
 
-    // What is drawn.
+    // The outcome that is drawn; null if there is none.
     [[nodiscard]] const OutcomePtr& good() const { return m_good; } ///< null: nothing yet
     [[nodiscard]] bool refused() const;                             ///< the newest one
     /// Whether good() is of another operation, or of other zones or sections, than that one.
     [[nodiscard]] bool hasOtherPlaces(const OutcomePtr& before) const;
     [[nodiscard]] virtual bool draws(const Outcome& outcome) const; ///< here: of zones or sections
-    /// good() is another; before it was that one, maybe null.
+    /// good() has changed; `before` is the previous outcome and may be null.
     virtual void takeOutcome(const OutcomePtr& before) = 0;
-    virtual void dropOutcome() {} ///< good() is null: it was of another document
+    virtual void dropOutcome() {} ///< good() became null: it belonged to another document
     [[nodiscard]] virtual bool drawn() const { return m_good != nullptr; } ///< there are curves
-    [[nodiscard]] virtual bool faint() const; ///< they are not of the newest outcome
+    [[nodiscard]] virtual bool faint() const; ///< whether the plots show an outdated outcome
     [[nodiscard]] virtual bool isFaint(const ViewPlot&) const { return faint(); }
     void showOutcome() override;
-    void showPlots();         ///< all of them anew, in their ranges
-    void replotAll();         ///< the same, soon
-    void replotFront();       ///< the front one, soon, as it is
-    virtual void showState(); ///< notice, what is hidden or disabled, faintness
+    void showPlots();         ///< redraws all plots within their ranges
+    void replotAll();         ///< replots all plots soon
+    void replotFront();       ///< replots the front plot soon
+    virtual void showState(); ///< updates notice, hidden and disabled parts, faintness
     virtual void showLegend();
-    virtual void toggleCurve(int key); ///< of the legend
+    virtual void toggleCurve(int key); ///< called by the legend
     virtual void showOnly(int key);
 
     // Words.
-    virtual void nameParts() = 0; ///< in the present language; fills boxes too
+    virtual void nameParts() = 0; ///< sets translated texts, also in boxes
     void nameAround(const QString& legend, const QString& notice, const QString& values);
     [[nodiscard]] virtual QString noticeText() const;
-    /// What is drawn while the inputs are refused, once there was an accepted run.
+    /// The notice while the inputs are refused and an earlier outcome is drawn.
     [[nodiscard]] virtual QString keptText() const;
-    [[nodiscard]] QString refusedText() const;                  ///< the same where nothing is
-    [[nodiscard]] virtual QString remark() const { return {}; } ///< on what is drawn
-    [[nodiscard]] virtual QStringList heading() const;          ///< over exported pictures
-    [[nodiscard]] virtual const Project* shownProject() const;  ///< it is of; null: none yet
-    [[nodiscard]] QString projectTitle() const;                 ///< of that one
+    [[nodiscard]] QString refusedText() const;                  ///< the notice if none is drawn
+    [[nodiscard]] virtual QString remark() const { return {}; } ///< a remark on the drawn outcome
+    [[nodiscard]] virtual QStringList heading() const;          ///< heading of exported pictures
+    [[nodiscard]] virtual const Project* shownProject() const;  ///< the outcome's project, or null
+    [[nodiscard]] QString projectTitle() const;                 ///< its title
     [[nodiscard]] virtual QStringList subheading() const {
         return {};
     } ///< below the project's name
@@ -151,7 +153,7 @@ protected:
 private:
     void setUpTable(CopyTable& table, std::function<CsvTable()> saved);
     QWidget* pageButtons(PlotTools& tools);
-    [[nodiscard]] bool isShown(const ViewPlot& plot) const; ///< not a page behind the front one
+    [[nodiscard]] bool isShown(const ViewPlot& plot) const; ///< false behind the front page
     static void closeUp(QLayout& row);
 
     Settings* m_settings;
@@ -162,9 +164,9 @@ private:
     QStackedWidget* m_pages = nullptr;
     QComboBox* m_content = nullptr;
     std::vector<ViewPlot*> m_plots;
-    std::vector<QWidget*> m_buttons; ///< of the pages
+    std::vector<QWidget*> m_buttons; ///< buttons of the pages
     ViewPlot* m_front = nullptr;
-    std::vector<QWidget*> m_hidden, m_disabled; ///< until there are curves
+    std::vector<QWidget*> m_hidden, m_disabled; ///< hidden or disabled until there are curves
     OutcomePtr m_good;
     double m_lastUpdate_ms = 0;
 };

@@ -12,7 +12,7 @@ namespace {
 
 struct Row {
     Drawn what;
-    std::optional<Tone> tone; ///< nothing: that of texts
+    std::optional<Tone> tone; ///< empty: the colour of texts
 };
 
 constexpr Row table[] = {
@@ -115,7 +115,7 @@ Tone limitOfDepth(std::size_t index) {
 
 Tone stepOfStroke(std::size_t index, const QPalette& palette) {
     const Tone own = steps.at(index);
-    return own == Tone::blue && isDark(palette) ? Tone::vermilion : own; // where blue is sky
+    return own == Tone::blue && isDark(palette) ? Tone::vermilion : own; // where blue is the sky
 }
 
 } // namespace sparkout::style

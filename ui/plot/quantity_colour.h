@@ -10,37 +10,36 @@ namespace sparkout {
 enum class Quantity;
 }
 
-/// One colour for each thing that is drawn, the same in every view, report and theme.
+/// One colour for each kind of drawn object, the same in every view, report and theme.
 namespace sparkout::style {
 
 enum class Drawn {
-    // Over the time of the cycle.
-    programmedFeed, ///< and what is accumulated of it
-    actualFeed,     ///< and what is accumulated of it
+    programmedFeed, ///< also accumulated
+    actualFeed,     ///< also accumulated
     radiusBefore,
     radiusAfter,
     axialFeed,
     force,
     oddStage,  ///< bands behind the curves
-    evenStage, ///< likewise
+    evenStage, ///< also a stage
     measuredValue,
-    simulatedValue,     ///< beside a measured one
+    simulatedValue,     ///< next to a measured one
     measuredDifference, ///< measured less simulated
     // The part.
-    profile, ///< and its spread over the radii
+    profile, ///< with its spread over the radii
     blank,
     target,
     referenceCircle, ///< least squares, minimum zone
     toleranceField,
-    endZone, ///< bands behind the curves; sections, too
+    endZone, ///< bands behind the curves, also sections
     middleZone,
     // Wheel and gauge.
     wheel,
     gauge,
     bestGaugePlace,
     presentGaugePlace,
-    allDiameters, ///< of a part, as a band
-    // What the system yields by.
+    allDiameters, ///< diameters of a part, as a band
+    // Parts of the compliance.
     wheelHead,
     headstock,
     tailstock,
@@ -49,11 +48,11 @@ enum class Drawn {
     independentSections,
     coupledSections,
     couplingDifference,
-    // Limits and what stands to them.
-    limit, ///< of a value
+    // Limits and values compared with them.
+    limit, ///< limit of a value
     forbidden,
     everyRequirementHolds,
-    holds, ///< a light; so the next two
+    holds, ///< a light, like the next two
     close,
     fails,
     // Runs and parts.
@@ -75,12 +74,13 @@ enum class Drawn {
 [[nodiscard]] Drawn drawnAs(Quantity quantity);
 [[nodiscard]] QColor colour(Drawn what, const QPalette& palette);
 
-/// Of several alike, such as sections, stages or results, the one at an index; they repeat.
+/// The colour of one of several similar series, such as sections, stages or results, by index; the
+/// colours repeat.
 [[nodiscard]] Tone oneOfSeries(std::size_t index);
-/// Of the limits of a depth of cut, in their order; those beyond look like the last.
+/// The colour of a limit of the depth of cut, by its order; later ones repeat the last.
 [[nodiscard]] Tone limitOfDepth(std::size_t index);
-/// Of the steps of a stroke in their order. Those of one zone stay apart for colour-blind readers,
-/// pale as they are drawn.
+/// The colour of a step of a stroke, by its order. Steps of one zone stay distinct for colour-blind
+/// readers despite pale fills.
 [[nodiscard]] Tone stepOfStroke(std::size_t index, const QPalette& palette);
 
 } // namespace sparkout::style

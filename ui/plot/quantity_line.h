@@ -5,13 +5,13 @@
 
 #include <QPen>
 
-/// One dash and weight for each curve, beside its colour, so that curves of one plot are told apart
-/// in black and white print, too.
+/// A dash pattern and width for each curve in addition to its colour, so that curves differ in
+/// black and white print, too.
 namespace sparkout::style {
 
-/// Solid and of the usual weight where nothing else stands beside it.
+/// A solid line of the usual width for a curve without neighbours.
 [[nodiscard]] QPen line(Drawn what, const QColor& colour);
-/// Of the limits of a depth of cut, in their order; those beyond look like the last.
+/// The line of a limit of the depth of cut, by its order; later ones repeat the last.
 [[nodiscard]] QPen lineOfDepthLimit(std::size_t index, const QColor& colour);
 
 } // namespace sparkout::style

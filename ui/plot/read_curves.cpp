@@ -16,7 +16,7 @@ namespace {
 
 constexpr int sureDigits = 12;
 
-/// Between two points, on a straight line as the axis draws it.
+/// Interpolates between two points along a straight line on the axis.
 double interpolated(const XY& a, const XY& b, double x, bool logarithmic) {
     if (b.x <= a.x) {
         return b.y;
@@ -106,7 +106,7 @@ QString statedDifference(double value, Digits digits, double beside) {
            + Names::fixed(value, static_cast<int>(decimals));
 }
 
-constexpr double roundOff = 1e-12; ///< of places in mm, s, µm: none of them goes so far
+constexpr double roundOff = 1e-12; ///< smaller than any step of places in mm, s or µm
 
 double plainPlace(double x) {
     return std::abs(x) < roundOff ? 0 : QString::number(x, 'g', sureDigits).toDouble();

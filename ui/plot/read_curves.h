@@ -12,34 +12,34 @@
 class QCPCurve;
 class QCPGraph;
 
-/// Curves as the two cursors of a plot read them: the value of what is drawn at a place.
+/// Curves that the two cursors of a plot can read.
 namespace sparkout {
 
-/// How the numbers of a curve are stated: as the view states its others.
+/// The number format of a curve's values, that of the view.
 enum class Digits { hundredths, signedHundredths, thousandths, tenThousandths, significant };
 
-/// A curve that can be read. Curves of one name stand in one row of the cursors' table, those of
-/// one group in its columns.
+/// A readable curve. Curves of one name share a row of the cursors' table, those of one group a
+/// column.
 struct ReadCurve {
-    QString group; ///< zone, section or run; empty: there is but one
-    QString name;  ///< with its unit
+    QString group; ///< zone, section or run; empty if there is only one
+    QString name;  ///< with the unit
     Digits digits = Digits::hundredths;
-    std::function<std::optional<double>(double x)> at; ///< nothing: not drawn there
+    std::function<std::optional<double>(double x)> at; ///< empty: not drawn there
 };
 using ReadCurves = std::vector<ReadCurve>;
 
-/// The value of a line at a place; where it steps, the value it steps to.
+/// The value of a line at a place; at a step, the value after it.
 [[nodiscard]] std::optional<double> valueAt(const std::vector<XY>& line, double x);
-/// The same of what is drawn, straight from point to point on the axis it is drawn on.
+/// The value of a drawn graph, interpolated along a straight line on its axes.
 [[nodiscard]] std::optional<double> valueAt(const QCPGraph& graph, double x);
-/// Where a curve passes a place more than once, its last value there.
+/// If a curve passes a place more than once, its last value there.
 [[nodiscard]] std::optional<double> valueAt(const QCPCurve& curve, double x);
 
 [[nodiscard]] QString stated(double value, Digits digits);
-/// With its sign; as far as the value it is a difference of is stated.
+/// A signed difference with the decimals of its operands.
 [[nodiscard]] QString statedDifference(double value, Digits digits, double beside);
 
-/// A place on the axis with no more digits than a double holds for sure.
+/// A place on the axis with the digits that a double has safely.
 [[nodiscard]] double plainPlace(double x);
 [[nodiscard]] QString statedPlace(double x);
 

@@ -86,7 +86,7 @@ void RunBar::showRunning(bool runs, bool mayRun) {
     m_progress->setVisible(runs);
     m_run->setEnabled(mayRun && !runs);
     m_stop->setEnabled(runs || m_turns);
-    if (m_turns) { // the one that comes is there before the other goes, and takes the keyboard
+    if (m_turns) { // shows the new button before hiding the old one, so that the focus moves to it
         QPushButton* const coming = runs ? m_stop : m_run;
         QPushButton* const going = runs ? m_run : m_stop;
         coming->show();

@@ -14,28 +14,28 @@ namespace sparkout {
 
 class Job;
 
-/// The row of a view that runs many cycles: buttons to run and to stop them, what was run and,
-/// meanwhile, how far it is and how long it will take; beside them what the view adds.
+/// The bar of a view that runs many cycles: buttons to run and stop, a text on the results or on
+/// the progress and remaining time, and the view's own parts.
 class RunBar : public QWidget {
     Q_OBJECT
 public:
-    /// Texts of counted parts; left_s below 0: not known yet.
+    /// Text for a number of parts; left_s is negative while unknown.
     using Progress = QString (*)(qint64 done, qint64 parts, double left_s);
 
-    /// The name is the beginning of those of its parts.
+    /// `name` is the prefix of the names of its parts.
     RunBar(const QString& name, QWidget* parent, Progress text = nullptr);
 
-    /// Once: what stands before the text and behind it, which has a line to itself unless it is at
-    /// least so many letters wide.
+    /// Call once: sets the widgets before and behind the text. The text takes a line of its own
+    /// unless it has room for so many letters.
     void layOut(std::initializer_list<QWidget*> before, std::initializer_list<QWidget*> behind,
                 int letters = 0);
-    /// A count of what is done with the time that the rest will take, once that is known.
+    /// A count of finished parts with the remaining time, if known.
     [[nodiscard]] static QString withTimeLeft(const QString& count, double left_s);
-    /// Whether so many runs, each of so many radii, take about two seconds of one processor at
-    /// most: they run by themselves.
+    /// Whether so many runs with so many radii each take at most about two seconds of one
+    /// processor, so that they may start automatically.
     [[nodiscard]] static bool areQuick(std::int64_t runs, std::int64_t radii);
     void takeTurns() { m_turns = true; } ///< the two buttons, in one place
-    /// Shows the progress of work whose parts are counted, and stops it.
+    /// Shows the progress of a job whose parts are counted, and stops it.
     void follow(Job& job);
     void showProgress(qint64 done, qint64 parts, double left_s = -1);
     void showProgress(double share, const QString& text);
@@ -43,7 +43,7 @@ public:
 
     [[nodiscard]] QPushButton* run() const { return m_run; }
     [[nodiscard]] QPushButton* stop() const { return m_stop; }
-    [[nodiscard]] QLabel* state() const { return m_state; } ///< what was run
+    [[nodiscard]] QLabel* state() const { return m_state; } ///< text on the results
     [[nodiscard]] QProgressBar* progress() const { return m_progress; }
 
 private:

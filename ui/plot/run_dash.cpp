@@ -10,7 +10,7 @@ namespace sparkout {
 namespace {
 
 constexpr double dashWidth = 1.6;
-constexpr double thicker = 1.2; ///< for every further round of the dashes
+constexpr double thicker = 1.2; ///< factor on the width for each repetition of the patterns
 
 const std::array<QVector<qreal>, 6>& runDashes() {
     static const std::array<QVector<qreal>, 6> all{

@@ -7,12 +7,12 @@
 
 namespace sparkout {
 
-/// How the curves of one of several runs are drawn: the present run, number 0, solid; the others
-/// with dashes of their own, and thicker ones once those are used up.
-[[nodiscard]] QVector<qreal> runDash(int number); ///< in widths of the pen; empty: solid
+/// The line of one of several runs: the current run, number 0, is solid; the others have different
+/// dashes, and wider lines once these repeat.
+[[nodiscard]] QVector<qreal> runDash(int number); ///< in pen widths; empty: solid
 [[nodiscard]] QPen runPen(int number, const QColor& colour);
 
-/// A sample of it for a list.
+/// A sample of the line for a list.
 [[nodiscard]] QPixmap runSample(int number, const QColor& colour, const QSize& size, qreal ratio);
 
 } // namespace sparkout

@@ -10,12 +10,12 @@
 
 namespace sparkout {
 
-/// A view of something that is computed on demand, and that stands until something else is: drawn
-/// faint once the inputs are others.
+/// A view of a study that is computed on demand and shown until the next one, faint when the inputs
+/// have changed.
 class StudyView : public PlotView {
     Q_OBJECT
 public:
-    /// Over results that are not of the present inputs; `button` computes those.
+    /// The notice over outdated results; `button` computes new ones.
     [[nodiscard]] static QString staleText(bool isRunning, const QString& button) {
         return isRunning ? tr("These results are for the inputs before the last edit; those for "
                               "the current inputs are being computed.")
@@ -25,13 +25,13 @@ public:
     }
 
 signals:
-    /// The document is to be changed so.
+    /// An edit of the document is requested.
     void editWanted(const std::function<sparkout::Project(sparkout::Project)>& edit,
                     const sparkout::EditText& text);
-    void ended(); ///< what was computed, or refused, has been drawn
+    void ended(); ///< the result, or its refusal, has been drawn
 
 protected:
-    /// Without studies of the window it has its own.
+    /// Without studies of the window it creates its own.
     StudyView(const QString& name, QWidget* parent, Settings* settings, Studies* studies)
         : PlotView(name, parent, settings)
         , m_own(studies ? nullptr : std::make_unique<Studies>())

@@ -21,7 +21,7 @@ QString number(double value) {
     return QString::number(value, 'g', 7);
 }
 
-/// Text between tags: no characters that XML does not allow.
+/// Text between tags, without characters that XML does not allow.
 QString xmlText(QString text) {
     text.removeIf([](QChar c) { return c.unicode() < 0x20 && c != u'\t' && c != u'\n'; });
     return text.toHtmlEscaped();
@@ -31,7 +31,7 @@ QString attribute(const char* name, const QString& value) {
     return QStringLiteral(" %1=\"%2\"").arg(QLatin1String(name), value.toHtmlEscaped());
 }
 
-/// Colour and, where it is not opaque, opacity.
+/// Colour and, if it is not opaque, opacity.
 QString paint(const char* name, const QColor& colour, double opacity) {
     const QString text = attribute(name, colour.name());
     const double alpha = colour.alphaF() * opacity;
@@ -102,7 +102,7 @@ private:
     int m_dotsPerInch;
     QString m_body;
     QString m_clipPaths;                 ///< <clipPath> elements
-    QHash<QString, QString> m_clipNames; ///< by path data, in device coordinates
+    QHash<QString, QString> m_clipNames; ///< names by path data, in device coordinates
     QString m_clipName;
     bool m_clipping = false;
     QPainterPath m_clip;
@@ -168,7 +168,7 @@ void SvgEngine::readClip(const QPaintEngineState& now) {
     }
 }
 
-/// Clip paths are in device coordinates, hence a group of their own outside the transform.
+/// Clip paths are in device coordinates, hence in a group outside the transform.
 void SvgEngine::put(const QString& element) {
     QString text = element;
     if (!m_transform.isIdentity()) {

@@ -12,14 +12,14 @@ namespace sparkout {
 
 class SvgEngine;
 
-/// Paints into SVG 1.1 with clipping, which Qt's own QSvgGenerator drops: a zoomed curve would run
-/// over the whole sheet. Text stays text.
+/// Paints SVG 1.1 with clipping, which Qt's QSvgGenerator ignores: a zoomed curve would extend over
+/// the whole sheet. Text remains text.
 class SvgDevice : public QPaintDevice {
 public:
     SvgDevice(QSize size, int dotsPerInch, QString title); ///< size in dots
     ~SvgDevice() override;
 
-    [[nodiscard]] QByteArray document() const; ///< after the painter has ended
+    [[nodiscard]] QByteArray document() const; ///< requires that the painter has ended
     [[nodiscard]] QPaintEngine* paintEngine() const override;
 
 protected:

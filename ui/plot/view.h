@@ -12,53 +12,53 @@ class QLabel;
 
 namespace sparkout {
 
-/// A tab of the window's middle: shows one outcome, the newest one wins. It draws once, later in
-/// the event loop; a hidden one when it is shown. Where the cycle stands it takes from a cursor,
-/// its own or one shared with the other views.
+/// A tab in the middle of the window that shows the newest outcome. It draws later in the event
+/// loop; if hidden, when it is shown. The moment of the cycle comes from a cursor, its own or one
+/// shared with the other views.
 class View : public QWidget {
     Q_OBJECT
 public:
     explicit View(QWidget* parent = nullptr);
 
-    [[nodiscard]] virtual QString title() const = 0;                ///< in the present language
-    [[nodiscard]] virtual QString brief() const { return title(); } ///< of the tab
+    [[nodiscard]] virtual QString title() const = 0;                ///< translated
+    [[nodiscard]] virtual QString brief() const { return title(); } ///< title of the tab
     void setOutcome(sparkout::OutcomePtr outcome);
-    /// Of the window's views, in place of its own; it is given the outcomes first.
+    /// Replaces its own cursor by that of the window's views, which receives the outcomes first.
     void shareCycle(CycleCursor* cycle);
     virtual void retranslate() = 0;
-    [[nodiscard]] virtual bool busy() const { return false; } ///< with what it computes itself
-    /// Whether it shows a moment of the cycle, which the playback moves.
+    [[nodiscard]] virtual bool busy() const { return false; } ///< with computations of its own
+    /// Whether it shows a moment of the cycle, which the playback changes.
     [[nodiscard]] virtual bool showsMoment() const { return false; }
-    /// Another document comes, or surface. What is shown of the one before stays until this one has
-    /// a result of its own, but not longer: where that is refused, it goes.
+    /// Called before another document or surface is shown. The old content stays until the new one
+    /// has a result, and is removed if that is refused.
     void forget();
 
 signals:
     void updated();                           ///< an outcome has been drawn
-    void inputAsked(const std::string& path); ///< one that is missing
+    void inputAsked(const std::string& path); ///< a missing input
 
 protected:
     virtual void showOutcome() = 0; ///< draws latest(), at the cycle's moment
-    virtual void followCycle() {}   ///< the cycle stands at another moment
+    virtual void followCycle() {}   ///< the moment of the cycle has changed
     [[nodiscard]] CycleCursor& cycle() const { return *m_cycle; }
-    /// Null while it stands in another run than the one shown, or that was not recorded.
+    /// Null if the cursor belongs to another run than the one shown, or to an unrecorded one.
     [[nodiscard]] const CycleCursor* cycleIn(const OutcomePtr& shown) const;
-    /// What was given last, maybe refused.
+    /// The last outcome, possibly refused.
     [[nodiscard]] const OutcomePtr& latest() const { return m_latest; }
     static void setUpNotice(QLabel& label); ///< plain text, selectable, wrapped
-    /// The same for the values under the mouse, which readOut() fills.
+    /// Sets up the label for the values under the mouse, which readOut() fills.
     void setUpReadout(QLabel& label, int lines = 2);
-    void readOut(const QString& text = {}); ///< nothing: the hint
-    /// What the read-out says while nothing is pointed at.
+    void readOut(const QString& text = {}); ///< empty: shows the hint
+    /// The text shown while the mouse points at nothing.
     [[nodiscard]] virtual QString hint() const = 0;
-    virtual void dropStudies() {} ///< what was computed on demand: another document comes
-    /// Whether no outcome of the present document has been given since forget().
+    virtual void dropStudies() {} ///< drops results computed on demand, before another document
+    /// Whether the current document has had no outcome since forget().
     [[nodiscard]] bool isOfBefore() const { return m_ofBefore; }
-    void keepOutcome() { m_ofBefore = false; } ///< what is shown is of the present document
-    virtual void recolour() {} ///< what does not follow the palette by itself, as a legend
-    /// Ends a constructor: gives the texts, then and whenever the language changes.
+    void keepOutcome() { m_ofBefore = false; } ///< it belongs to the current document
+    virtual void recolour() {}                 ///< updates parts that do not follow the palette
+    /// Call at the end of a constructor: sets the texts, now and whenever the language changes.
     void built();
-    void redraw(); ///< now, if there is something new
+    void redraw(); ///< at once, if anything is new
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
@@ -73,7 +73,7 @@ private:
     bool m_stale = false;
     bool m_queued = false;
     bool m_moved = false;
-    bool m_ofBefore = false; ///< what is shown is of another document
+    bool m_ofBefore = false; ///< the content belongs to another document
 };
 
 } // namespace sparkout

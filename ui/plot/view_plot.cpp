@@ -102,7 +102,7 @@ QCPAxisRect* ViewPlot::addCell(int row) {
 void ViewPlot::tie(const std::vector<QCPAxisRect*>& rects, QCPAxis::AxisType side) {
     for (const QCPAxisRect* rect : rects) {
         for (const QCPAxisRect* other : rects) {
-            if (rect != other) { // ends with the round, as a range that is the same changes nothing
+            if (rect != other) { // terminates, since setting an equal range has no effect
                 connect(rect->axis(side), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged),
                         other->axis(side), qOverload<const QCPRange&>(&QCPAxis::setRange));
             }
@@ -204,7 +204,7 @@ void ViewPlot::setKeyed(int key, std::initializer_list<QCPLayerable*> drawn) {
 }
 
 void ViewPlot::showChoice() {
-    std::erase_if(m_keyed, [](const auto& keyed) { return !keyed.second; }); // gone since
+    std::erase_if(m_keyed, [](const auto& keyed) { return !keyed.second; }); // deleted meanwhile
     for (const auto& [key, part] : m_keyed) {
         part->setVisible(shows(key));
     }
@@ -270,7 +270,7 @@ void ViewPlot::takeLook(bool) {
     restyle();
 }
 
-// Here, because a parent learns of a new palette before its children.
+// Here, since a parent receives a new palette before its children.
 void ViewPlot::changeEvent(QEvent* event) {
     QCustomPlot::changeEvent(event);
     const bool font = event->type() == QEvent::FontChange;

@@ -25,87 +25,88 @@ class Settings;
 struct CursorSubject;
 struct PlotSubject;
 
-/// A plot of a view: dims with a run that is out of date, follows the window's language, palette
-/// and font, reports what is under the mouse, knows what of it the user hid; with tools it is
-/// moved, copied and saved, with cursors read. A chart says what is drawn, how it is read and
-/// fitted.
+/// A plot of a view: it dims for an outdated run, follows the language, palette and font of the
+/// window, reports the values under the mouse and keeps what the user hid; it has tools for moving,
+/// copying and saving, and optionally cursors. Subclasses draw, read and fit the data.
 class ViewPlot : public QCustomPlot {
     Q_OBJECT
 public:
-    explicit ViewPlot(QWidget* parent = nullptr); ///< without a cell, a layer "bands" at the back
+    explicit ViewPlot(QWidget* parent = nullptr); ///< without axes; has a layer "bands" at the back
 
     void setDimmed(bool dim);
     [[nodiscard]] bool isDimmed() const { return m_dim; }
     [[nodiscard]] QColor toned(style::Drawn what) const; ///< its colour, faint while dimmed
     [[nodiscard]] QColor toned(Tone tone) const;
-    [[nodiscard]] QColor ink() const; ///< of the texts, faint while dimmed
+    [[nodiscard]] QColor ink() const; ///< text colour, faint while dimmed
     void retranslate();               ///< numbers and texts
-    virtual void restyle();           ///< by palette and font; here background and axes
+    virtual void restyle();           ///< applies palette and font, here to background and axes
 
-    virtual void fit() = 0; ///< makes all visible; no replot
+    virtual void fit() = 0; ///< shows everything; no replot
     [[nodiscard]] virtual LegendEntries legendEntries() const { return {}; }
     [[nodiscard]] virtual CsvTable table() const {
         return {};
-    }                                  ///< what is shown, within the visible range
-    virtual void toggleCurve(int key); ///< of the legend
+    }                                  ///< the data within the visible range
+    virtual void toggleCurve(int key); ///< called by the legend
     virtual void showOnly(int key);    ///< again: all
 
-    /// What is visible, for the history [the ranges of all axes].
+    /// The visible state for the history [the ranges of all axes].
     [[nodiscard]] virtual PlotHistory::State visibleRange() const;
     virtual void setVisibleRange(const PlotHistory::State& range); ///< no replot
-    /// Axes that wheel, drag and keys move within an axis rect [bottom and left].
+    /// Axes moved by wheel, drag and keys in an axis rect [bottom and left].
     [[nodiscard]] virtual QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const;
 
-    [[nodiscard]] virtual ReadCurves readCurves() const { return {}; } ///< the shown ones
-    [[nodiscard]] virtual QCPRange readSpan() const { return {}; }     ///< where they can be read
-    /// For the cursors; the horizontal axis goes by its label.
+    [[nodiscard]] virtual ReadCurves readCurves() const { return {}; } ///< the visible ones
+    [[nodiscard]] virtual QCPRange readSpan() const { return {}; }     ///< readable range
+    /// For the cursors; the name of the horizontal axis is its label.
     [[nodiscard]] virtual CursorSubject cursorSubject();
 
-    /// Measures points of an item by the bottom and left axis of an axis rect.
+    /// Makes points of an item relative to the bottom and left axis of an axis rect.
     static void anchor(std::initializer_list<QCPItemPosition*> points, QCPAxisRect& rect);
-    /// Upright or level through an axis rect, at a value of its bottom or left axis.
+    /// Adds a vertical or horizontal line through an axis rect, at a value of its bottom or left
+    /// axis.
     QCPItemStraightLine* addRule(QCPAxisRect& rect, double at, bool upright = true);
-    QCPGraph* addLine(const QCPAxisRect& rect); ///< over its bottom and left axis
+    QCPGraph* addLine(const QCPAxisRect& rect); ///< on its bottom and left axis
     static QCPCurve* addCurve(const QCPAxisRect& rect);
 
-    /// Navigation, copies and files, once; the subject needs a heading and what is special.
+    /// Adds navigation, copying and saving; call once. The subject needs a heading and any
+    /// overrides.
     virtual PlotTools& addTools(PlotSubject subject, Settings* settings);
-    [[nodiscard]] PlotTools* tools() const { return m_tools; } ///< null: none
-    PlotCursors& addCursors();                                 ///< once, after the tools
+    [[nodiscard]] PlotTools* tools() const { return m_tools; } ///< null before addTools()
+    PlotCursors& addCursors();                                 ///< call once, after addTools()
     [[nodiscard]] PlotCursors* cursors() const { return m_cursors; }
 
 signals:
     void contentChanged();             ///< hence the legend
-    void pointed(const QString& text); ///< values under the mouse; empty: at nothing
+    void pointed(const QString& text); ///< values under the mouse; empty if there are none
 
 protected:
     virtual void setTexts() {}
-    /// When a new font, else a new palette, has come.
+    /// Called for a new font, otherwise for a new palette.
     virtual void takeLook(bool font);
-    /// What the user hid, or shows again, in the legend; here what is keyed.
+    /// Applies the choice of visible curves, here to the keyed objects.
     virtual void showChoice();
-    /// Hidden and shown with an entry of the legend; null: nothing.
+    /// Ties the visibility of objects to a legend entry; null pointers are ignored.
     void setKeyed(int key, std::initializer_list<QCPLayerable*> drawn);
     [[nodiscard]] LegendEntry lineEntry(int key, const QPen& pen, const QString& text) const;
     [[nodiscard]] LegendEntry areaEntry(int key, const QColor& colour, const QString& text) const;
-    void contentSet(); ///< other things are drawn: look, texts, choice and range, for all of them
-    /// The entries of the legend that showOnly() chooses one of.
+    void contentSet(); ///< updates look, texts, choice and range after new content
+    /// The legend entries among which showOnly() chooses.
     [[nodiscard]] virtual LegendEntries besides(int) const { return legendEntries(); }
     [[nodiscard]] virtual QString valuesAt(const QPointF&) const { return {}; } ///< under the mouse
-    virtual void onMouse(QMouseEvent* event); ///< has moved; here reports the values
-    virtual void pointAway();                 ///< the mouse has left
-    /// With the left button, pressed and let go without a drag between.
+    virtual void onMouse(QMouseEvent* event); ///< called for mouse moves; here reports the values
+    virtual void pointAway();                 ///< called when the mouse leaves
+    /// Calls back for a left click without a drag.
     void onClick(std::function<void(const QPointF& at)> clicked);
     void built();                       ///< ends a constructor: look and texts
-    void setBuilt() { m_built = true; } ///< the same without them: there is nothing yet
+    void setBuilt() { m_built = true; } ///< marks the plot as built without content
 
-    [[nodiscard]] bool shows(int key) const { return m_choice.shows(key); } ///< of the legend
+    [[nodiscard]] bool shows(int key) const { return m_choice.shows(key); } ///< in the legend
     [[nodiscard]] const CurveChoice& choice() const { return m_choice; }
-    /// An axis rect in a cell of the layout.
+    /// Adds an axis rect in a cell of the layout.
     QCPAxisRect* addRect(int row = 0, int column = 0);
-    /// The same in a row, closed by axes without numbers above and to the right.
+    /// Adds an axis rect in a row, framed by axes without numbers at the top and right.
     QCPAxisRect* addCell(int row = 0);
-    /// The axes on a side of all these rects have one range from now on.
+    /// Ties the axes on one side of all these rects to one range.
     static void tie(const std::vector<QCPAxisRect*>& rects, QCPAxis::AxisType side);
 
     void changeEvent(QEvent* event) override;
@@ -116,7 +117,7 @@ private:
     void followChoice();
 
     CurveChoice m_choice;
-    std::vector<std::pair<int, QPointer<QCPLayerable>>> m_keyed; ///< with the key of each
+    std::vector<std::pair<int, QPointer<QCPLayerable>>> m_keyed; ///< each with its key
     PlotTools* m_tools = nullptr;
     PlotCursors* m_cursors = nullptr;
     bool m_dim = false, m_built = false;

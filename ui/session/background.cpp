@@ -11,7 +11,7 @@ namespace sparkout {
 
 namespace {
 
-/// Work that is over by then needs no event loop, and the window does not feel it.
+/// Shorter work needs no event loop, since the delay is not noticed.
 constexpr int unfelt_ms = 20;
 
 } // namespace

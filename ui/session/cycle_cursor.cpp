@@ -108,7 +108,7 @@ void CycleCursor::step(CursorUnit unit, int by) {
         setPosition(m_position + by);
         return;
     }
-    // The blank is an end too: the one before the first.
+    // The blank is an end, too: the one before the first.
     const std::vector<long long>& all = endsOf(unit);
     const auto past = by > 0 ? std::ranges::upper_bound(all, m_position)
                              : std::ranges::lower_bound(all, m_position);

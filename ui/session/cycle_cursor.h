@@ -29,7 +29,7 @@ public:
     /// stroke; for another operation it moves to the end. A refused run changes nothing; a run that
     /// was not recorded has no positions to step through.
     void setOutcome(OutcomePtr outcome);
-    [[nodiscard]] const OutcomePtr& outcome() const { return m_outcome; } ///< null: there is none
+    [[nodiscard]] const OutcomePtr& outcome() const { return m_outcome; } ///< may be null
 
     [[nodiscard]] long long position() const { return m_position; } ///< radii done, 0…count()
     [[nodiscard]] long long count() const; ///< number of radii in the whole cycle

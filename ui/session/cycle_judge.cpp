@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 /// While one types or drags outcomes follow each other faster.
 constexpr auto quietBefore = 150ms;
-/// Visits of a radius of a batch that is run by itself: about a second of one processor.
+/// Limit on visits for a batch that runs by itself: about a second of one processor.
 constexpr std::int64_t mostVisits = 100'000'000;
 
 bool isQuick(const Outcome& outcome) {
@@ -66,7 +66,7 @@ void CycleJudge::judgeBatches(bool isOn) {
     judgeAgain();
 }
 
-/// What has come may be of inputs before the last edit.
+/// The outcome may belong to inputs before the last edit.
 void CycleJudge::judgeAgain() {
     if (!m_judged.outcome) {
         return;

@@ -12,7 +12,7 @@ namespace sparkout {
 
 /// Judgement of a run, with the parts of it that are still being computed.
 struct JudgedRun {
-    OutcomePtr outcome; ///< null: none
+    OutcomePtr outcome; ///< may be null
     Judgement judgement;
     bool areStocksComing = false;
     bool hasBatch = false; ///< the batch may be reported
@@ -34,7 +34,7 @@ public:
     /// Sets whether batches are run and reported; in a lesson they are not.
     void judgeBatches(bool isOn);
     [[nodiscard]] const JudgedRun& judged() const { return m_judged; }
-    /// Returns the batch of the inputs that were run, preferably one with all parts run; null:
+    /// Returns the batch of the inputs that were run, preferably one with all parts run; null if
     /// there is none.
     [[nodiscard]] BatchOutcomePtr batch() const;
 

@@ -30,7 +30,7 @@ std::optional<double> numberAt(const Project& project, const std::string& path) 
     return numberIn(*member.field, member.owner);
 }
 
-/// Where a surface stands among the open inputs of all of them.
+/// The path of a surface among the open inputs of all of them.
 std::string placeOf(std::size_t surface) {
     return surface == 0 ? std::string() : surfacePath(surface);
 }
@@ -91,7 +91,7 @@ public:
 
     [[nodiscard]] const EditText& editText() const { return m_text; }
     [[nodiscard]] const QString& mergeKey() const { return m_mergeKey; }
-    /// Of a surface, before the edit; null: it was added by it, or later.
+    /// The surface before the edit; null if it was added by it, or later.
     [[nodiscard]] const Project* before(int surface) const {
         const auto index = m_before.indexOf(surface);
         return index ? &m_before.surfaces[*index]->project : nullptr;
@@ -146,7 +146,7 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
         if (hasBatchAsMade(changed)) {
             changed = withUsualBatch(std::move(changed));
         }
-        if (openInputs().empty() || !changed.optimisation) { // one that was set up stays
+        if (openInputs().empty() || !changed.optimisation) { // an existing search stays
             changed = usualSearch(std::move(changed));
         }
         m_started = changed;
@@ -156,8 +156,8 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
     }
 }
 
-/// Whether the drawing has just become complete, or changes while the cycle that was made for it
-/// is as it was made.
+/// Whether the drawing has just become complete, or changes while the cycle made for it is
+/// unchanged.
 bool Document::isStarting(const Project& changed, const std::vector<std::string>& open) const {
     if (!openInputs().empty()) {
         return open.empty() && m_present.inFront().startsWhenDrawn;
@@ -171,7 +171,7 @@ bool Document::isStarting(const Project& changed, const std::vector<std::string>
            || path.starts_with("/wheel/") || isOtherMachine;
 }
 
-/// Whether its batch is the one that came with the project, which goes with the cycle.
+/// Whether its batch is the one created with the project, which is replaced with the cycle.
 bool Document::hasBatchAsMade(const Project& changed) const {
     const auto isOf = [&changed](const Project& made) {
         return firstDifference(made, changed,
@@ -203,7 +203,7 @@ bool Document::push(SetupState after, EditText text, const QString& mergeKey) {
     return true;
 }
 
-/// The present value with another project in front.
+/// The current value with another current project.
 SetupState Document::with(Project changed, std::vector<std::string> open) const {
     SetupState made = m_present;
     const SurfaceState& before = m_present.inFront();
@@ -223,7 +223,7 @@ SetupState Document::with(Project changed, std::vector<std::string> open) const 
     return made;
 }
 
-/// Another operation fits the numbers to itself: that does not give them.
+/// A change of operation converts the numbers, which does not count as entering them.
 std::vector<std::string> Document::openIn(const Project& changed) const {
     std::vector<std::string> open = openInputs();
     if (changed.operation == m_project.operation) {
@@ -314,7 +314,7 @@ void Document::step(const std::function<void()>& step) {
                      : std::string();
     };
     if (before.indexOf(m_present.inFront().id) && pathOf(m_present.inFront()).empty()) {
-        // What it changed is to be seen: another surface, where the one in front is as it was.
+        // Shows the changed surface, unless the current one has changed.
         for (std::size_t i = 0; i < surfaceCount(); ++i) {
             if (!pathOf(*m_present.surfaces[i]).empty()) {
                 showSurface(i);
@@ -335,7 +335,7 @@ void Document::step(const std::function<void()>& step) {
 QStringList Document::unsavedEdits() const {
     QStringList texts;
     const int clean = m_history.cleanIndex();
-    if (clean >= 0) { // edits made since, or undone since
+    if (clean >= 0) { // edits made or undone since
         for (int i = std::min(clean, m_history.index()); i < std::max(clean, m_history.index());
              ++i) {
             texts += editAt(i)->editText().shown();
@@ -440,7 +440,7 @@ void Document::markUnsaved() {
     m_history.resetClean();
 }
 
-/// Surfaces are known again by their place: the runs they share with the history stay shared.
+/// Surfaces are matched by their place: the runs shared with the history stay shared.
 void Document::reload(Setup setup, const QByteArray& hash) {
     endMerge();
     SetupState state = stateOf(std::move(setup));
@@ -460,7 +460,7 @@ void Document::reload(Setup setup, const QByteArray& hash) {
 }
 
 void Document::take(Setup setup, const QString& path, const QByteArray& hash, bool readOnly) {
-    shareCalibrations(setup); // older files have them with one surface
+    shareCalibrations(setup); // older files have them in one surface
     replace(stateOf(std::move(setup)), path, hash, readOnly, Kept::onDisk);
 }
 

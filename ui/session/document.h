@@ -165,7 +165,7 @@ private:
                                   const std::vector<std::string>& open) const;
     [[nodiscard]] bool hasBatchAsMade(const Project& changed) const;
     [[nodiscard]] SetupState with(Project changed, std::vector<std::string> open) const;
-    /// Makes an edit; returns false: the gate refuses it.
+    /// Makes an edit; returns false if the gate refuses it.
     bool push(SetupState after, EditText text, const QString& mergeKey);
     void setState(const SetupState& state);
     void step(const std::function<void()>& step);

@@ -20,11 +20,11 @@ constexpr EditText deleteText{"Edit", QT_TRANSLATE_NOOP("Edit", "Delete a kept r
 constexpr EditText restoreText{"Edit",
                                QT_TRANSLATE_NOOP("Edit", "Restore the inputs of a kept run")};
 
-constexpr std::size_t mostRuns = 1000; ///< of the table of the project
-constexpr std::size_t fileShare = 2;   ///< indented, a text may grow to twice its length
-constexpr std::size_t valuesShare = 2; ///< leaves as much for the rest of the project
+constexpr std::size_t mostRuns = 1000; ///< limit in the table of the project
+constexpr std::size_t fileShare = 2;   ///< with indentation, a text may double in length
+constexpr std::size_t valuesShare = 2; ///< half is left for the rest of the project
 
-/// Neither in the file nor as it is shown.
+/// Whether a name is free, both in the file and as displayed.
 bool isFree(const std::vector<KeptRun>& runs, const std::string& name) {
     const QString shown = runName(name);
     return std::ranges::none_of(
@@ -40,7 +40,7 @@ std::string freeName(const std::vector<KeptRun>& runs) {
     }
 }
 
-/// The name that is wanted, with a number where a run has it already.
+/// The wanted name, with a number if a run has it already.
 std::string freeName(const std::vector<KeptRun>& runs, const QString& wanted) {
     std::string name = wanted.toStdString();
     for (int number = 2; !isFree(runs, name); ++number) {
@@ -49,7 +49,7 @@ std::string freeName(const std::vector<KeptRun>& runs, const QString& wanted) {
     return name;
 }
 
-/// Whether a project file with these runs would be read again, with room to spare.
+/// Whether a project file with these runs would be readable, with a margin.
 bool fitFile(const std::vector<KeptRun>& runs) {
     std::size_t bytes = 0, values = 0;
     for (const KeptRun& run : runs) {
@@ -62,7 +62,7 @@ bool fitFile(const std::vector<KeptRun>& runs) {
            && values * valuesShare < limits::values;
 }
 
-/// The same record, whatever it is called by now.
+/// Whether it is the same record, whatever its current name.
 bool sameRecord(const KeptRun& a, const KeptRun& b) {
     return a.when == b.when && a.inputs == b.inputs && a.summary == b.summary;
 }
@@ -104,7 +104,7 @@ KeptRuns::Kept KeptRuns::keep(const Outcome& outcome, const QString& name) {
 
 void KeptRuns::rename(int index, const QString& name) {
     const std::string wanted = name.simplified().toStdString();
-    // A list gives up the name that is being typed when its row goes, after the run has gone.
+    // Drops a name typed for a row that has been removed.
     if (!wanted.empty() && index >= 0 && index < count()) {
         Project project = m_document.project();
         project.runs.at(static_cast<std::size_t>(index)).name = wanted;
@@ -127,9 +127,9 @@ bool KeptRuns::restore(int index) {
     }
     Project project = *kept;
     project.runs = all();
-    project.measured = m_document.project().measured; // no part of what was run
+    project.measured = m_document.project().measured; // not part of the run
     if (m_document.state().wear.isGiven() && m_document.surface() > 0) {
-        // It was run with the wheel as the surfaces before had left it.
+        // Restores the wheel worn by the earlier surfaces for the run.
         project.wheel->diameter_mm = m_document.project().wheel->diameter_mm;
         project.wheel->dullness = m_document.project().wheel->dullness;
         const auto& dressed = m_document.project().wheel->force_recipe;
@@ -160,7 +160,7 @@ std::vector<KeptRuns::Entry> KeptRuns::entriesNow() const {
     return entries;
 }
 
-/// Of another document or surface the newest run is chosen, of this one those that are new.
+/// Chooses the newest run of another document or surface, or the new ones of this one.
 void KeptRuns::follow(bool another) {
     std::vector<Entry> now = entriesNow();
     const auto isSame = [](const Entry& a, const Entry& b) {

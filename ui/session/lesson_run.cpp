@@ -201,7 +201,7 @@ const Answer* LessonRun::draft(std::size_t step) const {
     return found == m_drafts.end() ? nullptr : &found->second;
 }
 
-/// With the runs that were kept in the work.
+/// Includes the runs kept in the work.
 Setup LessonRun::setupFor(std::size_t step) const {
     Setup setup = settingsFor(step);
     Project& project =
@@ -229,7 +229,7 @@ Setup LessonRun::settingsFor(std::size_t step) const {
     return setupOf(lesson(), step);
 }
 
-/// Of each answer that counts and was not checked yet.
+/// Checks each answer that counts and was not checked yet.
 void LessonRun::check() {
     std::vector<std::pair<std::size_t, Answer>> open;
     for (std::size_t i = 0; i < lesson().steps.size(); ++i) {
@@ -279,7 +279,8 @@ QString LessonRun::draftFile() const {
            + QStringLiteral(".sparkout-work");
 }
 
-/// The work with what is not handed in as further entries, that of the step in front last.
+/// Writes the work with the answers not handed in as further entries, that of the current step
+/// last.
 void LessonRun::writeDraft() {
     if (m_draftFolder.isEmpty()) {
         return;
@@ -300,7 +301,7 @@ void LessonRun::writeDraft() {
     const auto front = m_drafts.find(m_step);
     put(m_step, front == m_drafts.end() ? Answer() : front->second);
     m_disk.start([draft = std::move(draft), file = draftFile(), folder = m_draftFolder] {
-        if (QDir().mkpath(folder)) { // what fails here costs what is typed, and no more
+        if (QDir().mkpath(folder)) { // a failure here loses only typed text
             (void)writeFileSafely(systemPath(file), writeWork(draft));
         }
         return Background::Answer([] {});
@@ -320,7 +321,7 @@ void LessonRun::readDraft() {
     }
     const std::size_t known = m_work->entries.size();
     if (known > 0 && read.work->entries[known - 1].sha256 != m_work->entries.back().sha256) {
-        return; // of another course of the work
+        return; // another course of the work
     }
     for (std::size_t i = known; i < read.work->entries.size(); ++i) {
         WorkEntry& entry = read.work->entries[i];

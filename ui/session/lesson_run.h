@@ -44,7 +44,7 @@ public:
     [[nodiscard]] const QString& file() const { return m_file; }
     [[nodiscard]] std::size_t step() const { return m_step; }
     [[nodiscard]] const LessonStep& current() const { return lesson().steps[m_step]; }
-    /// Returns the project of the surface of a step at its beginning.
+    /// Returns the project of a step's surface at its beginning.
     [[nodiscard]] Project projectOf(std::size_t step) const;
 
     /// Begins or continues a work; `isSaved`: its file contains it.

@@ -31,7 +31,7 @@ void NewestJob::start(Job job) {
             QMetaObject::invokeMethod(
                 this,
                 [this, number, answer = std::move(answer)] {
-                    if (number == m_newest) { // else it is late
+                    if (number == m_newest) { // otherwise it is outdated
                         answer();
                     }
                 },

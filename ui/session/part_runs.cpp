@@ -82,7 +82,7 @@ void PartRuns::setJudged(const JudgedRun& judged) {
     m_frontOf = m_document.state().surfaces[surface];
     m_front = judged.judgement;
     takeFront(surface, m_statuses[surface]);
-    for (Known& each : m_known) { // stays when another surface comes in front
+    for (Known& each : m_known) { // remains when the current surface changes
         if (each.surface == m_frontOf && !m_document.state().wear.isGiven()) {
             takeFront(surface, each.status);
         }
@@ -90,7 +90,7 @@ void PartRuns::setJudged(const JudgedRun& judged) {
     emit changed();
 }
 
-/// Of the surface that was in front more may be known.
+/// More may be known about the current surface.
 void PartRuns::takeFront(std::size_t surface, SurfaceStatus& status) const {
     if (status.ran() && m_document.state().surfaces[surface] == m_frontOf) {
         status.judgement = m_front;
@@ -110,7 +110,7 @@ std::optional<SurfaceRun> PartRuns::runOf(const SetupState& state, const Known& 
     return runSurface({}, worn.project, stop);
 }
 
-/// Shows what is known already; true when that is all.
+/// Shows the known results; true if they are complete.
 bool PartRuns::takeKnown() {
     const SetupState& state = m_document.state();
     m_statuses.assign(state.surfaces.size(), {});
@@ -134,7 +134,7 @@ bool PartRuns::takeKnown() {
     return isAll;
 }
 
-/// Where the wheel wears, what is refused leaves those behind it not run.
+/// With wear, surfaces after a refused one are not run.
 void PartRuns::follow() {
     m_running = m_document.surfaceCount() > 1 && !takeKnown();
     if (m_document.surfaceCount() == 1) {

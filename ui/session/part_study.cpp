@@ -17,14 +17,14 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::int64_t steps = 1000; ///< that a search is counted in
+constexpr std::int64_t steps = 1000; ///< resolution of a search's progress
 
-/// How far one search is: by its bound against its best, which comes to it at the end.
+/// The progress of a search: by its bound relative to its best, which it reaches at the end.
 class SearchCount {
 public:
     explicit SearchCount(std::atomic<std::int64_t>& done) : m_done(done) {}
 
-    void note(const SearchState& state) { // in any thread
+    void note(const SearchState& state) { // on any thread
         const double share = state.best_s ? std::clamp(state.bound_s / *state.best_s, 0.0, 1.0) : 0;
         reach(std::llround(share * double(steps)));
     }
@@ -44,7 +44,7 @@ private:
     std::atomic<std::int64_t> m_reached = 0;
 };
 
-/// What is ticked, as far as this project's search can be asked so.
+/// The ticked options that apply to this project's search.
 SearchWish wishOf(const Project& project, SearchTicks ticks) {
     const bool ofTime = objectiveOf(project) == SearchObjective::time;
     const bool ofMargin = project.optimisation->margin_within_min.has_value();

@@ -29,7 +29,7 @@ using SurfaceStudyPtr = std::shared_ptr<const SurfaceStudy>;
 /// Options ticked for the searches of all surfaces; an option that does not apply to a surface is
 /// ignored there.
 struct SearchTicks {
-    bool phases = false; ///< the answer must hold in every phase of the stock
+    bool phases = false; ///< the answer must be fit for any stock within one infeed
     bool refine = false; ///< refine the answer between the levels
 };
 

@@ -27,9 +27,9 @@ public:
     ProgramLog();
     ~ProgramLog() override;
 
-    /// Adds a line to the current log, if there is one; may be called in any thread.
+    /// may be called on any thread
     static void note(const QString& text);
-    [[nodiscard]] static ProgramLog* current(); ///< null: there is none
+    [[nodiscard]] static ProgramLog* current(); ///< may be null
 
     [[nodiscard]] std::vector<LogLine> lines() const; ///< oldest first
     [[nodiscard]] long long dropped() const;          ///< number of lines replaced by newer ones

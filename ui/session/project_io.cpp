@@ -71,7 +71,7 @@ SavedContent saveContent(const MakeContent& make, const QString& path,
     if (saved.error) {
         return saved;
     }
-    // The writer looked at its own file; this is what the next reader gets.
+    // Checks what the next reader gets, in addition to the writer's own check.
     const auto read = readFile(systemPath(path), limits::fileBytes);
     if (const auto* error = std::get_if<FileError>(&read)) {
         saved.error = notConfirmed(path, error->systemError);

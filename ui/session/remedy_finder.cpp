@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 /// While a slider is dragged outcomes follow each other faster.
 constexpr auto calm = 60ms;
-/// Of slow cycles not all is tried.
+/// A search with slow cycles is incomplete.
 constexpr auto longestSearch = 30s;
 constexpr auto betweenReports = 150ms;
 
@@ -44,11 +44,11 @@ void RemedyFinder::end() {
     m_end.request_stop();
 }
 
-/// A first setting of a slow cycle takes its time: that it is tried is shown before.
+/// Reports the beginning, since the first setting of a slow cycle takes long.
 void RemedyFinder::reportBegun(const OutcomePtr& outcome) {
     const RemedyGoal goal = remedyGoal(outcome->result, outcome->constraints);
     if (goal == RemedyGoal::none) {
-        return; // stocks and batch are asked first
+        return; // stocks and batch are checked first
     }
     QTimer::singleShot(betweenReports, this, [this, outcome, goal, search = m_search] {
         if (m_running && !m_hasReported && search == m_search) {

@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-/// For so long the curves wait for the stocks, that the verdict comes with them.
+/// Time for which curves wait for the stocks, so that the verdict appears with them.
 constexpr std::chrono::milliseconds together(25);
 
 } // namespace

@@ -21,10 +21,10 @@ void RunRecall::setRuns(std::set<std::string> all, std::set<std::string> wanted)
     std::erase_if(m_runs, [this](const auto& run) { return !m_all.contains(run.first); });
     for (auto& [inputs, run] : m_runs) {
         if (!m_wanted.contains(inputs)) {
-            run.feeds.reset(); // a hundred kept runs shall not fill the memory
+            run.feeds.reset(); // limits the memory of a hundred kept runs
         }
     }
-    std::vector<std::string> open; // those that are drawn come first
+    std::vector<std::string> open; // drawn ones come first
     std::ranges::copy_if(m_all, std::back_inserter(open),
                          [this](const std::string& inputs) { return isOpen(inputs); });
     std::stable_partition(open.begin(), open.end(),

@@ -53,7 +53,7 @@ Settings::Settings(const QString& file)
 
 Settings Settings::transient() {
     Settings settings{QString()};
-    settings.setAllInputs(true); // what is not seen cannot be tried
+    settings.setAllInputs(true); // hidden inputs could not be tried
     return settings;
 }
 

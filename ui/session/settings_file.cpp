@@ -45,7 +45,7 @@ std::optional<SettingsFile::Content> SettingsFile::read() {
     const auto* error = std::get_if<FileError>(&bytes);
     if (error != nullptr && error->step != FileStep::tooLarge) {
         if (error->systemError == ENOENT || error->systemError == ENOTDIR) {
-            return Content{}; // the defaults hold
+            return Content{}; // defaults apply
         }
         m_unreadable = *error;
         return std::nullopt;
@@ -58,7 +58,7 @@ std::optional<SettingsFile::Content> SettingsFile::read() {
             return Content{document.object().toVariantMap(), sha256(*text)};
         }
     }
-    // Another instance may have written a sound one since.
+    // Another instance may have written a valid one since.
     const auto again = readFile(systemPath(m_path), limits::settingsBytes);
     if (const auto* now = std::get_if<std::string>(&again);
         now != nullptr && (text == nullptr || *now != *text)) {
@@ -70,7 +70,7 @@ std::optional<SettingsFile::Content> SettingsFile::read() {
         return std::nullopt;
     }
     emit foundDamaged();
-    return Content{m_values, {}}; // what was read of it before is not lost
+    return Content{m_values, {}}; // keeps the values read before
 }
 
 QStringList SettingsFile::damaged() const {
@@ -131,7 +131,7 @@ void SettingsFile::refresh() {
     if (m_path.isEmpty()) {
         return;
     }
-    if (std::optional<Content> content = read()) { // else those that were read before hold
+    if (std::optional<Content> content = read()) { // otherwise the values read before are kept
         m_values = std::move(content->values);
         m_values.insert(m_changed);
     }
@@ -142,7 +142,7 @@ std::optional<FileError> SettingsFile::flush() {
     if (m_path.isEmpty() || m_changed.isEmpty()) {
         return {};
     }
-    QDir().mkpath(QFileInfo(m_path).absolutePath()); // its failure is the writer's
+    QDir().mkpath(QFileInfo(m_path).absolutePath()); // a failure shows when writing
     std::optional<FileError> error;
     for (int attempt = 0; attempt < mergeAttempts; ++attempt) {
         std::optional<Content> content = read();

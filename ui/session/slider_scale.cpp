@@ -11,14 +11,14 @@ namespace sparkout {
 
 namespace {
 
-constexpr double stopsWanted = 100; ///< about as many round values over a scale
+constexpr double stopsWanted = 100; ///< approximate number of round values on a scale
 constexpr std::size_t mostStops = 2000;
-constexpr double logarithmicFrom = 20; ///< high over low
-constexpr double finestShare = 0.1;    ///< below it a scale from zero gets no finer
+constexpr double logarithmicFrom = 20; ///< ratio of the ends
+constexpr double finestShare = 0.1;    ///< below it a scale from zero is not refined
 constexpr double tolerance = 1e-9;     ///< of a number of steps
-constexpr double beyond = 1e-6;        ///< what a great step must at least go, of the value
+constexpr double beyond = 1e-6;        ///< least size of a great step, relative to the value
 
-/// Without the last bits a multiplication leaves: 0.0038000000000000004 → 0.0038.
+/// Removes the rounding of a multiplication: 0.0038000000000000004 → 0.0038.
 double tidy(double value) {
     char text[40];
     const auto [end, error] =
@@ -117,7 +117,7 @@ double SliderScale::stepAt(double value) const {
     return m_spec.integer ? std::max(1.0, step) : step;
 }
 
-/// From the low end on, each time to the next whole number of the steps that are right there.
+/// From the low end on, each stop is the next multiple of the step that applies there.
 void SliderScale::findStops() {
     const double origin = m_spec.step ? m_spec.usual.low : 0;
     double value = m_low;

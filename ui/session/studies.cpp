@@ -16,7 +16,7 @@ void SearchStudy::start(const Project& project, const SearchWish& wish) {
     auto shared = std::make_shared<Shared>();
     SearchOutcomePtr before;
     if (isContinued(project, wish)) {
-        shared->record = m_shared->record; // stays should the search be dropped at once
+        shared->record = m_shared->record; // kept even if the search is dropped at once
         before = stale() ? nullptr : result();
     }
     shared->project = project;
@@ -39,12 +39,12 @@ void SearchStudy::start(const Project& project, const SearchWish& wish) {
         const bool isStopped = means.stop.stop_requested();
         const std::lock_guard lock(shared->mutex);
         shared->record = isStopped ? journal.record() : SearchRecord();
-        // Stopped before the kept best was confirmed, it still is the best so far.
+        // If stopped before the kept best was confirmed, that remains the best so far.
         return isStopped && before && before->best() && !outcome->best() ? before : outcome;
     });
 }
 
-/// A refinement and margins by time come after what is recorded.
+/// A refinement and margins by time follow the recorded search.
 bool SearchStudy::isContinued(const Project& project, const SearchWish& wish) const {
     const std::lock_guard lock(m_shared->mutex);
     return !running() && (m_shared->record.begun || !m_shared->record.finished.empty())

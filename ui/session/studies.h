@@ -77,7 +77,7 @@ public:
         m_refusal.reset();
         m_job.start(parts, std::move(work), [this](const Ptr& outcome) { take(outcome); });
     }
-    /// Takes a result or a refusal; null: it was stopped before there was a result.
+    /// Takes a result or a refusal; null if it was stopped before there was a result.
     void take(const Ptr& outcome) {
         if (outcome && !outcome->ran()) {
             m_refusal = outcome;
@@ -104,7 +104,7 @@ public:
     SearchStudy();
 
     void start(const Project& project, const SearchWish& wish);
-    void forget(); ///< another document comes
+    void forget(); ///< before another document
     /// Returns whether the last search was this one and was stopped: started again it is continued,
     /// and its answer is the same as without the stop.
     [[nodiscard]] bool isContinued(const Project& project, const SearchWish& wish) const;
@@ -126,7 +126,7 @@ private:
     std::shared_ptr<Shared> m_shared = std::make_shared<Shared>();
 };
 
-/// Runs the batch of a project; null: it was stopped before its first part.
+/// Runs the batch of a project; null if it was stopped before its first part.
 [[nodiscard]] BatchOutcomePtr batchOf(const Project& project, const Job::Means& means);
 
 /// All results that the window computes on demand, for its views, reports and exports.
@@ -134,13 +134,12 @@ struct Studies {
     Studies();
 
     StudyOf<BatchOutcome> batch;
-    StudyOf<BatchOutcome>
-        judged; ///< batch for the verdict, where that of the view has other inputs
+    StudyOf<BatchOutcome> judged;     ///< batch for the verdict, if the view's has other inputs
     StudyOf<BatchOutcome> prediction; ///< batch for the comparison with measurements
     StudyOf<SweepResult> sweep;
     SearchStudy search;
 
-    /// Returns the complete prediction for the current inputs; null: none.
+    /// Returns the complete prediction for the current inputs; null if there is none.
     [[nodiscard]] BatchOutcomePtr currentPrediction() const;
     /// Returns the indices of the batch that is shown; null: none were requested, or there are
     /// none.

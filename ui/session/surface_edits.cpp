@@ -100,7 +100,7 @@ bool SurfaceEdits::rename(std::size_t surface, const QString& name) {
     return true;
 }
 
-/// A surface that is left alone needs no name: its file is that of one surface again.
+/// A single remaining surface needs no name: its file is that of one surface.
 void SurfaceEdits::remove() {
     if (!canRemove()) {
         return;

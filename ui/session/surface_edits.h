@@ -25,7 +25,7 @@ public:
     /// Returns whether a name is not empty and belongs to no other surface.
     [[nodiscard]] bool isFreeName(const QString& name, std::size_t of) const;
     [[nodiscard]] QString freeName() const; ///< name for an added surface
-    /// Returns the displayed name of a surface: its name, or else "Surface 1".
+    /// Returns the displayed name of a surface: its name, otherwise "Surface 1".
     [[nodiscard]] static QString nameOf(const SetupState& state, std::size_t surface);
 
     /// Adds a surface after the current one and makes it current. It has no kept runs; `open`: the
@@ -34,7 +34,7 @@ public:
     void add(Project project, const QString& name, std::vector<std::string> open = {},
              bool startsWhenDrawn = true, bool isDuplicate = false);
     bool rename(std::size_t surface,
-                const QString& name); ///< returns false and does nothing: the name is not free
+                const QString& name); ///< returns false without a change if the name is not free
     void remove();                    ///< the current surface
     void move(int by);                ///< moves the current surface in the order of grinding
     void setTimes(const SetupTimes& times, const WheelWear& wear);

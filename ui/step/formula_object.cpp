@@ -15,7 +15,7 @@ namespace {
 constexpr double boxPoints = 10; ///< the boxes are laid out in this size and scaled
 constexpr int numberProperty = QTextFormat::UserProperty + 1;
 constexpr int textProperty = QTextFormat::UserProperty + 2;
-constexpr double leastScale = 0.6; ///< of what is pressed together: smaller is not legible
+constexpr double leastScale = 0.6; ///< least legible scale of a compressed formula
 
 double axisHeight() {
     return QFontMetricsF(report::reportFont(boxPoints)).xHeight() / 2;

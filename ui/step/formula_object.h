@@ -11,8 +11,8 @@
 
 namespace sparkout {
 
-/// Typeset pieces of formulas within a text. Their middles are their axes, the height of a minus
-/// sign, so that those of a line stand on one base line.
+/// Typeset pieces of formulas within a text. Their vertical middle is the axis, the height of a
+/// minus sign, so that all pieces of a line share a base line.
 class FormulaObject : public QObject, public QTextObjectInterface {
     Q_OBJECT
     Q_INTERFACES(QTextObjectInterface)
@@ -23,10 +23,10 @@ public:
     explicit FormulaObject(QObject* parent) : QObject(parent) {}
 
     void clear() { m_pieces.clear(); }
-    /// The format of the character that stands for a piece; `text` is the same in one line.
+    /// The format of the character that represents a piece; `text` is its one-line form.
     [[nodiscard]] QTextCharFormat add(const report::FormulaNode& node, const QString& text);
     [[nodiscard]] static QString textOf(const QTextFormat& format);
-    void setPixels(double fontSize) { m_pixels = fontSize; } ///< of the text
+    void setPixels(double fontSize) { m_pixels = fontSize; } ///< font size of the text
     void setRoom(double width) { m_room = width; }           ///< a wider piece is pressed together
 
     QSizeF intrinsicSize(QTextDocument* document, int position, const QTextFormat& format) override;

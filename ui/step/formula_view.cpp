@@ -22,7 +22,7 @@ namespace sparkout {
 namespace {
 
 constexpr double equationIndent = 16,
-                 paragraphGap = 6; ///< of the lines of an equation, of paragraphs [px]
+                 paragraphGap = 6; ///< gaps of lines in an equation, of paragraphs [px]
 constexpr QChar mayBreak(0x200b);
 
 const QString equalsSign = QStringLiteral(" = ");
@@ -93,7 +93,7 @@ QString FormulaView::textOf(const FormulaSheet& sheet) {
     return lines.join(u'\n');
 }
 
-/// Of the characters from one place to before another.
+/// The text between two positions.
 QString FormulaView::plain(int from, int to) const {
     QStringList lines;
     for (QTextBlock block = document()->findBlock(from); block.isValid() && block.position() < to;

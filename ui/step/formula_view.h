@@ -10,7 +10,7 @@ namespace sparkout {
 class FormulaObject;
 
 /// A sheet of formulas with their numbers, typeset as in the hand-out: a line breaks before an
-/// equals sign. What is copied is the same in plain text, an equation a line.
+/// equals sign. Copies are plain text, one line for each equation.
 class FormulaView : public QTextEdit {
     Q_OBJECT
 
@@ -19,8 +19,7 @@ public:
 
     void setSheet(const FormulaSheet& sheet);
     void clearSheet();
-    [[nodiscard]] QString text() const; ///< as it is copied
-    /// The same of any sheet.
+    [[nodiscard]] QString text() const; ///< as copied
     [[nodiscard]] static QString textOf(const FormulaSheet& sheet);
 
 protected:
@@ -29,7 +28,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void fit(); ///< the size of the type and the room to the view
+    void fit(); ///< fits the font size and the layout to the view
     [[nodiscard]] QString plain(int from, int to) const;
 
     FormulaObject* m_object;

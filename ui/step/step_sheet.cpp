@@ -50,7 +50,7 @@ void StepSheet::follow() {
     }
 }
 
-/// Those that the wheel is on; the one chosen last stays chosen while it is among them.
+/// Lists the zones under the wheel; keeps the last chosen one while it is among them.
 void StepSheet::fillZones() {
     const QSignalBlocker blocker(m_zone);
     m_zone->clear();

@@ -14,8 +14,8 @@ namespace sparkout {
 
 class FormulaView;
 
-/// The formulas of the step the cycle stands at, with their numbers: the balance of the radius that
-/// was ground last, in each zone or section under the wheel at that moment.
+/// The formulas of the current step of the cycle, with their numbers: the balance of the last
+/// ground radius, in each zone or section under the wheel at that moment.
 class StepSheet : public QWidget {
     Q_OBJECT
 public:

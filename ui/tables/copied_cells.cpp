@@ -49,7 +49,7 @@ CopiedCells::CopiedCells(QString text) : m_text(std::move(text)) {
 }
 
 void CopiedCells::toClipboard(const QString& text) {
-    QGuiApplication::clipboard()->setMimeData(new CopiedCells(text)); // takes it
+    QGuiApplication::clipboard()->setMimeData(new CopiedCells(text)); // takes ownership
 }
 
 QStringList CopiedCells::formats() const {

@@ -7,13 +7,13 @@
 
 namespace sparkout {
 
-/// Cells for the clipboard: plain text with tabs, and a table of HTML whose numbers are marked with
-/// their values, so that a spreadsheet of any language takes them as numbers.
+/// Cells for the clipboard: plain text with tabs, and an HTML table whose numbers are marked with
+/// their values, so that a spreadsheet of any language reads them as numbers.
 class CopiedCells : public QMimeData {
     Q_OBJECT
 public:
     /// @param text rows of cells separated by tabs; a minus sign before a digit becomes a hyphen,
-    /// which spreadsheets read
+    ///   for spreadsheets
     explicit CopiedCells(QString text);
 
     static void toClipboard(const QString& text);
@@ -22,14 +22,14 @@ public:
     [[nodiscard]] bool hasFormat(const QString& type) const override;
 
 protected:
-    /// The HTML is made when it is requested: a long table is seldom pasted as such.
+    /// The HTML is made on request, since a long table is seldom pasted as such.
     [[nodiscard]] QVariant retrieveData(const QString& type, QMetaType as) const override;
 
 private:
     QString m_text;
 };
 
-/// The cells as a table of HTML.
+/// The cells as an HTML table.
 [[nodiscard]] QString htmlTable(const PastedCells& cells);
 
 } // namespace sparkout

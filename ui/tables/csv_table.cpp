@@ -8,7 +8,7 @@ namespace sparkout {
 
 namespace {
 
-/// As it is pasted: a spreadsheet takes tabs and line ends for those of the table.
+/// The pasted form of a cell: a spreadsheet interprets tabs and line ends as those of the table.
 QString pastedCell(const CsvCell& cell, const TableDialect& dialect) {
     if (const auto* number = std::get_if<double>(&cell)) {
         return QString::fromStdString(CsvLine(dialect).number(*number).end({}));
@@ -23,7 +23,7 @@ QString pastedCell(const CsvCell& cell, const TableDialect& dialect) {
                : plain;
 }
 
-/// Spreadsheets and programs look the names up: they have plain spaces.
+/// Headings have plain spaces, since spreadsheets and programs look them up.
 std::vector<CsvCell> headerCells(const CsvTable& table) {
     QStringList names = table.header;
     names.replaceInStrings(QString(QChar::Nbsp), QStringLiteral(" "));

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-/// Tables on their way to a spreadsheet.
+/// Tables for spreadsheets.
 namespace sparkout {
 
 /// A cell: empty, a number, or a text. A number that is not finite counts as empty.
@@ -21,8 +21,8 @@ using CsvCell = std::variant<std::monostate, double, QString>;
 struct CsvTable {
     QStringList header;
     std::vector<std::vector<CsvCell>> rows;
-    bool byPlace = false;  ///< the first column names a place; a workbook has a sheet for each
-    bool ownUnits = false; ///< every row has a unit of its own, so columns have no common digits
+    bool byPlace = false;  ///< the first column is a place; a workbook has a sheet for each
+    bool ownUnits = false; ///< every row has its own unit, so columns have no common decimals
 
     [[nodiscard]] bool empty() const { return rows.empty(); }
 };
@@ -32,16 +32,16 @@ enum class CsvDialect {
     english,      ///< commas, decimal points (RFC 4180)
 };
 
-/// UTF-8 with a byte-order mark, by which Excel knows it; lines ended by CR LF; cells as CsvLine
-/// writes them.
+/// UTF-8 with a byte-order mark, by which Excel recognises it; lines end with CR LF; cells as
+/// CsvLine writes them.
 [[nodiscard]] QByteArray csvBytes(const CsvTable& table, CsvDialect dialect);
 
 /// The byte-order mark, and a line of cells.
 [[nodiscard]] QByteArray csvBegin();
 [[nodiscard]] QByteArray csvLine(const std::vector<CsvCell>& cells, CsvDialect dialect);
 
-/// Lines of cells separated by tabs, for the clipboard; numbers as the locale writes them, with all
-/// their digits and no group separators.
+/// Lines of cells separated by tabs, for the clipboard; numbers in the locale's format, with all
+/// their digits and without group separators.
 [[nodiscard]] QString tabSeparated(const CsvTable& table, const QLocale& locale);
 
 [[nodiscard]] TableDialect tableDialect(CsvDialect dialect);

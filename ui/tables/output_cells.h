@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-/// Outputs as columns of a table with all their digits: an interval takes two, an estimate three,
-/// a share four. Those without a label are for programs.
+/// Outputs as columns of a table with all their digits: an interval takes two columns, an estimate
+/// three, a share four. Outputs without a label are for programs.
 namespace sparkout {
 
-/// `name` with the ends of its interval of 95 %.
+/// Adds `name` with the ends of its 95 % interval.
 void addEstimateHeads(QStringList& header, const QString& name);
 void addIntervalCells(std::vector<CsvCell>& cells, const std::optional<Interval>& interval,
                       double factor = 1);
@@ -30,7 +30,7 @@ void addOutputHeads(QStringList& header, std::span<const Output<Owner>> rows,
     }
 }
 
-/// The cells of an owner; without one they are empty.
+/// The cells of an owner; empty without one.
 template <class Owner>
 void addOutputCells(std::vector<CsvCell>& cells, std::span<const Output<Owner>> rows,
                     const Owner* owner) {

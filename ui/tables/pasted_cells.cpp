@@ -20,12 +20,12 @@ namespace sparkout {
 
 namespace {
 
-/// Where the quotes of a cell that begins with one end; −1: they do not, it is a plain text.
+/// The end of the quotes with which a cell begins; −1 if it is plain text.
 qsizetype closingQuote(const QString& text, qsizetype from) {
     for (qsizetype i = from + 1; i < text.size(); ++i) {
         if (text[i] == u'"') {
             if (i + 1 < text.size() && text[i + 1] == u'"') {
-                ++i; // one of the cell's
+                ++i; // an escaped quote of the cell
             } else {
                 return i;
             }
@@ -34,7 +34,7 @@ qsizetype closingQuote(const QString& text, qsizetype from) {
     return -1;
 }
 
-/// The rows of a text; a null separator parts nothing.
+/// The rows of a text; a null separator separates nothing.
 std::vector<QStringList> rowsOf(const QString& text, QChar separator) {
     std::vector<QStringList> rows(1);
     QString cell;
@@ -67,7 +67,8 @@ bool isNumberOrEmpty(const QString& cell) {
     return cell.trimmed().isEmpty() || pastedNumber(cell);
 }
 
-/// Whether a comma parts cells: all rows have as many, numbers each, and one is no decimal number.
+/// Whether a comma separates cells: all rows have the same number of commas, only numbers between
+/// them, and some row is not a decimal number.
 bool commaPartsCells(const QString& text) {
     const std::vector<QStringList> rows = rowsOf(text, u',');
     bool sure = false;
@@ -85,7 +86,7 @@ bool commaPartsCells(const QString& text) {
     return sure;
 }
 
-/// Whether a character stands outside of quotes.
+/// Whether a character occurs outside quotes.
 bool partsCells(const QString& text, QChar separator) {
     const std::vector<QStringList> rows = rowsOf(text, separator);
     return std::any_of(rows.begin(), rows.end(),
@@ -101,13 +102,13 @@ QChar cellSeparator(const QString& text) {
     return commaPartsCells(text) ? QChar(u',') : QChar();
 }
 
-/// A document that opens no file, whichever style or picture a text names.
+/// A document that opens no file, whatever style or picture a text refers to.
 class PastedDocument : public QTextDocument {
 protected:
     QVariant loadResource(int /*type*/, const QUrl& /*name*/) override { return QString(); }
 };
 
-/// The cells of the first table; without one each paragraph is a row of one cell.
+/// The cells of the first table; without a table each paragraph is a row of one cell.
 std::vector<QStringList> rowsOfHtml(const QString& html) {
     PastedDocument document;
     document.setHtml(html);
@@ -123,7 +124,7 @@ std::vector<QStringList> rowsOfHtml(const QString& html) {
         QStringList& cells = rows.emplace_back();
         for (int column = 0; column < table->columns(); ++column) {
             const QTextTableCell cell = table->cellAt(row, column);
-            const bool own = cell.row() == row && cell.column() == column; // else of a span
+            const bool own = cell.row() == row && cell.column() == column; // or a span
             QTextCursor content = cell.firstCursorPosition();
             content.setPosition(cell.lastPosition(), QTextCursor::KeepAnchor);
             cells << (own ? content.selection().toPlainText().trimmed() : QString());

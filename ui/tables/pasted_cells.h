@@ -11,16 +11,17 @@ class QMimeData;
 
 namespace sparkout {
 
-/// Rows of cells on their way through the clipboard: as spreadsheets and text files write them.
+/// Rows of cells in the clipboard, as spreadsheets and text files write them.
 struct PastedCells {
     std::vector<QStringList> rows;
 
-    /// Tabs between the cells; without one semicolons, without both commas where they cannot be
-    /// decimal ones. A cell may stand in quotes. Empty rows at the end are left out.
+    /// Cells separated by tabs; without any by semicolons, without both by commas that cannot be
+    /// decimal ones. A cell may be quoted. Empty rows at the end are left out.
     [[nodiscard]] static PastedCells of(const QString& text);
-    /// What the clipboard holds: its plain text or, where it has none, the first table of its HTML.
+    /// The contents of the clipboard: its plain text or, if it has none, the first table of its
+    /// HTML.
     [[nodiscard]] static PastedCells of(const QMimeData* data);
-    /// With tabs, a cell in quotes where it must be.
+    /// With tabs, and with quotes where necessary.
     [[nodiscard]] QString text() const;
 
     [[nodiscard]] bool empty() const { return rows.empty(); }
@@ -28,8 +29,9 @@ struct PastedCells {
     [[nodiscard]] std::vector<QString> inOrder() const; ///< row by row
 };
 
-/// The number of a cell: as it is typed, and with a no-break, narrow, thin or figure space between
-/// groups of three digits. Groups parted by a point or a comma could be decimals: no number.
+/// The number of a cell, as typed, also with a no-break, narrow, thin or figure space between
+/// groups of three digits. Groups separated by a point or a comma could be decimals and are
+/// refused.
 [[nodiscard]] std::optional<double> pastedNumber(const QString& cell);
 
 } // namespace sparkout

@@ -16,10 +16,10 @@ namespace sparkout {
 
 namespace {
 
-constexpr qsizetype longestQuote = 60; // of a refused text in a message
+constexpr qsizetype longestQuote = 60; // characters of a refused text in a message
 
 struct TextRow {
-    int line = 0; ///< of the file, from 1
+    int line = 0; ///< line of the file, from 1
     QStringList cells;
     QChar delimiter;
     [[nodiscard]] QString text() const { return cells.join(delimiter); }
@@ -51,8 +51,8 @@ bool isHeader(const QString& cell) {
            && !QStringView(u"+-\u2212\u2013.,").contains(text.front());
 }
 
-/// Whether the numbers before the commas rise by equal steps, as a column of angles does and a
-/// closed profile cannot.
+/// Whether the numbers before the commas rise in equal steps, like a column of angles and unlike a
+/// closed profile.
 bool countsBeforeTheComma(const std::vector<TextRow>& rows) {
     std::vector<double> counts;
     for (const TextRow& row : rows) {
@@ -72,7 +72,7 @@ bool countsBeforeTheComma(const std::vector<TextRow>& rows) {
     return step > 0;
 }
 
-/// Whether commas stand between columns: most lines that hold one are no number as a whole.
+/// Whether commas separate columns: most lines with a comma are not a number as a whole.
 bool commaSeparates(const std::vector<TextRow>& rows) {
     int with = 0;
     int numbers = 0;
@@ -86,7 +86,7 @@ bool commaSeparates(const std::vector<TextRow>& rows) {
     return with > 0 && (2 * numbers < with || countsBeforeTheComma(rows));
 }
 
-/// The rows by the delimiter that they show. One that no text of numbers has leaves each whole.
+/// The rows, split by their delimiter; not split by one that is absent.
 std::vector<TextRow> rowsOf(const TableText& table) {
     for (const char delimiter : {';', '\t'}) {
         std::vector<TextRow> rows = rowsOf(table, delimiter);

@@ -24,7 +24,7 @@ constexpr int mostDecimals = 9;
 constexpr double smallestInSheet = 1e-4; // below it decimals would be mostly zeros
 constexpr double mostWhole = 1e15;
 
-/// Units that stand in heads of tables beside those of inputs and results.
+/// Units in headings of tables besides those of inputs and results.
 constexpr const char* otherUnits[] = {
     QT_TRANSLATE_NOOP("Unit", "s"),     QT_TRANSLATE_NOOP("Unit", "min"),
     QT_TRANSLATE_NOOP("Unit", "mm"),    QT_TRANSLATE_NOOP("Unit", "µm"),
@@ -47,7 +47,6 @@ void addUnits(const StructInfo& table, QSet<QString>& units) {
     }
 }
 
-/// In the present language.
 QSet<QString> knownUnits() {
     QSet<QString> units;
     addUnits(tableOf<Project>(), units);
@@ -62,8 +61,8 @@ QSet<QString> knownUnits() {
     return units;
 }
 
-/// "actual feed, µm: largest" → "actual feed: largest" and "µm"; without a unit that the tables
-/// know nothing is parted.
+/// Splits "actual feed, µm: largest" into "actual feed: largest" and "µm"; a text without a known
+/// unit is not split.
 std::pair<QString, QString> parted(const QString& header, const QSet<QString>& units) {
     static const QRegularExpression pattern(QStringLiteral("^(.+), ([^,:]+)(: [^:]+)?$"));
     const QRegularExpressionMatch match = pattern.match(header);

@@ -8,15 +8,15 @@
 #include <functional>
 #include <optional>
 
-/// Tables that may be too long to stand in memory, on their way to a file.
+/// Tables that may be too long for memory, to be written to a file.
 namespace sparkout {
 
 struct SheetColumn {
-    /// How a spreadsheet shows the numbers of a column: with so many decimals, or these.
+    /// The number format of a column: so many decimals, or one of these.
     static constexpr int general = xlsx::Column::general, scientific = xlsx::Column::scientific;
 
     QString name;
-    QString unit = {}; ///< of its numbers, in the present language
+    QString unit = {}; ///< unit of its numbers, translated
     int decimals = general;
 
     [[nodiscard]] QString nameWithUnit() const {
@@ -24,13 +24,12 @@ struct SheetColumn {
     }
 };
 
-/// A table that is made row by row.
+/// A table generated row by row.
 struct Sheet {
     QString name;
     std::vector<SheetColumn> columns;
     std::size_t rows = 0;
-    /// Puts the cells of a row into `cells`, which holds as many as there are columns; in any
-    /// thread.
+    /// Fills `cells`, of the number of columns, with a row; on any thread.
     std::function<void(std::size_t row, std::vector<CsvCell>& cells)> fill = {};
 
     [[nodiscard]] bool hasUnits() const;
@@ -39,14 +38,14 @@ struct Sheet {
 using xlsx::KeepGoing;
 using xlsx::rowsBetweenLooks;
 
-/// The table with the units of its header in a row of their own, and as many decimals as its
-/// numbers need to show six digits.
+/// The table with the units in a row of their own, and with the decimals that show six digits of
+/// its numbers.
 [[nodiscard]] Sheet sheetOf(const CsvTable& table, const QString& name);
 
-/// One sheet, or for each text of the first column one, in the order they come.
+/// One sheet, or one for each text of the first column, in their order.
 [[nodiscard]] std::vector<Sheet> sheetsOf(const CsvTable& table, const QString& name);
 
-/// As csvBytes(table), name and unit in one cell; nothing when it was given up.
+/// Like csvBytes(table), with name and unit in one cell; empty after a cancellation.
 [[nodiscard]] QByteArray csvBytes(const Sheet& sheet, CsvDialect dialect,
                                   const KeepGoing& keepGoing = {});
 

@@ -5,14 +5,14 @@
 
 namespace sparkout {
 
-/// A table as a view shows it: rows and columns that have nothing below them. A table of its own
-/// says how many there are and what stands in a cell and at the heads.
+/// A flat table for a view. A subclass gives the number of rows and columns and the contents of
+/// cells and heads.
 class TableModel : public QAbstractTableModel {
     Q_OBJECT
 public:
     using QAbstractTableModel::QAbstractTableModel;
 
-    virtual void retranslate(); ///< cells and heads have other words
+    virtual void retranslate(); ///< the texts of cells and heads have changed
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index,
@@ -27,8 +27,8 @@ protected:
     [[nodiscard]] virtual QVariant head(int column, int role) const = 0;
     [[nodiscard]] virtual QVariant side(int /*row*/, int /*role*/) const { return {}; }
 
-    void cellsChanged(); ///< what stands in them, not how many there are
-    /// For Qt::TextAlignmentRole, in the middle of the height.
+    void cellsChanged(); ///< the contents have changed, but not their number
+    /// For Qt::TextAlignmentRole, vertically centred.
     [[nodiscard]] static QVariant aligned(bool right);
 };
 

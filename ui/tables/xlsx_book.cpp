@@ -12,7 +12,7 @@ namespace sparkout {
 
 namespace {
 
-/// A cell as the writer takes it; the room of its last text is used again.
+/// Converts a cell for the writer, reusing the memory of its last text.
 void putCell(const CsvCell& cell, xlsx::Cell& to) {
     if (const auto* text = std::get_if<QString>(&cell)) {
         const QByteArray bytes = text->toUtf8();
@@ -26,7 +26,7 @@ void putCell(const CsvCell& cell, xlsx::Cell& to) {
     }
 }
 
-/// The sheet under its name in the workbook; its rows are made by the one given, which outlives it.
+/// The workbook sheet with a name; the source of its rows must outlive it.
 xlsx::Sheet sheetFor(const Sheet& sheet, const QString& name) {
     xlsx::Sheet made{name.toStdString(), {}, sheet.rows};
     for (const SheetColumn& column : sheet.columns) {

@@ -3,7 +3,7 @@
 
 #include "ui/tables/sheet.h"
 
-/// The tables of the window as workbooks, which core/workbook writes.
+/// The tables of the window as workbooks, written by core/workbook.
 namespace sparkout {
 
 inline constexpr std::size_t xlsxRows = xlsx::mostRows;
@@ -17,14 +17,14 @@ struct Book {
     std::vector<Sheet> sheets; ///< at least one
 };
 
-/// See xlsx::bytesOf(); the sheets get names that a workbook takes. Nothing when it was given up,
-/// or when a sheet has too many rows: see sheetTooLong().
+/// See xlsx::bytesOf(); the sheets get valid names. Empty after a cancellation, or if a sheet has
+/// too many rows: see sheetTooLong().
 [[nodiscard]] QByteArray xlsxBytes(const Book& book, const KeepGoing& keepGoing = {});
 
-/// The first sheet that has more rows than a workbook takes; null: there is none.
+/// The first sheet with more rows than a workbook can have; null if there is none.
 [[nodiscard]] const Sheet* sheetTooLong(const std::vector<Sheet>& sheets);
 
-/// The names a workbook takes, each once: no [ ] : * ? / \, at most 31 characters, none empty.
+/// Valid and unique names of sheets: no [ ] : * ? / \, at most 31 characters, none empty.
 [[nodiscard]] QStringList sheetNames(const QStringList& wanted);
 
 } // namespace sparkout

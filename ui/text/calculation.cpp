@@ -23,7 +23,8 @@ using boost::multiprecision::cpp_rational;
 
 constexpr qsizetype longestText = 400;
 constexpr int largestExponent = 400;
-/// More digits than the middle between two doubles can have: a fraction cut there rounds right.
+/// More digits than the midpoint of two doubles can have: a fraction cut there is rounded
+/// correctly.
 constexpr int sureDigits = 800;
 
 cpp_int powerOfTen(int exponent) {
@@ -34,7 +35,7 @@ int digitsOf(const cpp_int& value) {
     return static_cast<int>(double(boost::multiprecision::msb(value)) * std::log10(2.0)) + 1;
 }
 
-/// The double nearest to a fraction; nothing beyond the largest and below the smallest.
+/// The double nearest to a fraction; empty beyond the largest and below the smallest.
 std::optional<double> nearest(const cpp_rational& exact) {
     if (exact == 0) {
         return 0.0;
@@ -61,10 +62,10 @@ bool isDigit(QChar c) {
 }
 
 bool isExponentLetter(QChar c) {
-    return c == u'e' || c == u'E' || c == u'\u0435' || c == u'\u0415'; // and Cyrillic
+    return c == u'e' || c == u'E' || c == u'\u0435' || c == u'\u0415'; // including Cyrillic
 }
 
-/// An operator or bracket in the letter that is read; null for any other character.
+/// The ASCII form of an operator or bracket; null for any other character.
 char signOf(QChar c) {
     switch (c.unicode()) {
     case u'+': return '+';
@@ -83,7 +84,7 @@ char signOf(QChar c) {
     }
 }
 
-/// Whether more stands there than the sign of a number and that of its exponent.
+/// Whether the text has operators besides the signs of a number and its exponent.
 bool hasOperator(const QString& text) {
     for (qsizetype i = 0; i < text.size(); ++i) {
         const char sign = signOf(text[i]);
@@ -126,7 +127,7 @@ private:
         }
     }
 
-    /// The sign that follows, spaces left out.
+    /// The next operator after any spaces.
     char sign() {
         while (m_at < m_text.size() && m_text[m_at].isSpace()) {
             ++m_at;
@@ -204,7 +205,7 @@ private:
         return exactly(text);
     }
 
-    /// Whether the character that follows is no longer of the number that begins at `from`.
+    /// Whether the next character does not belong to the number that begins at `from`.
     [[nodiscard]] bool endsNumber(qsizetype from) const {
         const char sign = signOf(m_text[m_at]);
         const bool ofExponent =
@@ -236,7 +237,7 @@ private:
             }
         }
         if (digits.find_first_not_of('0') == std::string::npos) {
-            return 0; // whatever its exponent
+            return 0; // for any exponent
         }
         if (!isShort || std::abs(exponent) > 2 * largestExponent) {
             fail(Calculation::tr("“%1” is not a number").arg(text));

@@ -8,18 +8,17 @@
 
 namespace sparkout {
 
-/// Arithmetic typed where a number is asked for: + − * / and brackets, numbers with a decimal point
-/// or comma. It is worked out in fractions of whole numbers and rounded once, so that (30-29,6)/2
-/// is the same double as 0,2.
+/// Arithmetic in number fields: + − * / and brackets, numbers with a decimal point or comma. It is
+/// computed in exact fractions and rounded once, so that (30-29,6)/2 is the same double as 0,2.
 class Calculation {
     Q_DECLARE_TR_FUNCTIONS(Calculation)
 
 public:
-    /// Nothing when the text has no operator and no bracket: it is a number or none.
+    /// Empty if the text has no operator and no bracket.
     [[nodiscard]] static std::optional<Calculation> of(const QString& text);
 
     [[nodiscard]] std::optional<double> value() const { return m_value; }
-    /// Why there is no value, in the present language.
+    /// Why there is no value, in the current language.
     [[nodiscard]] const QString& fault() const { return m_fault; }
 
 private:

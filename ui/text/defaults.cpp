@@ -15,7 +15,7 @@ namespace sparkout {
 
 namespace {
 
-/// The table that holds a row, looked for below another; null when it does not.
+/// The table that contains a row, searched below another; null if there is none.
 const StructInfo* tableHolding(const Field& field, const StructInfo& table) {
     for (const Field& row : table.fields) {
         if (&row == &field) {
@@ -29,7 +29,7 @@ const StructInfo* tableHolding(const Field& field, const StructInfo& table) {
     return nullptr;
 }
 
-/// The struct with the defaults of the table that holds a row.
+/// The struct with the defaults of the table that contains a row.
 const void* defaultsOf(const Field& field) {
     const StructInfo* table = tableHolding(field, tableOf<Project>());
     return table ? table->defaults : nullptr;

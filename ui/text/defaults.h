@@ -5,19 +5,19 @@
 
 #include <QString>
 
-/// The defaults of the tables. Only an input that need not stand in a file has one worth going
-/// back to: a required input is the user's own, and its initial value means nothing.
+/// The defaults of the tables. Only an optional input has a useful default: a required input is the
+/// user's own, and its initial value has no meaning.
 namespace sparkout {
 
 [[nodiscard]] bool hasDefault(const Field& field);
-/// Whether the member has its default; true where there is none.
+/// Whether the member has its default; true if it has none.
 [[nodiscard]] bool isDefault(const Field& field, const void* owner);
-/// Whether the member is as a new project has it, be it required or not; of an object all in it is,
-/// a list is empty.
+/// Whether the member has the value of a new project, required or not; for an object all its
+/// members, for a list its emptiness.
 [[nodiscard]] bool isAsNew(const Field& field, const void* owner);
-/// "0.3", "210 GPa", "between centres", or what "not given" means.
+/// "0.3", "210 GPa", "between centres", or the meaning of "not given".
 [[nodiscard]] QString defaultText(const Field& field);
-/// The same of the member's own value; it is a number, a choice or a yes or no.
+/// The member's own value in this form; it is a number, a choice or a yes or no.
 [[nodiscard]] QString valueText(const Field& field, const void* owner);
 void setDefault(const Field& field, void* owner);
 

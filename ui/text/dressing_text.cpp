@@ -19,7 +19,7 @@ QString count(std::int64_t parts) {
 
 QString amount(const ConstraintResult& worst, double value) {
     const QString unit = unitText(requirementOf(worst.kind).unit);
-    constexpr int digits = 4; // a wheel that has just become too dull is close to the limit
+    constexpr int digits = 4; // shows a wheel that has just become too dull as close to the limit
     const QString number = Names::significant(value, digits);
     return unit.isEmpty() ? number : number + QChar::Nbsp + unit;
 }

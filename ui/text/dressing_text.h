@@ -11,15 +11,15 @@
 
 namespace sparkout {
 
-/// What is known of the parts between dressings, in words.
+/// Texts about the number of parts between dressings.
 class DressingText {
     Q_DECLARE_TR_FUNCTIONS(DressingText)
 public:
-    using Facts = std::vector<std::pair<QString, QString>>; ///< of a name and its value
+    using Facts = std::vector<std::pair<QString, QString>>; ///< pairs of a name and its value
 
-    /// Parts, what ends them, what a part removes, and with rates the best intervals.
+    /// Parts, the reason of the end, the removal per part, and with given rates the best intervals.
     static Facts facts(const Setup& setup, const DressingInterval& interval);
-    /// Why nothing is known; empty: something is.
+    /// The reason why the number is not known; empty if it is.
     static QString refusal(const DressingInterval& interval);
     static QString parts(const DressingInterval& interval); ///< "636", "at least 10000"
     static QString end(const Setup& setup, const WornFailure& end);

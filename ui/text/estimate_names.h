@@ -12,10 +12,10 @@ namespace sparkout {
 class EstimateNames {
     Q_DECLARE_TR_FUNCTIONS(EstimateNames)
 public:
-    /// "flow stress, dullness, compliance", as far as the project's are not calibrated; empty for a
-    /// setting.
+    /// "flow stress, dullness, compliance", those that are not calibrated in the project; empty for
+    /// a setting.
     static QString inputs(const Project& project, ConstraintKind kind);
-    /// "Rests on estimates, to be calibrated: …"; empty where it rests on none.
+    /// "Rests on estimates, to be calibrated: …"; empty if there are none.
     static QString behind(const Project& project, ConstraintKind kind);
 };
 

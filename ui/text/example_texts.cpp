@@ -44,18 +44,18 @@ namespace {
     QT_TRANSLATE_NOOP("Example", "Bearing seat 40k6 C"),
     QT_TRANSLATE_NOOP("Example", "Journal 35h7 D"),
     QT_TRANSLATE_NOOP("Example", "Coupling seat 30n6 E"),
-    // and those of their kept runs
+    // names of their kept runs
     QT_TRANSLATE_NOOP("Example", "Factory"),
     QT_TRANSLATE_NOOP("Example", "Optimal"),
 };
 
-// of GivenName
+// in the order of GivenName
 constexpr const char* givenNames[] = {
     QT_TRANSLATE_NOOP("RunName", "Run %1"),
     QT_TRANSLATE_NOOP("RunName", "Worst part, no. %1"),
 };
 
-/// Such a name, its number and its repetition.
+/// Matches such a name with its number and its repetition.
 QRegularExpression wholeOf(const char* given) {
     QString pattern = QRegularExpression::escape(QLatin1StringView(given));
     pattern.replace(QStringLiteral("\\%1"), QStringLiteral("([0-9]+)"));
@@ -63,7 +63,7 @@ QRegularExpression wholeOf(const char* given) {
         QRegularExpression::anchoredPattern(pattern + QStringLiteral("( \\([0-9]+\\))?")));
 }
 
-/// Written in Cyrillic letters for the most part.
+/// Whether most letters are Cyrillic.
 bool isRussian(const QString& text) {
     const auto of = [&](QChar::Script script) {
         return std::ranges::count_if(text, [script](QChar c) { return c.script() == script; });

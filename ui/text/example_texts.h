@@ -9,17 +9,17 @@
 namespace sparkout {
 
 /// The title of a shipped example, or the name of its part, of a surface or of a kept run, in the
-/// program's language; another text as it is.
+/// program's language; any other text unchanged.
 [[nodiscard]] QString exampleTitle(const std::string& title);
-/// What the program calls a kept run by itself. Files hold it in English, as the titles of
+/// The names that the program gives to kept runs. Files have them in English, like the titles of
 /// examples.
 enum class GivenName { run, worstPart };
 [[nodiscard]] std::string givenRunName(GivenName kind, const QString& number); ///< "Run 3"
-/// The name of a kept run in the program's language: of an example, or one that the program gave,
-/// also with the number of its repetition, "Run 3 (2)"; one that was typed as it is.
+/// The name of a kept run in the program's language, if it belongs to an example or was given by
+/// the program, also with the number of its repetition, "Run 3 (2)"; a typed name unchanged.
 [[nodiscard]] QString runName(const std::string& name);
-/// Those paragraphs of its notes that are in the program's language, without the verdict written
-/// down for the tests; all, if none is.
+/// The paragraphs of its notes in the program's language, without the verdict for the tests; all if
+/// there are none.
 [[nodiscard]] QString exampleNotes(const std::string& notes);
 
 } // namespace sparkout

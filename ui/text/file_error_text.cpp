@@ -13,7 +13,7 @@ namespace sparkout {
 
 namespace {
 
-/// Reason, what the system says of it, and the free space where something was to be written.
+/// The reason, the system's message, and the free space after a failed write.
 QString details(const FileError& error) {
     QString text = QCoreApplication::translate("FileError", fileStepText(error.step));
     if (error.systemError != 0) {

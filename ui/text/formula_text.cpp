@@ -17,7 +17,7 @@ namespace sparkout {
 
 namespace {
 
-/// Units that formulas have and no input has.
+/// Units of formulas that are not those of an input.
 [[maybe_unused]] constexpr const char* formulaUnits[] = {
     QT_TRANSLATE_NOOP("Unit", "N"),        QT_TRANSLATE_NOOP("Unit", "N/mm"),
     QT_TRANSLATE_NOOP("Unit", "N/mm^1.5"), QT_TRANSLATE_NOOP("Unit", "K·mm^1.25/N"),
@@ -28,11 +28,10 @@ namespace {
     QT_TRANSLATE_NOOP("Unit", "N/mm^0.5"),
 };
 
-/// Decimals of a length in mm beyond its significant digits: a form error is the difference of two
-/// radii.
+/// Additional decimals of a length in mm, since a form error is the difference of two radii.
 constexpr int moreDecimals = 1;
 
-/// Of the number, not of its exponent.
+/// Replaces the minus of a number, but not of its exponent.
 QString trueMinus(const QString& number) {
     return number.startsWith(u'-') ? u'−' + number.mid(1) : number;
 }
@@ -60,7 +59,7 @@ QString stepText(const FormulaStep& step) {
     if (step.result.unit && *step.result.unit) {
         result += QChar::Nbsp + unitText(step.result.unit);
     }
-    // A step without terms states a number: it has no numbers to put in.
+    // A step without terms states a number: there are no numbers to insert.
     return step.terms.empty() ? symbols + QStringLiteral(" = ") + result
                               : QStringList{symbols, numbers, result}.join(QStringLiteral(" = "));
 }

@@ -26,7 +26,7 @@ class FieldWalk {
 public:
     std::vector<FieldPlace> places;
 
-    /// Plain rows first, so that none of them stands below the heading of a struct beside it.
+    /// Adds plain rows first, so that none of them follows the heading of a struct.
     void addStruct(const StructInfo& table, const QString& path, Page inherited) {
         if (!m_described.insert(&table).second) {
             return;
@@ -54,7 +54,7 @@ private:
         }
     }
 
-    /// The page of the first row that names one: a struct without a box of its own.
+    /// The page of the first row with one: for a struct without a box of its own.
     static Page pageWithin(const StructInfo& table) {
         for (const Field& field : table.fields) {
             const Page page =
@@ -98,7 +98,7 @@ QString choicesOfField(const Field& field) {
                                 .arg(list.join(QStringLiteral("; ")));
 }
 
-/// The hint of a row, its source a link to where it is told of.
+/// The hint of a row; its source is a link to its description.
 QString linkedHint(const Field& field) {
     static const QRegularExpression code(QStringLiteral("`([^`]*)`"));
     QString html = hintMarkup(field).replace(code, QStringLiteral("<code>\\1</code>"));
@@ -124,7 +124,7 @@ QString fieldHead(const FieldPlace& place) {
     return head;
 }
 
-/// Of a struct that is described at another place: a link there.
+/// For a struct that is described elsewhere: a link to it.
 QString describedElsewhere(const FieldPlace& place) {
     const auto first = std::ranges::find(fieldPlaces(), place.field->nested, &FieldPlace::table);
     if (first == fieldPlaces().end() || first->anchor.startsWith(place.anchor + u'.')) {

@@ -52,7 +52,7 @@ QStringList facts(const Field& field) {
     return list;
 }
 
-/// The facts that need no line of their own beside the limits.
+/// The facts that share a line with the limits.
 QStringList moreFacts(const Field& field) {
     QStringList list;
     if (*field.nullMeaning && !hasDefault(field)) {

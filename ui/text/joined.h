@@ -6,7 +6,7 @@
 
 namespace sparkout {
 
-/// Those that are not empty, one after the other.
+/// Joins the non-empty texts.
 [[nodiscard]] inline QString joined(QStringList texts, const QString& between) {
     texts.removeAll(QString());
     return texts.join(between);

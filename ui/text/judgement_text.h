@@ -8,14 +8,14 @@
 
 namespace sparkout {
 
-/// Judgements in the present language, with the numbers and names of the window.
+/// Judgements in the current language, with the window's number format and names.
 class JudgementText : public JudgementWording {
 public:
     [[nodiscard]] static QString headline(const Judgement& judgement);
     [[nodiscard]] static QString stocks(const Judgement& judgement, bool areComing = false);
     [[nodiscard]] static QString batch(const Judgement& judgement, bool isComing = false);
-    /// A line for the stocks, one for the batch where there is one, one for each requirement that
-    /// is not decided: what papers print below the headline.
+    /// A line for the stocks, one for the batch if there is one, and one for each undecided
+    /// requirement: printed below the headline.
     [[nodiscard]] static QStringList lines(const Judgement& judgement);
     [[nodiscard]] static QStringList lines(const std::vector<Undecided>& notDecided);
 

@@ -10,7 +10,7 @@ namespace sparkout {
 
 namespace {
 
-/// A number, or what stands for one in a text to be filled, a space and the sign of per cent.
+/// Makes the space between a number, or its placeholder, and the per cent sign non-breaking.
 QString withPercentsKept(QString text) {
     static const QRegularExpression parted(QStringLiteral("(?<=[\\d}]) %(?![0-9A-Za-z])"));
     return text.contains(u" %") ? text.replace(parted, QStringLiteral("\u00a0%")) : text;
@@ -18,7 +18,7 @@ QString withPercentsKept(QString text) {
 
 } // namespace
 
-/// A text that has no translation is looked at, too: the usual one for English.
+/// Includes texts without a translation, as usual in English.
 QString Language::Texts::translate(const char* context, const char* source,
                                    const char* disambiguation, int n) const {
     const QString text = QTranslator::translate(context, source, disambiguation, n);

@@ -6,7 +6,7 @@
 
 namespace sparkout {
 
-/// The language of the window: its texts, Qt's own texts, and how numbers are written.
+/// The language of the window: its texts, Qt's texts, and the number format.
 class Language : public QObject {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ public:
     [[nodiscard]] const QString& code() const { return m_code; }
 
 private:
-    /// The program's own texts, in which a percent sign stays with its number.
+    /// The program's texts, with per cent signs kept with their numbers.
     class Texts : public QTranslator {
     public:
         [[nodiscard]] QString translate(const char* context, const char* source,

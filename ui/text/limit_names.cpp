@@ -44,7 +44,7 @@ QString LimitNames::percent(double share) {
     if (percent > mostPercent || std::isnan(percent)) {
         return tr(">%1 %").arg(numbers.toString(mostPercent, 'f', 0));
     }
-    if (percent > 100 && percent < 101) { // no limit that is broken reads as one just reached
+    if (percent > 100 && percent < 101) { // shows no exceeded limit as just reached
         return tr("%1 %").arg(numbers.toString(std::max(percent, 100.1), 'f', 1));
     }
     return tr("%1 %").arg(numbers.toString(percent, 'f', percent < 10 ? 1 : 0));

@@ -12,30 +12,30 @@
 
 namespace sparkout {
 
-/// A requirement that is not held against anything, and the input that turns it on.
+/// A requirement without a limit, and the input that sets it.
 struct OffLimit {
     ConstraintKind kind;
     std::string path;
 };
 
-/// Words of the view "Constraints".
+/// Texts of the view "Constraints".
 class LimitNames {
     Q_DECLARE_TR_FUNCTIONS(LimitNames)
 public:
-    static QString limit(ConstraintKind kind);     ///< of the feed: "burn", "wheel drive"
+    static QString limit(ConstraintKind kind);     ///< limit of the feed: "burn", "wheel drive"
     static QString group(const LimitGroup& group); ///< "RZ1, wheel standing"
     static QString percent(double share);          ///< "87 %"; ">999 %"
-    /// What is off of the limits of the feed, every cut's first, and of the drawing's tolerances in
-    /// the order of their inputs.
+    /// The limits of the feed that are off, those of every cut first, and the drawing's tolerances
+    /// that are off, in the order of their inputs.
     static std::vector<OffLimit> off(const Project& project);
-    /// What is off in a sentence, plain, and as rich text whose links are the inputs' paths. Empty:
-    /// nothing is off.
+    /// A sentence on what is off, plain or as rich text with links to the inputs. Empty if nothing
+    /// is off.
     static QString notChecked(const Project& project);
     static QString notCheckedLinks(const Project& project);
-    /// Whether the limit of the feed is no number: that of roughness that is not calibrated.
+    /// Whether the limit of the feed has no definite value: roughness that is not calibrated.
     static bool isGuess(ConstraintKind kind, const Project& project);
-    static QString guessed(); ///< the sentence in place of it
-    /// notCheckedLinks(), and where roughness is a guess that sentence.
+    static QString guessed(); ///< text shown instead
+    /// notCheckedLinks(), plus guessed() if roughness is not calibrated.
     static QString missingLinks(const Project& project);
 
 private:

@@ -24,7 +24,7 @@ QString number(double value) {
     return printedNumber(value);
 }
 
-/// What a grain is, by the letter and the first digit of its mark [ABRASIVES].
+/// The kind of grain, by the letter and the first digit of its mark [ABRASIVES].
 QString abrasiveMeaning(const std::string& abrasive) {
     const bool carbide = abrasive.ends_with("С");
     const char digit = abrasive.empty() ? '\0' : abrasive.front();

@@ -8,11 +8,11 @@
 
 namespace sparkout {
 
-/// A wheel's marking part by part in words: "25А white fused alumina; grit F60, …".
+/// The parts of a wheel's marking in words: "25А white fused alumina; grit F60, …".
 [[nodiscard]] QString markingExplained(const WheelMarking& marking);
 
-/// What filling a project's wheel from its marking would change: "Grain size 0.25 → 0.26 mm";
-/// empty when the wheel is as it says.
+/// The changes that filling in a wheel from its marking would make: "Grain size 0.25 → 0.26 mm";
+/// empty if there are none.
 [[nodiscard]] QString markingChanges(const WheelMarking& marking, const Wheel& wheel);
 
 } // namespace sparkout

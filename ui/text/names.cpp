@@ -19,15 +19,15 @@ namespace sparkout {
 
 namespace {
 
-/// The current locale without group separators, which read as decimal ones in another language.
+/// The current locale without group separators, which another language reads as decimal ones.
 QLocale numbers() {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     return locale;
 }
 
-constexpr double roundOff = 1e-12; // of a difference, against what it is the difference of
-constexpr double leastPlain = 1e-7, mostPlain = 1e15; // beyond them a power of ten
+constexpr double roundOff = 1e-12; // rounding error of a difference, relative to its operands
+constexpr double leastPlain = 1e-7, mostPlain = 1e15; // outside them a power of ten is used
 
 QString withoutZeros(QString text) {
     while (text.contains(numbers().decimalPoint()) && !text.contains(u'·')
@@ -40,7 +40,7 @@ QString withoutZeros(QString text) {
 QString times(double ratio) {
     int digits = 2;
     while (digits < 6 && ratio != 1 && std::abs(ratio - 1) < std::pow(10, 1 - digits)) {
-        ++digits; // what is beyond the end, or not quite, is not shown as the end
+        ++digits; // adds digits until a value beyond or short of the end differs from it
     }
     return withoutZeros(Names::significant(ratio, digits));
 }
@@ -176,7 +176,7 @@ QString Names::where(const ConstraintResult& constraint) {
 QString Names::amount(ConstraintKind kind, double value, bool withSign) {
     const int decimals = requirementOf(kind).digits.shown;
     if (decimals != RequirementDigits::significant) {
-        const bool plus = decimals > 0 && value >= 0.5 * std::pow(10.0, -decimals); // no count's
+        const bool plus = decimals > 0 && value >= 0.5 * std::pow(10.0, -decimals); // no counts
         return (withSign && plus ? QStringLiteral("+") : QString()) + fixed(value, decimals);
     }
     const QString text = withoutZeros(significant(value)); // limits are round
@@ -221,7 +221,7 @@ QString Names::besideLimit(const ConstraintResult& c) {
     if (!isRange(c.kind)) {
         return margin(c);
     }
-    const bool isBelow = !c.isLeast && c.value > 0; // an upper limit: as far as it may still rise
+    const bool isBelow = !c.isLeast && c.value > 0; // an upper limit: the ratio to it
     return c.limit > 0 ? times(isBelow ? c.limit / c.value : c.value / c.limit) + u'×'
                        : inRange(c, true);
 }
@@ -313,7 +313,7 @@ QString Names::fixed(double value, int decimals) {
 }
 
 QString Names::amountFixed(double value, int decimals) {
-    constexpr double rounding = 1e-9; // of what is nothing but for the last bits of a difference
+    constexpr double rounding = 1e-9; // a difference this small is rounding
     const double last = std::pow(10.0, -decimals);
     return value > rounding && value < 0.5 * last
                ? QStringLiteral("<\u00a0") + fixed(last, decimals)

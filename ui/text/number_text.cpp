@@ -13,7 +13,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr qsizetype longest = 400; // digits of the smallest double, with room
+constexpr qsizetype longest = 400; // digits of the smallest double, with a margin
 constexpr double smallestPlain = 1e-7;
 constexpr double largestPlain = 1e15;
 
@@ -39,7 +39,7 @@ QString signOf(double value) {
     return value < 0 ? QStringLiteral("−") : QString();
 }
 
-/// The text in the letters from_chars reads; empty when it holds others.
+/// The text in the characters read by from_chars; empty if it has others.
 QByteArray plain(const QString& text) {
     const QString trimmed = withExponent(text.trimmed());
     if (trimmed.size() > longest) {
@@ -136,7 +136,7 @@ QString stepNumber(const QString& text, int steps, bool zeroAllowed) {
     const qsizetype separator = mantissa.indexOf(comma ? u',' : u'.');
     qsizetype decimals = separator < 0 ? 0 : mantissa.size() - separator - 1;
     if (mantissa.size() > 17) {
-        return text; // the last digit is beyond what a double tells apart
+        return text; // the last digit is beyond the precision of a double
     }
     qlonglong digits = std::llround(*parseNumber(mantissa) * std::pow(10.0, double(decimals)));
     if (digits + steps == 0 && !zeroAllowed) {

@@ -19,7 +19,7 @@ QString byPlace(bool zones) {
                  : QCoreApplication::translate("OperationNotice", "section by section");
 }
 
-/// Of a compliance, and of what zones or sections have of their own, what the values are given for.
+/// For a compliance, and for values of single zones or sections, states what they are given for.
 QString switchedText(const ConstMember& member, const Project& of) {
     switch (member.field->kind) {
     case Kind::compliance: {

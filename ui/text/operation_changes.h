@@ -7,7 +7,7 @@
 
 namespace sparkout {
 
-/// What another operation made of the inputs outside the stages: "Ground length L_p: 100 mm → 50
+/// The changes of another operation to inputs outside the stages: "Ground length L_p: 100 mm → 50
 /// mm".
 [[nodiscard]] QStringList changesOfOperation(const Project& before, const Project& after);
 

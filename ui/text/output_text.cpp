@@ -35,7 +35,7 @@ QString outputName(const OutputRow& row, bool revolutions) {
 QString outputBrief(const OutputRow& row, bool revolutions) {
     const QString brief = translated(row.brief);
     return brief.isEmpty()          ? outputName(row, revolutions)
-           : brief.startsWith(u' ') ? brief // below a row that has the unit
+           : brief.startsWith(u' ') ? brief // below a row with the unit
                                     : withUnit(brief, row);
 }
 

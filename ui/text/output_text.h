@@ -7,25 +7,25 @@
 
 #include <optional>
 
-/// The words and numbers of outputs, in the present language.
+/// The texts and numbers of outputs, in the current language.
 namespace sparkout {
 
-/// Without its unit, as short as its place in a table allows.
+/// Without the unit, as short as its place in a table requires.
 [[nodiscard]] QString outputLabel(const OutputRow& row);
-/// With its unit, standing alone; `revolutions`: they are counted, not double strokes.
+/// With the unit, standing alone; `revolutions`: counts revolutions instead of double strokes.
 [[nodiscard]] QString outputName(const OutputRow& row, bool revolutions = false);
-/// The same as short as its place in a table allows.
+/// The shortest form for a table.
 [[nodiscard]] QString outputBrief(const OutputRow& row, bool revolutions = false);
 [[nodiscard]] QString outputHint(const OutputRow& row);
 
-/// A number in the unit that it is shown in; of a share or an estimate that itself.
+/// A number in its displayed unit; a share or an estimate unchanged.
 [[nodiscard]] std::optional<double> outputNumber(const OutputRow& row, const OutputValue& value);
-/// The same as a text, as threeDigits() has it; empty where there is none. Of amounts, which are
-/// never negative.
+/// The number as a text by threeDigits(); empty if there is none. For amounts, which are never
+/// negative.
 [[nodiscard]] QString outputText(const OutputRow& row, const OutputValue& value);
 
-/// Three significant digits, three decimals at most, but one digit always. 0 for what is not
-/// positive.
+/// Three significant digits, at most three decimals, but at least one digit. 0 for a value that is
+/// not positive.
 [[nodiscard]] QString threeDigits(double value);
 
 } // namespace sparkout

@@ -8,19 +8,19 @@
 
 namespace sparkout {
 
-/// How a number reads in the window and on paper where the file has another: sections are counted
-/// from 0 in files and from 1 by people. In the inputs, stock may read on the diameter. Numbers of
-/// other inputs read as they are.
+/// The display of a number that differs from the file: sections are counted from 0 in files and
+/// from 1 on screen and paper; in the inputs, stock may be on the diameter. Other numbers are
+/// unchanged.
 struct ShownScale {
     double factor = 1;
-    double shift = 0; ///< after the factor
+    double shift = 0; ///< added after the factor
 
-    /// Of an input, by its row or its path.
+    /// For an input, by its row or its path.
     [[nodiscard]] static ShownScale of(const Field& field);
     [[nodiscard]] static ShownScale at(const std::string& path);
-    /// Of an input where it is entered, in its hints and messages.
+    /// For an input where it is entered, and in its hints and messages.
     [[nodiscard]] static ShownScale ofInput(const Field& field);
-    /// Of the numbers of a message.
+    /// For the numbers of a message.
     [[nodiscard]] static ShownScale of(const Issue& issue);
 
     [[nodiscard]] double shown(double kept) const { return kept * factor + shift; }
@@ -28,7 +28,7 @@ struct ShownScale {
     [[nodiscard]] std::optional<double> shown(const std::optional<double>& kept) const;
     [[nodiscard]] std::optional<double> kept(const std::optional<double>& shown) const;
     [[nodiscard]] Range shown(Range kept) const;
-    [[nodiscard]] Detail shown(Detail kept) const; ///< of a message: its numbers, nothing else
+    [[nodiscard]] Detail shown(Detail kept) const; ///< converts only numbers
 
     friend bool operator==(const ShownScale&, const ShownScale&) = default;
 };

@@ -13,7 +13,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int finest = 4, coarsest = 14; // of the tables in core/project/iso286.h
+constexpr int finest = 4, coarsest = 14; // range of the tables in core/project/iso286.h
 
 QString sizeWords(const char* text) {
     return QCoreApplication::translate("SizeField", text);
@@ -36,7 +36,7 @@ TypedSize readSize(const QString& typed, const Part& part) {
         return {};
     }
     auto size = parseSizeDesignation(text.toStdString());
-    if (!size) { // the letters alone
+    if (!size) { // only the letters
         size =
             parseSizeDesignation((showNumber(part.diameter_mm, QLocale::c()) + text).toStdString());
     }

@@ -12,19 +12,19 @@ namespace sparkout {
 struct Field;
 struct Part;
 
-/// A size with its field as typed, 30h6 or, for the part's own diameter, h6: what it says, or why
-/// it cannot be taken.
+/// A typed size with its tolerance field, 30h6 or, for the part's own diameter, h6: its meaning, or
+/// the reason why it is invalid.
 struct TypedSize {
     std::optional<SizeDesignation> size;
     SizeDeviations deviations;
-    QString text; ///< the deviations in words, or the reason; empty when nothing is typed
+    QString text; ///< the deviations in words, or the reason; empty without text
 };
 [[nodiscard]] TypedSize readSize(const QString& typed, const Part& part);
 
-/// The symbol of an input of the part: deviations of holes, ES and EI, are written in capitals.
+/// The symbol of an input of the part: deviations of holes, ES and EI, are in capitals.
 [[nodiscard]] QString symbolOf(const Field& field, const Part& part);
 
-/// The field whose limits a part has, "30h6"; empty when it is none of the standard's.
+/// The standard field with the limits of a part, "30h6"; empty if there is none.
 [[nodiscard]] QString fieldOf(const Part& part);
 
 } // namespace sparkout

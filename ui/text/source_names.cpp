@@ -11,7 +11,7 @@ namespace sparkout {
 namespace {
 
 struct SourceName {
-    std::string_view key; ///< of core/SOURCES.md
+    std::string_view key; ///< key in core/SOURCES.md
     const char* text;
 };
 

@@ -9,11 +9,11 @@
 
 namespace sparkout {
 
-/// A source in words, in the present language: "MODEL-5" → "model page, section 5, traverse
+/// The text of a source in the current language: "MODEL-5" → "model page, section 5, traverse
 /// cycle". Empty for a key that core/SOURCES.md does not have.
 [[nodiscard]] QString sourceText(std::string_view key);
 
-/// Every source, its key and its words.
+/// Every source with its key and text.
 [[nodiscard]] std::vector<std::pair<QString, QString>> sourceTexts();
 
 } // namespace sparkout

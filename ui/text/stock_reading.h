@@ -8,8 +8,8 @@
 
 namespace sparkout {
 
-/// Whether the inputs show and take the stock of the part and of the stages per side, as files keep
-/// it and as the model and all results state it, or on the diameter.
+/// Whether the inputs show and accept the stock of the part and of the stages per side, as files,
+/// model and results do, or on the diameter.
 class StockReading : public QObject {
     Q_OBJECT
 
@@ -21,11 +21,11 @@ public:
 
     /// Whether an input has both readings.
     [[nodiscard]] static bool isStock(const Field& field);
-    /// Whether it is read on the diameter now.
+    /// Whether the input is currently shown on the diameter.
     [[nodiscard]] static bool isOnDiameter(const Field& field);
-    /// The name of an input; of a stock with its reading: "Stock on diameter".
+    /// The name of an input; for a stock with its reading: "Stock on diameter".
     [[nodiscard]] static QString label(const Field& field);
-    /// The same where it must be short, at the head of a column.
+    /// The short form for the heading of a column.
     [[nodiscard]] static QString column(const Field& field);
     [[nodiscard]] static QString column(const Field& field, bool onDiameter);
     [[nodiscard]] static QString symbol(const Field& field); ///< "2Π" for "Π" on the diameter

@@ -5,8 +5,8 @@
 
 #include <string>
 
-/// Texts as the core and the system have them: in the bytes of the locale on POSIX, in UTF-8 on
-/// Windows, where Qt's own functions know the letters of one language alone.
+/// Texts in the encoding of the core and the system: that of the locale on POSIX, UTF-8 on Windows,
+/// where Qt's functions cover the letters of one language only.
 namespace sparkout {
 
 [[nodiscard]] std::string systemText(const QString& text);

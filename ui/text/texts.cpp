@@ -66,7 +66,7 @@ QString translated(const char* context, const char* text) {
     QT_TRANSLATE_NOOP("Unit", "1/mm"),
 };
 
-/// "L_p" → "Lₚ", where there are signs for all of an index.
+/// "L_p" → "Lₚ", if there are characters for the whole index.
 QString withSubscripts(QString text) {
     static const QString plain = QStringLiteral("0123456789aehijklmnoprstuvx");
     static const QString below = QStringLiteral("₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ");
@@ -84,7 +84,7 @@ QString withSubscripts(QString text) {
     return text;
 }
 
-/// Issues in the present language, with the numbers and names of the window.
+/// Issues in the current language, with the window's number format and names.
 class WindowWording : public Wording {
 protected:
     std::string translated(const char* context, const std::string& text) const override {
@@ -195,7 +195,7 @@ QString fileIssueText(const Issue& issue) {
 
 namespace {
 
-/// What stands beside the surfaces in the file of a set-up.
+/// An entry besides the surfaces in the file of a set-up.
 struct SetupPart {
     const char* key;
     const StructInfo& (*table)();

@@ -6,7 +6,7 @@
 
 #include <QString>
 
-/// The core's texts in the present language. The core marks them, the session words them.
+/// The core's texts in the current language. The core marks them for translation.
 namespace sparkout {
 
 [[nodiscard]] QString inputText(const char* text);       ///< label, hint, meaning of null
@@ -16,27 +16,27 @@ namespace sparkout {
 [[nodiscard]] QString unitText(const char* unit);        ///< "mm/min" → "мм/мин"
 [[nodiscard]] QString zoneText(const char* key);         ///< "rz1" → "РЗ1"
 
-/// A range with its unit: "0.5 to 1000 mm", "above 0, up to 5 mm"; empty when unbounded.
+/// A range with its unit: "0.5 to 1000 mm", "above 0, up to 5 mm"; empty if unbounded.
 [[nodiscard]] QString rangeShown(const Range& range, const char* unit);
 
-/// The same in figures: "0.5…1000 mm", ">0…5 mm".
+/// The range in figures: "0.5…1000 mm", ">0…5 mm".
 [[nodiscard]] QString rangeBrief(const Range& range, const char* unit);
 
 /// The sentence of an issue with value and limit filled in.
 [[nodiscard]] QString issueText(const Issue& issue);
-/// The same with the numbers that stand in the file.
+/// The text with the numbers of the file.
 [[nodiscard]] QString fileIssueText(const Issue& issue);
 
-/// Where an issue is, in words: "Cycle › Stage 2 › Axial feed".
+/// The place of an issue in words: "Cycle › Stage 2 › Axial feed".
 [[nodiscard]] QString locationText(const std::string& path);
-/// The same as the inputs have it, where stock may be on the diameter.
+/// The place as the inputs name it, where stock may be on the diameter.
 [[nodiscard]] QString inputLocation(const std::string& path);
 
-/// A file name or another text from outside as it may stand in a message of one line.
+/// A file name or other external text, made safe for a message of one line.
 [[nodiscard]] QString printableText(const QString& text);
 
-/// A text of many lines for a file of another program: what such a file cannot hold or would obey
-/// (NUL, marks that turn the reading direction) is shown as U+FFFD.
+/// A text of many lines, made safe for a file of another program: characters that the file cannot
+/// contain or would interpret (NUL, marks of direction) become U+FFFD.
 [[nodiscard]] QString harmlessText(QString text);
 
 /// Rich text with indices below the line: "S_ax" → "S<sub>ax</sub>"; the text is escaped first.

@@ -6,7 +6,7 @@
 namespace sparkout {
 
 /// The unit of all times of one chart or table: seconds where the longest is below two minutes,
-/// else minutes.
+/// otherwise minutes.
 class TimeUnit {
 public:
     explicit TimeUnit(double longest_s = 0);

@@ -12,9 +12,9 @@ namespace sparkout {
 class WheelWidths {
     Q_DECLARE_TR_FUNCTIONS(WheelWidths)
 public:
-    /// Widths of the shipped catalogue that would do, after a refusal of length or width; empty for
-    /// other issues. To traverse a length L a wheel B with overruns of B/3 needs 4/3·B < L, a
-    /// plunge B ≥ L.
+    /// Widths of the shipped catalogue that would be valid, after a refusal of length or width;
+    /// empty for other issues. To traverse a length L a wheel B with overruns of B/3 needs 4/3·B <
+    /// L, a plunge B ≥ L.
     [[nodiscard]] static QString hint(const Issue& issue);
 };
 

@@ -97,7 +97,7 @@ Actions::Actions(QMainWindow& window)
     for (const report::KindRow& row : report::kinds()) {
         reports.push_back(makeReportActions(row.key, &window));
     }
-    reports.front().print->setShortcut(QKeySequence::Print); // what is printed day by day
+    reports.front().print->setShortcut(QKeySequence::Print); // the daily printout
     for (const report::PaperRow& row : report::papersOfWorks()) {
         papers.push_back(makeReportActions(row.key, &window));
     }
@@ -188,7 +188,7 @@ void Actions::followLesson(bool isRunning, bool isCovered) {
     for (QAction* action : {previousStep, nextStep, leaveLesson}) {
         action->setEnabled(isRunning);
     }
-    for (const ReportActions& paper : papers) { // they show nothing that the work does not
+    for (const ReportActions& paper : papers) { // they show only what the work does
         paper.menu->menuAction()->setEnabled(isRunning);
         for (QAction* action : paper.all()) {
             action->setEnabled(isRunning);
@@ -248,7 +248,7 @@ void Actions::buildToolBar(QToolBar& bar) {
     bar.addSeparator();
     bar.addAction(keepRun);
     bar.addSeparator();
-    bar.addAction(reports.front().preview); // of the cycle card
+    bar.addAction(reports.front().preview); // preview of the cycle card
     bar.addSeparator();
     bar.addAction(examples);
     if (auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(m_new->menuAction()))) {

@@ -21,7 +21,7 @@ class Document;
 class View;
 class WindowHead;
 
-/// The commands of the window, their menus and the tool bar.
+/// The commands of the window, its menus and the tool bar.
 class Actions : public QObject {
     Q_OBJECT
 
@@ -30,17 +30,17 @@ public:
 
     void addDocks(const QList<QAction*>& toggles); ///< to the View menu
     void addRecentFiles(QMenu* menu);              ///< to the File menu
-    /// An entry a view, with Ctrl and its number.
+    /// An entry for each view, with Ctrl and its number.
     [[nodiscard]] QList<QAction*> addViews(int count);
-    /// What can be undone, and what it is called; a refused text is undone first.
+    /// Shows what can be undone, with its name; a refused text is undone first.
     void follow(const Document& document, bool refusedText);
     void retranslate();
-    /// What makes no sense in a lesson, or would lead around it, is off while one runs.
+    /// Disables what is meaningless in a lesson, or would bypass it, while one runs.
     void followLesson(bool isRunning, bool isCovered);
     void showLanguage(const QString& code);
     void showTheme(Theme theme);
     void showFontSize(int percent);
-    [[nodiscard]] QList<QAction*> surfaceActions() const; ///< on the one in front
+    [[nodiscard]] QList<QAction*> surfaceActions() const; ///< on the current surface
     void nameViews(const std::vector<View*>& views);
     [[nodiscard]] const QList<QAction*>& showViews() const { return m_showViews; }
 
@@ -54,12 +54,12 @@ public:
     QAction* recoverWork;
     std::vector<ReportActions> reports; ///< in the order of the table of kinds
     std::vector<ReportActions> papers;  ///< of a laboratory work, in the order of their table
-    QAction* company;                   ///< and signatures, of their heads
-    QAction* titlePage;                 ///< of laboratory reports
+    QAction* company;                   ///< company and signatures in their heads
+    QAction* titlePage;                 ///< the title page of laboratory reports
     QAction* importPack;
     QAction* exportPack;
     QAction* importMeasured;
-    QAction* exportResults; ///< and trace, as tables
+    QAction* exportResults; ///< results and trace, as tables
     QAction* quit;
     QAction* undo;
     QAction* redo;
@@ -75,23 +75,23 @@ public:
     QAction* wholePart;
     QAction* standardTimes;
     QAction* dressing;
-    QAction* calibrate; ///< from measurements
-    QAction* lessons;   ///< that are shipped
+    QAction* calibrate; ///< calibrates from measurements
+    QAction* lessons;   ///< shipped lessons
     QAction* previousStep;
     QAction* nextStep;
     QAction* leaveLesson;
-    QAction* editLesson; ///< a laboratory work is made, or changed
+    QAction* editLesson; ///< creates or changes a laboratory work
     QAction* markWorks;
     QAction* english;
     QAction* russian;
     std::array<QAction*, allThemes.size()> themes; ///< in the order of allThemes
     std::array<QAction*, fontSizes.size()> sizes;  ///< in the order of fontSizes
-    QAction* stockOnDiameter;                      ///< in the inputs, else per side
-    QAction* detach;                               ///< or attach: the view in use
+    QAction* stockOnDiameter;                      ///< in the inputs, otherwise per side
+    QAction* detach;                               ///< or attach: the current view
     QAction* nextPanel;
     QAction* previousPanel;
     QAction* resetLayout;
-    QAction* help; ///< on what has the focus
+    QAction* help; ///< on the focused widget
     QAction* helpContents;
     QAction* helpShortcuts;
     QAction* tour;

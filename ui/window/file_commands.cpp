@@ -32,7 +32,7 @@ namespace sparkout {
 
 namespace {
 
-/// Nobody works in a shipped example: it is locked only once it is saved to.
+/// An example is not locked until it is saved to.
 bool isExample(const QByteArray& hash) {
     const QStringList paths = ExamplesDialog::paths();
     return std::any_of(paths.begin(), paths.end(), [&](const QString& path) {
@@ -86,7 +86,7 @@ void FileCommands::start(const QString& file) {
     }
 }
 
-/// What was recovered before its drawing was complete asks for the rest.
+/// A work recovered before its drawing was complete asks for the rest.
 bool FileCommands::recover(bool alsoDiscarded) {
     const bool recovered = m_recovery.offer(alsoDiscarded);
     if (recovered && !m_document.openInputs().empty()) {
@@ -136,9 +136,9 @@ void FileCommands::openInstead(const QString& path) {
     }
 }
 
-/// A paper carries its project: it is opened without a file of its own.
+/// A PDF contains its project, which is opened without a file.
 void FileCommands::openAttached(const QString& path) {
-    constexpr qsizetype most = 200'000'000; // of a paper
+    constexpr qsizetype most = 200'000'000; // bytes of a PDF
     QFile file(path);
     std::optional<PdfAttachment> attached;
     if (file.open(QIODevice::ReadOnly)) {
@@ -165,7 +165,7 @@ void FileCommands::openAttached(const QString& path) {
 bool FileCommands::openFile(const QString& given) {
     const QString path = QFileInfo(given).absoluteFilePath();
     const auto opening =
-        m_questions.wayToOpen(path); // first, or somebody could save while this one reads
+        m_questions.wayToOpen(path); // first, or another program could save during reading
     if (!opening) {
         return false;
     }
@@ -255,7 +255,7 @@ bool FileCommands::openAsCopy(const QString& path) {
     return false;
 }
 
-/// The history keeps what was in the window.
+/// The history keeps the previous contents.
 void FileCommands::reload() {
     const QString path = m_document.filePath();
     LoadedProject loaded;
@@ -314,7 +314,7 @@ bool FileCommands::mayClose() {
     return true;
 }
 
-/// Coming back to the window is the moment to look where the system tells nothing of changes.
+/// Checks files when the window is activated, for systems without notifications of changes.
 bool FileCommands::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_window && event->type() == QEvent::WindowActivate) {
         m_guard.watch().check();

@@ -24,7 +24,7 @@ class NoticeBar;
 class RecentFilesMenu;
 class Settings;
 
-/// The commands that deal with files: new, open, save and recover, each with its questions.
+/// The commands for files: new, open, save and recover, with their dialogs.
 class FileCommands : public QObject {
     Q_OBJECT
 
@@ -32,33 +32,33 @@ public:
     FileCommands(Document& document, Settings& settings, QWidget* window);
     ~FileCommands() override;
 
-    /// From now on files are locked and watched, and recovery files and earlier versions are kept
-    /// in this folder. Without it nothing but the saved file is written.
+    /// Locks and watches files from now on, and keeps recovery files and earlier versions in this
+    /// folder. Without it only the saved file is written.
     void protect(const QString& stateFolder, Autosave::Times times = {});
-    /// Where the texts come from that fields refused and no file holds.
+    /// Sets the source of refused texts in fields, which no file contains.
     void askRefusedTexts(std::function<QStringList()> texts) { m_refused = std::move(texts); }
-    /// Who opens files of lessons, and is asked before a document goes.
+    /// Opens files of lessons, and is asked before a document is closed.
     struct Lessons {
         std::function<void(const QString& path)> open;
         std::function<bool()> mayLeave;
     };
     void leaveLessonsTo(Lessons lessons) { m_lessons = std::move(lessons); }
     void remember(const QString& path); ///< among the recent files
-    /// What the program begins with: unsaved work that was left is offered, then FILE is opened.
+    /// Offers unsaved work that was left, then opens FILE; called at the start.
     void start(const QString& file);
 
     void startNew(Operation operation);
     void open();
-    bool openFile(const QString& path);    ///< without asking for unsaved changes
+    bool openFile(const QString& path);    ///< without asking about unsaved changes
     void openInstead(const QString& path); ///< asks first
     void openExample();
     void openEarlierVersion();
     void recoverWork();
     bool save();
     bool saveAs();
-    /// Asks what to do with unsaved changes and refused texts; false when the user wants to stay.
+    /// Asks what to do with unsaved changes and refused texts; false if the user cancels.
     [[nodiscard]] bool mayDiscard();
-    /// The same before the window closes; the changes that are given up stay recoverable a while.
+    /// Asks before the window closes; discarded changes stay recoverable for a while.
     [[nodiscard]] bool mayClose();
 
     [[nodiscard]] FileGuard& guard() { return m_guard; }
@@ -67,9 +67,9 @@ public:
 
 signals:
     void saved();
-    void begun(const std::string& path);          ///< a new project, whose first input is asked for
-    void packChosen(const QString& path);         ///< in place of a project
-    void measurementsChosen(const QString& path); ///< a table in place of a project
+    void begun(const std::string& path);          ///< a new project, whose first input is requested
+    void packChosen(const QString& path);         ///< instead of a project
+    void measurementsChosen(const QString& path); ///< a table instead of a project
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

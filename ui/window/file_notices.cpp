@@ -162,7 +162,7 @@ void FileNotices::showRefusedSettings(const FileError& error) {
                {}});
 }
 
-/// Also those that another instance, or this one at its end, found damaged and put aside.
+/// Includes those that another instance, or this one at its end, found damaged and put aside.
 void FileNotices::showDamagedSettings() {
     if (const QStringList aside = m_settings.file().takeDamaged(); !aside.isEmpty()) {
         m_bar.add({settingsKey,

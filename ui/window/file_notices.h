@@ -15,8 +15,7 @@ class Document;
 class NoticeBar;
 class Settings;
 
-/// What the user should know of the files without being asked: open read-only, changed by another
-/// program, recovered, not protected.
+/// Notices about files: opened read-only, changed by another program, recovered, not protected.
 class FileNotices : public QObject {
     Q_OBJECT
 
@@ -24,12 +23,12 @@ public:
     FileNotices(Document& document, const Settings& settings, FileGuard& guard, NoticeBar& bar,
                 QWidget* window);
 
-    void showOpened(const Issues& issues); ///< of the file that was read
+    void showOpened(const Issues& issues); ///< about the file that was read
     void showReadOnly();
     void showRecovered(const RecoveryHeader& header);
     void showDamagedSettings();
     void followSaved();
-    void followDisk(); ///< the document is as its file
+    void followDisk(); ///< the document equals its file
 
 signals:
     void saveWanted();

@@ -52,7 +52,7 @@ void HelpDesk::startTour() {
 }
 
 void HelpDesk::offerTour() {
-    const bool kept = !m_settings.folder().isEmpty(); // else it would come with every start
+    const bool kept = !m_settings.folder().isEmpty(); // otherwise it would appear at every start
     if (kept && !m_settings.tourSeen() && !QApplication::activeModalWidget()) {
         startTour();
     }
@@ -90,8 +90,7 @@ void HelpDesk::open(const QString& topic) {
     m_help->showFront();
 }
 
-/// F1 in a dialog, which the commands of the window do not reach: the help is a window of the
-/// dialog's then, so that both can be used.
+/// F1 in a modal dialog: the help becomes a window of the dialog, so that both can be used.
 bool HelpDesk::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::KeyPress || !watched->isWidgetType()
         || static_cast<QKeyEvent*>(event)->key() != Qt::Key_F1) {

@@ -27,11 +27,11 @@ public:
     ~HelpDesk() override;
 
     void open(const QString& topic); ///< "feeds#mouse"
-    /// What the help says of a widget; without a topic of its own, of the view in sight.
+    /// The help topic of a widget; without one, that of the current view.
     [[nodiscard]] QString topicAt(const QWidget* widget) const;
-    [[nodiscard]] HelpWindow* helpWindow() const { return m_help.get(); } ///< null: not yet opened
+    [[nodiscard]] HelpWindow* helpWindow() const { return m_help.get(); } ///< null: not opened yet
 
-    /// Starts the tour when this user has not seen it yet, and nothing else waits for an answer.
+    /// Starts the tour if this user has not seen it and no dialog is open.
     void offerTour();
     [[nodiscard]] Tour& tour() const { return *m_tour; }
 

@@ -8,7 +8,7 @@ class QMainWindow;
 namespace sparkout {
 
 /// The keys of a window as HTML: those of its menus, of the pages of the inputs and of the plots,
-/// as they are set now.
+/// with the current assignments.
 [[nodiscard]] QString shortcutsHtml(const QMainWindow& window);
 
 } // namespace sparkout

@@ -71,7 +71,7 @@ void LessonWiring::connectTo(const Parts& parts) {
     enterViews(parts);
     WindowLayout& layout = parts.layout;
     connect(&parts.desk.run(), &LessonRun::started, this, [&layout] { layout.showLesson(true); });
-    // Not on the view that was in front, which may have nothing of it to show.
+    // Does not stay on the previous view, which may show nothing of the lesson.
     connect(&parts.desk.run(), &LessonRun::started, this, [&tabs = parts.tabs] {
         const auto first = std::ranges::find_if(
             tabs.views(), [&tabs](const View* view) { return !tabs.isAway(view); });
@@ -123,7 +123,7 @@ void LessonWiring::enterViews(const Parts& parts) {
     }
 }
 
-/// Panels go when a step hides them, and with the views.
+/// Panels are hidden by a step, and together with the views.
 void LessonWiring::apply(const Parts& parts) {
     const LessonDesk& desk = parts.desk;
     const bool isCovered = desk.isCovered();
@@ -131,7 +131,7 @@ void LessonWiring::apply(const Parts& parts) {
         parts.tabs.attachAll();
     }
     m_middle->setCurrentIndex(isCovered ? 1 : 0);
-    const HiddenThings& step = desk.hidden(); // nothing where no lesson runs
+    const HiddenThings& step = desk.hidden(); // empty while no lesson runs
     parts.layout.takeAway(WindowLayout::Panel::verdict,
                           isCovered || step.isHidden(Hideable::verdict));
     parts.layout.takeAway(WindowLayout::Panel::messages,
@@ -149,7 +149,7 @@ void LessonWiring::apply(const Parts& parts) {
     }
 }
 
-/// A lesson is edited beside the window, and tried in it: the editor comes back when that is over.
+/// A lesson is edited beside the window and tried in it; the editor returns when the trial is over.
 void LessonWiring::edit(const Parts& parts) {
     if (!m_editor) {
         openEditor(parts);
@@ -212,7 +212,7 @@ void LessonWiring::namePapersOfEditor() const {
     }
 }
 
-/// Of the work that runs, from what was handed in.
+/// Makes papers of the running work from what was handed in.
 void LessonWiring::connectPapers(const Parts& parts) {
     auto* output = new ReportOutput(parts.settings, parts.window);
     const auto rows = report::papersOfWorks();

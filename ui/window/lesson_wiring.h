@@ -27,13 +27,13 @@ class Settings;
 class ViewTabs;
 class WindowLayout;
 
-/// What a lesson takes of the window: views, panels and commands that a step hides, inputs that are
-/// locked or hidden, and the views as a whole while a prediction is awaited.
+/// Applies a lesson to the window: hides views, panels and commands, locks or hides inputs, and
+/// covers the views while a prediction is awaited.
 class LessonWiring : public QObject {
     Q_OBJECT
 
 public:
-    /// The parts of the window that a lesson takes from.
+    /// The parts of the window that a lesson affects.
     struct Parts {
         LessonDesk& desk;
         Actions& actions;
@@ -48,15 +48,15 @@ public:
         QWidget* window;
     };
 
-    /// `views`: what is covered.
+    /// `views` is covered while a prediction is awaited.
     LessonWiring(QWidget* views, QObject* parent);
 
     [[nodiscard]] QWidget* middle() const; ///< the views, or their cover
     void connectTo(const Parts& parts);
     void retranslate();
-    [[nodiscard]] bool mayClose(); ///< a lesson being edited is saved, or given up
+    [[nodiscard]] bool mayClose(); ///< asks to save or discard an edited lesson
 
-    /// To the moment a step shows.
+    /// Moves to the moment that a step shows.
     static void goTo(CycleCursor& cursor, const ShownMoment& moment);
 
 private:
@@ -71,8 +71,8 @@ private:
 
     QStackedWidget* m_middle;
     QLabel* m_cover;
-    LessonEditor* m_editor = nullptr;    ///< once it was asked for
-    std::vector<ReportActions> m_papers; ///< of the editor, in the order of their table
+    LessonEditor* m_editor = nullptr;    ///< created on request
+    std::vector<ReportActions> m_papers; ///< for the editor, in the order of their table
 };
 
 } // namespace sparkout

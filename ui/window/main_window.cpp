@@ -121,10 +121,10 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
 
 MainWindow::~MainWindow() {
     delete m_lesson; // keeps its draft
-    delete m_files;  // keeps the last changes of the document
+    delete m_files;  // saves the last changes of the document
     m_document.disconnect();
-    delete m_layout;   // with the panels that look at the document and the cursor of the cycle
-    delete m_playback; // it looks at the cursor, too
+    delete m_layout;   // with the panels that use the document and the cycle's cursor
+    delete m_playback; // it uses the cursor, too
 }
 
 void MainWindow::buildViews() {
@@ -156,7 +156,7 @@ void MainWindow::buildViews() {
     connect(m_compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
     connect(m_keeper, &RunKeeper::reported, this,
             [this](const QString& text) { m_status->showForAWhile(text); });
-    const auto reportEnd = [this](const View* view) { // its notice says how: done, stopped, refused
+    const auto reportEnd = [this](const View* view) { // its notice has the reason
         return [this, view] { m_status->showForAWhile(tr("%1: ended.").arg(view->title())); };
     };
     for (const StudyView* view :
@@ -171,7 +171,7 @@ void MainWindow::buildViews() {
         view->shareCycle(&m_cursor);
     }
     auto* middle = new QWidget(this);
-    m_lessonWiring = new LessonWiring(middle, this); // before there is anything to lay out
+    m_lessonWiring = new LessonWiring(middle, this); // before the layout
     auto* column = new QVBoxLayout(middle);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -212,7 +212,7 @@ void MainWindow::connectMeasured() {
     connect(m_import, &MeasuredImport::imported, this, [this] { m_tabs->showView(m_measured); });
 }
 
-/// Its compliance is that of the place, so a given one goes.
+/// A given compliance is removed, since it belongs to the old position.
 void MainWindow::putGauge(double position_mm) {
     Project project = m_document.project();
     project.gauge->position_mm = position_mm;
@@ -223,8 +223,7 @@ void MainWindow::putGauge(double position_mm) {
                     {"Edit", QT_TRANSLATE_NOOP("Edit", "Put the gauge in the best place")});
 }
 
-/// Where there is a cycle to step through and a view that shows its moment: in front, or in a
-/// window of its own.
+/// Shows the bar if there is a recorded cycle and a visible view of its moment.
 void MainWindow::showPlayback() {
     const bool any = m_cursor.outcome() && std::ranges::any_of(views(), [this](const View* view) {
                          return view->showsMoment()
@@ -303,7 +302,7 @@ void MainWindow::connectActions() {
         on(m_actions->sizes[i], [this, i] { setFontSize(fontSizes[i]); });
     }
     on(m_actions->stockOnDiameter, [this] {
-        m_inputs->endTyping(); // meant as the field has read so far
+        m_inputs->endTyping(); // commits the text of a field
         StockReading::instance().setOnDiameter(m_actions->stockOnDiameter->isChecked());
     });
     connect(&StockReading::instance(), &StockReading::changed, this, &MainWindow::showStockReading);
@@ -331,7 +330,7 @@ const Project& MainWindow::asRun() const {
                : m_document.project();
 }
 
-/// A text that was refused stands in a field of this surface alone.
+/// A refused text exists only in a field of this surface.
 bool MainWindow::mayLeaveSurface() {
     m_inputs->endTyping();
     const QStringList refused = refusedLines();
@@ -368,7 +367,7 @@ void MainWindow::connectPart() {
 void MainWindow::connectReports() {
     const auto outcomeOfNow = [this] {
         OutcomePtr outcome = m_outcome;
-        if (m_runs.running()) { // that one is of the inputs before
+        if (m_runs.running()) { // it belongs to the previous inputs
             runAside([&, upTo = m_document.upToPresent(), missing = m_document.missingInputs()] {
                 outcome = m_runs.outcomeOf(upTo, missing);
             });
@@ -464,7 +463,7 @@ void MainWindow::setTheme(Theme theme) {
     m_actions->showTheme(theme);
 }
 
-/// The panels keep their room, the views take what is left.
+/// The panels keep their size, the views get the rest.
 void MainWindow::setFontSize(int percent) {
     m_settings.setFontSize(percent);
     applyFontSize(percent);
@@ -515,7 +514,7 @@ void MainWindow::connectDocument() {
     m_judge = new CycleJudge(m_runs, m_studies, this);
     connect(&m_runs, &RunController::finished, this, &MainWindow::showOutcome);
     connect(m_judge, &CycleJudge::changed, this, [this] {
-        if (!m_runs.running()) { // else it is of the inputs before
+        if (!m_runs.running()) { // otherwise it belongs to the previous inputs
             showJudged();
         }
     });
@@ -581,7 +580,7 @@ void MainWindow::connectLesson() {
     connect(m_lesson, &LessonDesk::reported, this,
             [this](const QString& text) { m_status->showForAWhile(text); });
     connect(m_lesson, &LessonDesk::limitsChanged, this, [this] {
-        if (m_partWindow && m_lesson->isRunning()) { // it tells the results of all surfaces
+        if (m_partWindow && m_lesson->isRunning()) { // it shows the results of all surfaces
             m_partWindow->hide();
         }
         m_judge->judgeBatches(!m_lesson->isRunning()); // its steps may ask to predict them
@@ -606,7 +605,7 @@ void MainWindow::connectLesson() {
                                *m_remedies, *m_files, m_document, m_settings, this});
 }
 
-/// While a prediction is awaited nothing is run: what nobody has cannot be seen.
+/// Runs nothing while a prediction is awaited, so that no result can be seen.
 void MainWindow::requestRun() {
     if (!m_lesson->isCovered()) {
         m_runs.request(m_document.upToPresent(), m_document.missingInputs());
@@ -648,7 +647,7 @@ QStringList MainWindow::refusedLines() const {
     return lines;
 }
 
-/// Of another surface, where its path says so.
+/// The path may name another surface.
 void MainWindow::showInput(const std::string& path) {
     std::string place = path;
     for (std::size_t i = 0; i < m_document.surfaceCount(); ++i) {
@@ -662,7 +661,7 @@ void MainWindow::showInput(const std::string& path) {
     m_inputs->focusPath(place);
 }
 
-/// The field it is set in, the passes it was worst in, or the profile it was measured on.
+/// Shows the field of its setting, its worst pass, or the measured profile.
 void MainWindow::showRequirement(const ConstraintResult& requirement) {
     if (const std::string path = verdict::inputPath(requirement); !path.empty()) {
         m_layout->showInputs();
@@ -728,16 +727,16 @@ void MainWindow::showTitle() {
     setWindowModified(m_document.modified() || !m_inputs->refusals().empty());
 }
 
-/// What was given colours takes those of the palette the window has now.
+/// Updates colours that were set explicitly from the window's palette.
 void MainWindow::recolour() {
-    retranslate(); // with the texts, their marks
+    retranslate(); // sets the marks with the texts
     for (View* view : views()) {
-        QEvent event(QEvent::PaletteChange); // the first came before its parts had their palettes
+        QEvent event(QEvent::PaletteChange); // the first came too early
         QCoreApplication::sendEvent(view, &event);
     }
 }
 
-// But for the views, which do so themselves.
+// Except for the views, which do so themselves.
 void MainWindow::retranslate() {
     m_actions->retranslate();
     m_actions->follow(m_document, !m_inputs->refusals().empty());
@@ -787,7 +786,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->accept();
 }
 
-/// A table is pasted into the view of measurements, also while the focus is on its tab.
+/// A table is pasted into the view of measurements, even if only its tab has the focus.
 void MainWindow::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Paste) && m_tabs->currentWidget() == m_measured) {
         emit m_measured->pasteAsked();
@@ -807,7 +806,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     const QString path = event->mimeData()->urls().value(0).toLocalFile();
     event->acceptProposedAction();
     m_inputs->endTyping();
-    if (!path.isEmpty()) { // later: the program it was dragged from shall not wait for an answer
+    if (!path.isEmpty()) { // later: the source of the drag must not wait for an answer
         QMetaObject::invokeMethod(
             m_files, [this, path] { m_files->openInstead(path); }, Qt::QueuedConnection);
     }

@@ -63,19 +63,19 @@ public:
     [[nodiscard]] InputsPanel& inputs() { return *m_inputs; }
     [[nodiscard]] MessagesPanel& messages() { return *m_messages; }
     [[nodiscard]] FileCommands& files() { return *m_files; }
-    /// From now on the files of the window are locked and watched, and their earlier versions and
-    /// what a crash leaves are kept in this folder.
+    /// Locks and watches the files of the window from now on, and keeps earlier versions and
+    /// recovery files in this folder.
     void protect(const QString& stateFolder);
     [[nodiscard]] const std::vector<View*>& views() const; ///< in the order of their tabs
     [[nodiscard]] ViewTabs& viewTabs() { return *m_tabs; }
-    bool showView(const QString& name); ///< by object name or number from 1; false when none
+    bool showView(const QString& name); ///< by object name or number from 1; false if there is none
     [[nodiscard]] OutcomePtr outcome() const { return m_outcome; }
     [[nodiscard]] HelpDesk& help() { return *m_help; }
     [[nodiscard]] CycleCursor& cursor() { return m_cursor; }
     [[nodiscard]] LessonDesk& lesson() { return *m_lesson; }
 
 signals:
-    void outcomeShown(); ///< the views have been given a new outcome
+    void outcomeShown(); ///< the views have received a new outcome
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -87,17 +87,17 @@ protected:
 private:
     void buildViews();
     void showPlayback();
-    void putGauge(double position_mm); ///< from the headstock end of the ground length
+    void putGauge(double position_mm); ///< position from the headstock end of the ground length
     void connectOverview();
     void connectMeasured();
     void connectActions();
     void connectReports();
     void editCompany();
-    void showLogoFault(); ///< a notice while the settings hold a logo that is refused
+    void showLogoFault(); ///< a notice while the settings have an invalid logo
     void connectDocument();
     void connectPart();
     void showWholePart();
-    /// The project in front with the wheel that its run had; while it runs the project itself.
+    /// The current project with the wheel of its run; the project itself while it is running.
     [[nodiscard]] const Project& asRun() const;
     [[nodiscard]] bool mayLeaveSurface();
     [[nodiscard]] QStringList refusedLines() const;
@@ -123,13 +123,13 @@ private:
     Document m_document;
     Studies m_studies;
     OutcomePtr m_outcome;
-    bool m_isOutcomeOfBefore = false; ///< of another document or surface
+    bool m_isOutcomeOfBefore = false; ///< the outcome of another document or surface
     CycleCursor m_cursor;
     KeptRuns* m_kept;
     PartRuns* m_partRuns;
     PartStrip* m_strip = nullptr;
     PartCommands* m_part = nullptr;
-    PartWindow* m_partWindow = nullptr; ///< once it was asked for
+    PartWindow* m_partWindow = nullptr; ///< created on request
     InputsPanel* m_inputs;
     ViewTabs* m_tabs;
     FeedsView* m_feeds;
@@ -158,7 +158,7 @@ private:
     QTimer m_recolour;
     QTimer m_refusalsTimer; ///< gathers many remarks of one edit
     CycleJudge* m_judge = nullptr;
-    RunController m_runs; ///< last: stopped before anything it reports to is gone
+    RunController m_runs; ///< last member: stopped before the objects it reports to are destroyed
 };
 
 } // namespace sparkout

@@ -13,7 +13,7 @@
 namespace sparkout {
 
 namespace {
-constexpr int dragged_ms = 200; ///< until it is asked again whether the mouse is still held
+constexpr int dragged_ms = 200; ///< interval of checking for the end of a drag
 } // namespace
 
 MessagesDock::MessagesDock(QDockWidget& dock, MessagesPanel& panel, QStatusBar& bar)
@@ -32,7 +32,7 @@ MessagesDock::MessagesDock(QDockWidget& dock, MessagesPanel& panel, QStatusBar& 
     });
 }
 
-/// The views stand still under a hand that drags a slider.
+/// The views do not resize while a slider is dragged.
 void MessagesDock::follow() {
     if (QGuiApplication::mouseButtons() != Qt::NoButton) {
         m_later.start(dragged_ms);

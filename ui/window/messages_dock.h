@@ -13,15 +13,15 @@ namespace sparkout {
 
 class MessagesPanel;
 
-/// The panel of messages, which takes room only while something is said: it opens by itself with a
-/// new message and closes with the last one. A button in the status bar says how many there are.
+/// The panel of messages: it opens by itself with a new message and closes with the last one. A
+/// button in the status bar shows their number.
 class MessagesDock : public QObject {
     Q_OBJECT
 
 public:
     MessagesDock(QDockWidget& dock, MessagesPanel& panel, QStatusBar& bar);
 
-    void showOrHide(); ///< as the messages of now want it, whatever was before
+    void showOrHide(); ///< according to the current messages
     void retranslate();
 
 private:
@@ -30,7 +30,7 @@ private:
     QDockWidget& m_dock;
     MessagesPanel& m_panel;
     QToolButton* m_button;
-    QTimer m_later;     ///< not while something is dragged
+    QTimer m_later;     ///< delays it during a drag
     QStringList m_seen; ///< inputs
 };
 

@@ -6,7 +6,7 @@ namespace sparkout {
 class NoticeBar;
 struct Project;
 
-/// Says what an edit that chose another operation changed outside the stages.
+/// Shows what a change of the operation changed outside the stages.
 void showOperationNotice(NoticeBar& notices, const Project& before, const Project& after);
 void dropOperationNotice(NoticeBar& notices);
 

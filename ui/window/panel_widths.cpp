@@ -14,8 +14,8 @@
 namespace sparkout {
 
 namespace {
-constexpr int wideWindow = 1900; ///< as one that fills a screen of 1920 pixels
-constexpr int leastViews = 700;  ///< beside a wide panel: what they have in a small window
+constexpr int wideWindow = 1900; ///< fills a screen of 1920 pixels
+constexpr int leastViews = 700;  ///< width of the views beside a wide panel
 } // namespace
 
 PanelWidths::PanelWidths(QMainWindow& window, QList<QDockWidget*> panels)
@@ -28,7 +28,7 @@ PanelWidths::PanelWidths(QMainWindow& window, QList<QDockWidget*> panels)
     for (QDockWidget* panel : m_panels) {
         connect(panel, &QDockWidget::dockLocationChanged, this, [this, panel] {
             if (stands(*panel) && panel->width() > wanted(panel)) {
-                // as wide as it has been made there
+                // its width there
                 m_wanted[panel] = std::max(m_wanted.value(panel), panel->width());
             }
         });
@@ -63,8 +63,8 @@ void PanelWidths::wantInWideWindow(QDockWidget* panel, int width) {
     m_later.start();
 }
 
-/// A panel is wide where the others and the views keep what they need beside it: large type may
-/// leave no room for it in a window in which the usual one does.
+/// A panel is wide if the others and the views have enough space: with a large font this may need a
+/// wider window.
 int PanelWidths::wanted(const QDockWidget* panel) const {
     const int wide = m_wantedWide.value(panel);
     int views = m_window.width() - wide;
@@ -83,7 +83,7 @@ void PanelWidths::takeOver(QDockWidget* panel) {
     }
 }
 
-/// What was pressed before, and is as narrow as it was, is wanted as it was.
+/// A panel that is still as narrow as before keeps its wanted width.
 void PanelWidths::takeOverDragged() {
     for (QDockWidget* panel : m_panels) {
         if (m_pressed.value(panel) != panel->width()) {
@@ -119,7 +119,7 @@ bool PanelWidths::restoreState(const QByteArray& state) {
             return false;
         }
         wanted[panel] = width;
-        wantedWide[panel] = wide > 0 ? m_wantedWide.value(panel) : 0; // else it was dragged
+        wantedWide[panel] = wide > 0 ? m_wantedWide.value(panel) : 0; // otherwise it was dragged
     }
     m_wanted = wanted;
     m_wantedWide = wantedWide;
@@ -129,7 +129,7 @@ bool PanelWidths::restoreState(const QByteArray& state) {
 
 void PanelWidths::restore() {
     m_dragging = m_dragging && QGuiApplication::mouseButtons() != Qt::NoButton;
-    if (std::exchange(m_released, false)) { // by now the last move of the mouse has had its effect
+    if (std::exchange(m_released, false)) { // the last mouse move has been processed
         takeOverDragged();
     }
     if (m_dragging || !m_window.isVisible() || m_tried == this->widths()) {
@@ -138,7 +138,7 @@ void PanelWidths::restore() {
     if (std::exchange(m_restored, false)) {
         std::ranges::for_each(m_panels, [this](QDockWidget* panel) { takeOver(panel); });
     }
-    m_tried = this->widths(); // what cannot be had now is not tried again and again
+    m_tried = this->widths(); // do not repeat an impossible request
     const QWidget& middle = *m_window.centralWidget();
     int room = middle.width() - middle.minimumSizeHint().width(); // none is taken from each other
     QList<QDockWidget*> changed;
@@ -167,7 +167,7 @@ void PanelWidths::restore() {
 
 bool PanelWidths::eventFilter(QObject* watched, QEvent* event) {
     switch (event->type()) {
-    case QEvent::MouseButtonPress: // the window's own are those of its separators
+    case QEvent::MouseButtonPress: // events of the window itself belong to its separators
         if (watched == &m_window) {
             m_dragging = true;
             for (const QDockWidget* panel : m_panels) {

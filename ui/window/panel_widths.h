@@ -13,46 +13,45 @@ class QMainWindow;
 
 namespace sparkout {
 
-/// Keeps the panels beside the views as wide as they were wanted. A view that needs much room, a
-/// narrow window or large type may press them; when there is room again they take it back. Large
-/// type may also make them wider than that; with smaller type they give it back. Wanted is what the
-/// program sets, and what the user drags a separator to; the program may want more in a wide
-/// window.
+/// Keeps the panels beside the views at their wanted widths. A wide view, a narrow window or a
+/// large font may narrow them until there is space again; a large font may also widen them
+/// temporarily. The wanted width is set by the program or by dragging a separator; the program may
+/// set a greater one for a wide window.
 class PanelWidths : public QObject {
     Q_OBJECT
 public:
     PanelWidths(QMainWindow& window, QList<QDockWidget*> panels);
 
-    void want(QDockWidget* panel, int width); ///< now, or when there is room
-    /// More in a window that is wide, until the user drags it to a width of his own.
+    void want(QDockWidget* panel, int width); ///< now, or when there is space
+    /// Sets a greater width for a wide window, until the user drags the panel.
     void wantInWideWindow(QDockWidget* panel, int width);
-    /// What they have in a layout that was restored is what is wanted.
+    /// Takes the widths of a restored layout as the wanted ones.
     void takeOverWhenShown();
 
     [[nodiscard]] QByteArray saveState() const;
-    bool restoreState(const QByteArray& state); ///< false, and nothing changed: it is none
+    bool restoreState(const QByteArray& state); ///< false and unchanged if the state is invalid
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void restore();
-    void takeOver(QDockWidget* panel); ///< what it has is what is wanted
+    void takeOver(QDockWidget* panel); ///< takes its current width as the wanted one
     void takeOverDragged();
-    [[nodiscard]] bool stands(const QDockWidget& panel) const; ///< beside the views, in sight
-    [[nodiscard]] int wanted(const QDockWidget* panel) const;  ///< in the window as it is
+    [[nodiscard]] bool stands(const QDockWidget& panel) const; ///< visible beside the views
+    [[nodiscard]] int wanted(const QDockWidget* panel) const;  ///< for the current window
     [[nodiscard]] std::vector<int> widths() const;
 
     QMainWindow& m_window;
     QList<QDockWidget*> m_panels;
     QHash<const QDockWidget*, int> m_wanted;
     QHash<const QDockWidget*, int> m_wantedWide; ///< 0: as in any window
-    QTimer m_later;                              ///< when the layout has been made
-    QHash<const QDockWidget*, int> m_pressed;    ///< widths when the mouse button went down
-    std::vector<int> m_tried;                    ///< what was found when it was tried last
+    QTimer m_later;                              ///< after the layout
+    QHash<const QDockWidget*, int> m_pressed;    ///< widths when the mouse button was pressed
+    std::vector<int> m_tried;                    ///< result of the last attempt
     bool m_dragging = false;
     bool m_released = false; ///< the separator, after it was dragged
-    bool m_restored = false; ///< the layout; it is taken over when it is in sight
+    bool m_restored = false; ///< layout to take over when visible
 };
 
 } // namespace sparkout

@@ -48,7 +48,7 @@ void PartCommands::duplicate() {
     addAsked({}, true);
 }
 
-/// A duplicate of which nothing can stay behind needs no question.
+/// A duplicate that leaves nothing behind needs no question.
 void PartCommands::addAsked(std::optional<std::size_t> step, bool isDuplicate) {
     if (!m_edits.canAdd() || !m_mayLeave()) {
         return;
@@ -109,7 +109,7 @@ void PartCommands::showDressing() {
     bool again = m_mayLeave();
     while (again) {
         DressingDialog dialog(m_document.state().setup(), m_window);
-        QTimer::singleShot(0, &dialog, &DressingDialog::find); // once it is in sight
+        QTimer::singleShot(0, &dialog, &DressingDialog::find); // when it is visible
         dialog.exec();
         again = dialog.wantsWear();
         if (again) {

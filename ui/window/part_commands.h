@@ -14,19 +14,19 @@ namespace sparkout {
 
 class PartRuns;
 
-/// The commands on the surfaces of the set-up, each with its questions.
+/// The commands on the surfaces of the set-up, with their dialogs.
 class PartCommands : public QObject {
     Q_OBJECT
 
 public:
-    /// `mayLeave` ends what is being typed, and asks what to do with refused texts, which no other
-    /// surface shows; false: the user wants to stay.
+    /// `mayLeave` commits typed text and asks about refused texts, which belong to their surface;
+    /// returns false if the user cancels.
     PartCommands(Document& document, const PartRuns& runs, std::function<bool()> mayLeave,
                  QWidget* window);
 
-    void show(std::size_t surface); ///< brings it to the front
+    void show(std::size_t surface); ///< makes it current
     void showNext(int by);
-    void add(std::optional<std::size_t> step = {}); ///< on a step of the shaft, or as is chosen
+    void add(std::optional<std::size_t> step = {}); ///< on a step of the shaft, or as chosen
     void duplicate();                               ///< the one in front
     void rename();
     void move(int by);
@@ -35,8 +35,8 @@ public:
     void showDressing(); ///< the parts between dressings
 
 signals:
-    void stayed();                       ///< the surface that was in front still is
-    void begun(const std::string& path); ///< a new surface, whose first input is asked for
+    void stayed();                       ///< the current surface is unchanged
+    void begun(const std::string& path); ///< a new surface, whose first input is requested
 
 private:
     void addAsked(std::optional<std::size_t> step, bool isDuplicate);

@@ -28,8 +28,8 @@ constexpr std::array speeds{1, 2, 5, 10, 25, 50}; ///< steps a second
 constexpr int usualSpeed = 2;                     ///< index
 constexpr int oneSecond_ms = 1000;
 constexpr int slideSteps = 1'000'000; ///< a slider counts in int
-constexpr int leastSlider = 90;       ///< wide, at the usual size of type
-constexpr int wheelSteps = 200;       ///< of the mouse wheel over the whole cycle
+constexpr int leastSlider = 90;       ///< width at the usual font size
+constexpr int wheelSteps = 200;       ///< mouse wheel steps over the whole cycle
 } // namespace
 
 PlaybackBar::PlaybackBar(CycleCursor& cursor, QWidget* parent)
@@ -57,7 +57,7 @@ void PlaybackBar::build() {
     m_slider->setObjectName(QStringLiteral("playSlider"));
     m_place->setObjectName(QStringLiteral("playPlace"));
     m_place->setTextFormat(Qt::PlainText);
-    m_place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // no width of the window
+    m_place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // any width
     m_place->installEventFilter(this);
     m_unit->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     fillUnits(CursorUnit::stroke);
@@ -99,7 +99,7 @@ void PlaybackBar::connectParts() {
     m_timer.setInterval(oneSecond_ms / speeds[usualSpeed]);
     connect(&m_timer, &QTimer::timeout, this, &PlaybackBar::tick);
     connect(&m_cursor, &CycleCursor::moved, this, &PlaybackBar::follow);
-    // Mouse and keys move the slider by steps of the unit, a drag to any end of one.
+    // Mouse and keys move the slider by steps of the unit, dragging to any of its ends.
     connect(m_slider, &QSlider::actionTriggered, this, [this](int action) {
         const auto by = [&](int steps) {
             m_cursor.step(unit(), steps);
@@ -206,7 +206,7 @@ QString PlaybackBar::placeText() const {
     return parts.join(QStringLiteral(", "));
 }
 
-/// As much of it as there is room for; the tool tip has all.
+/// Shows as much as fits; the tool tip has the complete text.
 void PlaybackBar::showPlace() {
     const QString text = placeText();
     m_place->setText(m_place->fontMetrics().elidedText(text, Qt::ElideRight, m_place->width()));
@@ -231,7 +231,7 @@ void PlaybackBar::showPlay() {
                                    : tr("Play the cycle, from the blank if it is at its end"));
 }
 
-/// Where revolutions are counted, stroke, step and revolution are one.
+/// Where revolutions are counted, stroke, step and revolution are the same.
 void PlaybackBar::fillUnits(CursorUnit chosen) {
     const QSignalBlocker blocker(m_unit);
     m_unit->clear();

@@ -15,17 +15,17 @@ namespace sparkout {
 
 class ToolRow;
 
-/// Moves the cursor through the cycle: by steps of a chosen unit, by a slider, or by itself.
+/// Moves the cursor through the cycle: by steps of a chosen unit, by a slider, or automatically.
 class PlaybackBar : public QWidget {
     Q_OBJECT
 public:
     explicit PlaybackBar(CycleCursor& cursor, QWidget* parent = nullptr);
 
-    void setPlaying(bool playing); ///< from the end it begins anew
+    void setPlaying(bool playing); ///< restarts from the end
     [[nodiscard]] bool isPlaying() const { return m_timer.isActive(); }
     [[nodiscard]] CursorUnit unit() const;
     void addTool(QAction* action); ///< at its end
-    /// Says where the cycle stands; the window puts it where there is room for a long text.
+    /// The text on the moment of the cycle; the window places it where a long text fits.
     [[nodiscard]] QLabel* place() const { return m_place; }
     void retranslate();
 
@@ -36,7 +36,7 @@ protected:
 private:
     void build();
     void connectParts();
-    void follow(); ///< shows where the cursor stands
+    void follow(); ///< shows the cursor's position
     void tick();
     void showPlay();
     void showPlace();

@@ -31,7 +31,7 @@ ProjectSaver::ProjectSaver(Document& document, const Settings& settings, FileGua
     , m_questions(questions)
     , m_window(window) {}
 
-/// What stands in for numbers yet to be given would be read as theirs.
+/// Substitutes for missing numbers would be read as given.
 bool ProjectSaver::isComplete() {
     QStringList missing;
     for (const SurfaceStatePtr& surface : m_document.state().surfaces) {
@@ -102,7 +102,8 @@ QString ProjectSaver::suggestedPath() const {
     if (!path.isEmpty() && !m_document.readOnly()) {
         return path;
     }
-    if (!path.isEmpty()) { // beside the original if the folder lets, else among the documents
+    if (!path.isEmpty()) { // beside the original if the folder allows, otherwise in the documents
+                           // folder
         const QFileInfo file(path);
         const QString folder =
             QFileInfo(file.absolutePath()).isWritable()
@@ -110,7 +111,7 @@ QString ProjectSaver::suggestedPath() const {
                 : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
         return folder + u'/' + tr("%1 copy").arg(file.completeBaseName()) + suffix;
     }
-    const Project& project = m_document.project(); // named after the part, as its drawing is
+    const Project& project = m_document.project(); // named after the part, like its drawing
     QString name = fileNameOf({QString::fromStdString(project.part->name)});
     if (name.isEmpty()) {
         name = fileNameOf({QString::fromStdString(project.title)});

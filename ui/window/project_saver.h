@@ -14,7 +14,7 @@ class Document;
 class FileGuard;
 class Settings;
 
-/// Saves the document, after all that may speak against writing there was asked of the user.
+/// Saves the document after asking the user about every obstacle.
 class ProjectSaver : public QObject {
     Q_OBJECT
 
@@ -22,15 +22,15 @@ public:
     ProjectSaver(Document& document, const Settings& settings, FileGuard& guard,
                  GuardQuestions& questions, QWidget* window);
 
-    bool save(); ///< to its file; asks for one when there is none that may be written
+    bool save(); ///< to its file; asks for one if there is none that may be written
     bool saveAs();
 
 signals:
     void saved(const QString& path);
-    void reloadWanted(); ///< instead: the file was changed by another program
+    void reloadWanted(); ///< instead of saving: the file was changed by another program
 
 private:
-    bool isComplete(); ///< or says why it cannot be saved
+    bool isComplete(); ///< or shows why it cannot be saved
     bool saveTo(const QString& path);
     [[nodiscard]] QString suggestedPath() const;
 

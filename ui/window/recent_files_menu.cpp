@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-/// The name, and the folder to tell namesakes apart; no letter of it is a mnemonic.
+/// The name, and the folder to distinguish equal names, without mnemonics.
 QString shown(const QString& path) {
     const QFileInfo file(path);
     QString folder = file.path();
@@ -53,7 +53,7 @@ RecentFilesMenu::RecentFilesMenu(Settings& settings, QWidget* parent)
 void RecentFilesMenu::fill() {
     for (const Entry& entry : m_entries) {
         removeAction(entry.action);
-        entry.action->deleteLater(); // perhaps it is the one being triggered
+        entry.action->deleteLater(); // it may be triggering at this moment
     }
     m_entries.clear();
     for (const QString& path : m_settings.recentFiles()) {

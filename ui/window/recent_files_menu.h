@@ -11,15 +11,15 @@ namespace sparkout {
 
 class Settings;
 
-/// The files opened and saved last, chosen by a digit. One that is missing stays in the list,
-/// greyed, until it is removed: its disk may only be away.
+/// The recently opened and saved files, chosen by a digit. A missing file stays in the list,
+/// disabled, until it is removed, since its disk may be temporarily absent.
 class RecentFilesMenu : public QMenu {
     Q_OBJECT
 
 public:
     RecentFilesMenu(Settings& settings, QWidget* parent);
 
-    void fill(); ///< also done whenever it is about to be shown
+    void fill(); ///< also before it is shown
 
 signals:
     void chosen(const QString& path);
@@ -39,7 +39,7 @@ private:
 
     Settings& m_settings;
     std::vector<Entry> m_entries;
-    QAction* m_separator; ///< the files stand above it
+    QAction* m_separator; ///< the files are above it
     QAction* m_removeMissing;
     QAction* m_clear;
     QStringList m_missing;

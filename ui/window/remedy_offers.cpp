@@ -11,7 +11,7 @@ namespace sparkout {
 
 namespace {
 
-/// Named after what is changed, as an edit of the input is.
+/// Named after the changed input, like an edit of it.
 EditText editText(const Project& project, const RemedySetting& setting) {
     if (setting.isWholeCycle()) {
         return {"Edit", QT_TRANSLATE_NOOP("Edit", "Starting cycle")};
@@ -45,7 +45,7 @@ RemedyOffers::RemedyOffers(Document& document, RemedySection& section,
 }
 
 void RemedyOffers::setOutcome(const OutcomePtr& outcome) {
-    if (m_isOffered && outcome->ran()) { // one that holds may fail for other stocks or the batch
+    if (m_isOffered && outcome->ran()) { // a fit cycle may fail for other stocks or the batch
         m_finder->request(outcome);
     } else {
         m_finder->drop();

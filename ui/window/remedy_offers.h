@@ -13,8 +13,8 @@ namespace sparkout {
 class Document;
 class RemedySection;
 
-/// Offers remedies beside the verdict: looks for them after each run, and takes one as an edit of
-/// the document that can be undone.
+/// Offers remedies beside the verdict: searches them after each run, and applies one as an edit
+/// that can be undone.
 class RemedyOffers : public QObject {
     Q_OBJECT
 
@@ -23,8 +23,8 @@ public:
     RemedyOffers(Document& document, RemedySection& section,
                  std::function<void(const std::string& path)> reveal, QObject* parent);
 
-    void setOutcome(const OutcomePtr& outcome); ///< of the document as it is
-    void offer(bool offered);                   ///< or look for none
+    void setOutcome(const OutcomePtr& outcome); ///< of the current document
+    void offer(bool offered);                   ///< or stops offering
 
 private:
     void take(const Remedy& remedy);

@@ -33,7 +33,7 @@ RunKeeper::RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notic
     connect(&kept, &KeptRuns::replaced, this, [this] {
         m_waiting = false;
         m_reported = false;
-        m_aside.stop(); // of another document
+        m_aside.stop(); // the run belongs to another document
         endAside();
         m_notices.remove(keepKey);
         m_notices.remove(changedKey);
@@ -122,7 +122,7 @@ void RunKeeper::keepOutcome(const Outcome& outcome, const QString& name) {
                    {}});
 }
 
-/// Once for a project, when all of them are computed again.
+/// Reports changed runs once per project, when all of them are recomputed.
 void RunKeeper::reportChanged() {
     QStringList names;
     for (int run = 0; run < m_kept.count(); ++run) {

@@ -11,17 +11,17 @@ namespace sparkout {
 class KeptRuns;
 class NoticeBar;
 
-/// The window's command to keep the present run, and what it reports of kept runs.
+/// The window's command to keep the current run, and its reports on kept runs.
 class RunKeeper : public QObject {
     Q_OBJECT
 
 public:
     RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notices, QObject* parent);
 
-    void keep(); ///< the run of the present inputs: at once, or when it is computed
+    void keep(); ///< keeps the run of the current inputs, now or when it is computed
     void setOutcome(OutcomePtr outcome);
-    /// Runs other inputs aside, keeps them under a name and asks for the view that compares. A
-    /// notice shows a run that takes its time, and stops it.
+    /// Runs other inputs in the background, keeps the run under a name and requests the comparison.
+    /// A notice shows a long run, and stops it.
     void keepAside(Project project, const QString& name);
 
 signals:
@@ -40,11 +40,11 @@ private:
     const RunController& m_runs;
     NoticeBar& m_notices;
     OutcomePtr m_outcome;
-    bool m_waiting = false;  ///< for the run of the inputs to be kept
-    bool m_reported = false; ///< that kept runs of this project come out differently
-    QString m_asideName;     ///< of the run aside that is wanted; empty: none
+    bool m_waiting = false;  ///< whether the run to be kept is awaited
+    bool m_reported = false; ///< whether differences in kept runs of this project were reported
+    QString m_asideName;     ///< name of the background run; may be empty
     QTimer m_patience;       ///< a short run needs no notice
-    RunController m_aside;   ///< last: stopped before what it reports to is gone
+    RunController m_aside; ///< last member: stopped before the objects it reports to are destroyed
 };
 
 } // namespace sparkout

@@ -19,7 +19,7 @@ StatusLine::StatusLine(QStatusBar& bar)
     m_time->setTextFormat(Qt::PlainText);
     m_bar.addWidget(m_status, 1);
     m_bar.addPermanentWidget(m_time);
-    // The bar itself leaves out what is not in sight yet when a message comes.
+    // A message would hide the label while it is not visible yet.
     connect(&m_bar, &QStatusBar::messageChanged, m_status,
             [this](const QString& text) { m_status->setVisible(text.isEmpty()); });
 }
@@ -73,14 +73,14 @@ void StatusLine::showOutcome(const Outcome* outcome, double lastRun_ms, bool has
     case RunStatus::stopped:
     case RunStatus::refused: break;
     }
-    // Pictures that are to be compared state no time that differs from run to run.
+    // Pictures for comparison contain no times that differ between runs.
     m_time->setText(qEnvironmentVariableIsSet("SOURCE_DATE_EPOCH")
                         ? QString()
                         : tr("Computed in %1 ms").arg(QLocale().toString(lastRun_ms, 'f', 1)));
 }
 
 void StatusLine::retranslate() {
-    m_bar.clearMessage(); // of the language before
+    m_bar.clearMessage(); // it is in the previous language
     m_status->setAccessibleName(tr("Status"));
     m_time->setAccessibleName(tr("Computing time"));
 }

@@ -10,15 +10,15 @@ namespace sparkout {
 
 struct Outcome;
 
-/// The line at the foot of the window: how the present run ended, and for some seconds what was
-/// done.
+/// The line at the bottom of the window: the end of the current run, and temporary messages.
 class StatusLine : public QObject {
     Q_OBJECT
 
 public:
     explicit StatusLine(QStatusBar& bar);
 
-    /// Null: none yet. Of refused inputs, whether the curves of a run before them are in sight.
+    /// Null: none yet. For refused inputs, `hasCurves` tells whether curves of an earlier run are
+    /// visible.
     void showOutcome(const Outcome* outcome, double lastRun_ms, bool hasCurves);
     void showForAWhile(const QString& text);
     void retranslate();

@@ -14,7 +14,7 @@ struct StudiesShown {
     Q_DECLARE_TR_FUNCTIONS(StudiesShown)
 };
 
-/// Why it cannot be exported; empty: it can. `view`: the class of the one that shows it.
+/// The reason why it cannot be exported; empty if it can. `view` is the class of its view.
 QString hindrance(bool isRunning, bool isStale, const char* view, const char* title) {
     return isRunning ? StudiesShown::tr("It is being run: wait for it, or stop it.")
            : isStale ? StudiesShown::tr("These results are for the inputs before the last edit. "

@@ -8,8 +8,7 @@ namespace sparkout {
 class Document;
 struct Studies;
 
-/// The batch, sweep and search that were computed; those that are running, or of other inputs than
-/// `now`, say so.
+/// The computed batch, sweep and search, marked if they are running, or do not belong to `now`.
 [[nodiscard]] std::vector<StudyOffer> studiesOffered(Studies& studies, const Project& now,
                                                      const Document& document);
 

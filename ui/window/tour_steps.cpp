@@ -24,7 +24,7 @@ std::function<QString()> tourText(const char* text) {
     return [text] { return QCoreApplication::translate("Tour", text); };
 }
 
-/// Where a part of the window stands in it; empty while it is hidden or torn off.
+/// The area of a part of the window; empty while it is hidden or detached.
 QRect placeOf(const QWidget* part) {
     if (!part || !part->isVisible() || !qobject_cast<const QMainWindow*>(part->window())) {
         return {};
@@ -32,7 +32,7 @@ QRect placeOf(const QWidget* part) {
     return {part->mapTo(part->window(), QPoint(0, 0)), part->size()};
 }
 
-/// The last button of the tool bar; where it has no room, the one that shows the rest of them.
+/// The last button of the tool bar, or the one for the hidden ones.
 QRect placeOfLastButton(const QMainWindow& window) {
     const auto* bar = window.findChild<QToolBar*>(QStringLiteral("toolBar"));
     if (!bar || bar->actions().isEmpty()) {
@@ -44,7 +44,7 @@ QRect placeOfLastButton(const QMainWindow& window) {
                : button;
 }
 
-/// The part of the window of a name.
+/// The part of the window with a name.
 std::function<QRect()> namedPart(QMainWindow& window, const char* name) {
     return
         [&window, name] { return placeOf(window.findChild<QWidget*>(QString::fromLatin1(name))); };

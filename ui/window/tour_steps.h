@@ -10,7 +10,6 @@ namespace sparkout {
 class InputsPanel;
 class ViewTabs;
 
-/// The tour of the workbench.
 [[nodiscard]] std::vector<TourStep> tourSteps(QMainWindow& window, InputsPanel& inputs,
                                               ViewTabs& tabs);
 

@@ -23,7 +23,7 @@
 
 namespace sparkout {
 
-/// The window of a torn-off view. The commands of the main window work in it too.
+/// The window of a detached view, in which the commands of the main window work.
 class ViewTabs::Window : public QWidget {
 public:
     Window(ViewTabs& tabs, View* view) : QWidget(&tabs, Qt::Window), m_tabs(tabs), m_view(view) {
@@ -53,7 +53,7 @@ private:
 
 ViewTabs::ViewTabs(QWidget* parent) : QTabWidget(parent), m_tear(new QToolButton(this)) {
     setDocumentMode(true);
-    setRelativeFont(*tabBar(), noteType); // eleven of them stand side by side
+    setRelativeFont(*tabBar(), noteType); // eleven of them fit side by side
     m_tear->setObjectName(QStringLiteral("tear"));
     m_tear->setIcon(themeIcon(u"detach"));
     m_tear->setAutoRaise(true);
@@ -66,7 +66,7 @@ ViewTabs::ViewTabs(QWidget* parent) : QTabWidget(parent), m_tear(new QToolButton
     connect(tabBar(), &QWidget::customContextMenuRequested, this, &ViewTabs::openMenu);
 }
 
-/// In narrower type where they would not all be in sight: a tab has its view's name, not another.
+/// Uses a condensed font if not all tabs are visible, instead of changing their texts.
 void ViewTabs::fitTabs() {
     constexpr int narrow = 90; // per cent
     const QTabBar& bar = *tabBar();
@@ -75,7 +75,7 @@ void ViewTabs::fitTabs() {
     const auto around = [this](const QWidget* tabs) {
         return style()->pixelMetric(QStyle::PM_TabBarTabHSpace, nullptr, tabs);
     };
-    int need = count() * (around(nullptr) - around(&bar)); // in wide type
+    int need = count() * (around(nullptr) - around(&bar)); // in the normal font
     for (int i = 0; i < count(); ++i) {
         const QString text = tabText(i);
         need += bar.tabRect(i).width() + QFontMetrics(wide).horizontalAdvance(text)
@@ -170,7 +170,7 @@ void ViewTabs::attach(View* view) {
     std::erase(m_windows, window);
     insertTab(placeOf(view), view, QString());
     window->hide();
-    window->deleteLater(); // it may be closing just now
+    window->deleteLater(); // it may be closing
     showTexts();
     setCurrentWidget(view);
     emit detachableChanged();
@@ -275,7 +275,7 @@ bool ViewTabs::restoreState(const QByteArray& state) {
             detach(view);
             if (QWidget* window = windowOf(view)) {
                 window->restoreGeometry(*place);
-                QTimer::singleShot(0, window, &QWidget::raise); // the main window comes after it
+                QTimer::singleShot(0, window, &QWidget::raise); // after the main window
             }
         }
     }

@@ -14,9 +14,8 @@ namespace sparkout {
 
 class View;
 
-/// The views as tabs. A tab can be torn off into a window of its own (button, double click on the
-/// tab, its context menu) and comes back to its place when that window is closed. The last tab
-/// stays.
+/// The views as tabs. A tab can be detached into a window (button, double click on the tab, its
+/// context menu), and returns to its place when that window is closed. The last tab stays.
 class ViewTabs : public QTabWidget {
     Q_OBJECT
 
@@ -26,13 +25,13 @@ public:
 
     void addView(View* view);
     [[nodiscard]] const std::vector<View*>& views() const { return m_views; } ///< in order
-    [[nodiscard]] View* currentView() const; ///< of the active window, else of the current tab
+    [[nodiscard]] View* currentView() const; ///< of the active window, otherwise of the current tab
     [[nodiscard]] bool isDetached(const View* view) const;
     [[nodiscard]] bool canDetach() const { return count() > 1; }
     [[nodiscard]] QWidget* windowOf(const View* view) const; ///< its own window, or null
 
-    void showView(View* view); ///< its tab, or its window to the front; not one that is away
-    /// Takes a view away: it has neither a tab nor a window until it is brought back.
+    void showView(View* view); ///< raises its tab or its window, unless it is hidden
+    /// Hides a view, without a tab or a window, or shows it again.
     void takeAway(View* view, bool away);
     [[nodiscard]] bool isAway(const View* view) const { return m_away.contains(view); }
     void detach(View* view);
@@ -40,8 +39,8 @@ public:
     void attachAll();
     void retranslate();
 
-    [[nodiscard]] QByteArray saveState() const; ///< current tab, torn-off views and where they are
-    bool restoreState(const QByteArray& state); ///< false, and nothing done, when it is no state
+    [[nodiscard]] QByteArray saveState() const; ///< current tab, detached views and their places
+    bool restoreState(const QByteArray& state); ///< false and unchanged if the state is invalid
 
 signals:
     void detachableChanged();
@@ -53,7 +52,7 @@ private:
     class Window;
 
     [[nodiscard]] Window* findWindow(const View* view) const;
-    [[nodiscard]] int placeOf(const View* view) const; ///< of its tab among those there are
+    [[nodiscard]] int placeOf(const View* view) const; ///< index of its tab among the existing ones
     void openMenu(const QPoint& place);
     void showTexts();
     void fitTabs();

@@ -40,7 +40,7 @@ void WindowHead::resizeEvent(QResizeEvent* event) {
     fit();
 }
 
-/// Only now the buttons have the style and type in which they are as wide as they will be.
+/// The buttons have their final style and font, and so their width, only now.
 void WindowHead::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     fitNames();

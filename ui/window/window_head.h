@@ -8,8 +8,8 @@ class QToolBar;
 
 namespace sparkout {
 
-/// The head of the window: the menus, and the tools in the same line. The tools have their names
-/// beside their pictures where there is room for them all.
+/// The head of the window: menus and tools on one line. The tools have names beside their icons if
+/// all fit.
 class WindowHead : public QWidget {
     Q_OBJECT
 

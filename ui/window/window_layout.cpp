@@ -32,10 +32,10 @@ constexpr QSize usualWindow(1366, 768);
 constexpr QSize frameAllowance(8, 40);
 constexpr int verdictWidth = 310;
 constexpr int wideVerdictWidth = 450;  ///< in a wide window: no name of a requirement wraps
-constexpr int leastVerdictWidth = 292; ///< in smaller type: frames and gaps do not shrink
+constexpr int leastVerdictWidth = 292; ///< for smaller fonts: frames and gaps do not shrink
 constexpr int messagesHeight = 96;
 
-/// The buttons Qt puts in by itself, which it names once and in one language, or not at all.
+/// Names the buttons that Qt adds, which it names once in one language, or not at all.
 void nameQtButtons(const QWidget& window) {
     const auto name = [&window](const char* object, const QString& text) {
         for (auto* button : window.findChildren<QAbstractButton*>(QString::fromLatin1(object))) {
@@ -80,7 +80,7 @@ WindowLayout::WindowLayout(QMainWindow& window, const Panels& panels, ViewTabs& 
     sheet->setIcon(themeIcon(u"formula"));
     m_playback.addTool(sheet);
     connect(sheet, &QAction::triggered, this, [this](bool shown) {
-        if (shown) { // below the verdict, if it has not been moved
+        if (shown) { // below the verdict, unless it was moved
             m_window.resizeDocks({m_verdictDock, m_sheetDock}, {2, 3}, Qt::Vertical);
         }
     });
@@ -95,7 +95,7 @@ WindowLayout::~WindowLayout() {
 QDockWidget* WindowLayout::addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(&m_window);
     dock->setObjectName(name);
-    setRelativeFont(*dock, 1); // its title does not follow the program's by itself
+    setRelativeFont(*dock, 1); // its title does not follow the program's font by itself
     dock->setWidget(content);
     m_window.addDockWidget(area, dock);
     return dock;
@@ -176,7 +176,7 @@ void WindowLayout::reset() {
     m_window.resizeDocks({m_messagesDock}, {messagesHeight}, Qt::Vertical);
 }
 
-/// What is away is not shown by whatever else shows panels.
+/// Keeps hidden panels hidden, whoever shows them.
 bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
     auto* dock = qobject_cast<QDockWidget*>(watched);
     if (event->type() == QEvent::Show && dock && m_away.contains(dock)) {
@@ -186,20 +186,20 @@ bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void WindowLayout::fitPanels() {
-    m_widths->want(m_inputsDock, 0); // as narrow as it can be, in any type and language
+    m_widths->want(m_inputsDock, 0); // as narrow as possible, in any font and language
     m_widths->want(m_verdictDock, std::max(atFontSize(verdictWidth), leastVerdictWidth));
     m_widths->wantInWideWindow(m_verdictDock, atFontSize(wideVerdictWidth));
 }
 
 void WindowLayout::restore() {
-    // Frame and title bar need room too: on a small screen the status bar must stay visible.
+    // Leaves space for frame and title bar: the status bar must be visible on a small screen.
     m_window.resize(usualWindow.boundedTo(m_window.screen()->availableSize() - frameAllowance));
     reset();
     if (const auto parts = unsealed(m_settings.windowGeometry(), 1)) {
         m_window.restoreGeometry(parts->front());
     }
     auto parts = unsealed(m_settings.windowState(), 3);
-    if (!parts) { // of an earlier version: the widths that were wanted are not known
+    if (!parts) { // an earlier version, without wanted widths
         parts = unsealed(m_settings.windowState(), 2);
     }
     if (parts) {

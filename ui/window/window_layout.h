@@ -21,12 +21,12 @@ class PlaybackBar;
 class Settings;
 class ViewTabs;
 
-/// Where the panels and views of the window stand, and how that is kept from one start to the next.
+/// The arrangement of panels and views in the window, kept between starts.
 class WindowLayout : public QObject {
     Q_OBJECT
 
 public:
-    /// What stands in the panels beside the views.
+    /// The contents of the panels beside the views.
     struct Panels {
         QWidget* inputs;
         QWidget* verdict;
@@ -36,18 +36,18 @@ public:
     };
     WindowLayout(QMainWindow& window, const Panels& panels, ViewTabs& tabs, PlaybackBar& playback,
                  Settings& settings);
-    ~WindowLayout() override; ///< with the panels that look at the document and the cycle
+    ~WindowLayout() override; ///< deletes the panels that use document and cycle
 
-    [[nodiscard]] QList<QAction*> toggles() const; ///< that show the panels
+    [[nodiscard]] QList<QAction*> toggles() const; ///< for showing the panels
     void showInputs();
-    /// With the panel of a lesson, or as it was before it.
+    /// Shows the panel of a lesson, or restores the layout before it.
     void showLesson(bool shown);
     enum class Panel { verdict, messages, sheet };
-    void takeAway(Panel panel, bool away); ///< by whatever way it would be shown
-    void restore();                        ///< as it was when the window was closed last
+    void takeAway(Panel panel, bool away); ///< hides it in every layout
+    void restore();                        ///< from the last time the window was closed
     void save() const;
     void reset();
-    void fitPanels(); ///< beside the views, to the width that they need
+    void fitPanels(); ///< to their wanted widths beside the views
     void movePanel(int by);
     void retranslate();
 
@@ -67,7 +67,7 @@ private:
     QDockWidget* m_messagesDock;
     QDockWidget* m_sheetDock;
     QDockWidget* m_lessonDock;
-    QHash<QDockWidget*, bool> m_away;         ///< with whether they were shown before
+    QHash<QDockWidget*, bool> m_away;         ///< with whether they were visible
     std::optional<QByteArray> m_beforeLesson; ///< the state of the window
     PanelWidths* m_widths;
     MessagesDock* m_messages;

@@ -58,14 +58,14 @@ bool WorkRecovery::recover(const RecoveryItem& item) {
             content = readRecovery(*text);
         }
     });
-    if (!content.setup) { // it was whole when it was listed
+    if (!content.setup) { // it was complete when it was listed
         const auto* error = std::get_if<FileError>(&read);
         showFailure(m_window, tr("The file was not opened"),
                     error ? readErrorText(*error)
                           : tr("“%1” is damaged.").arg(printableText(item.file)));
         return false;
     }
-    // Without a lock of its own the work goes on in another recovery file; this one stays.
+    // Without a lock the work continues in another recovery file; this one stays.
     const RecoveryStore& store = *m_guard.recovery();
     RecoveryClaimPtr claim = store.claim(item);
     if (!claim && store.inUse(item)) {

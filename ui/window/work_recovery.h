@@ -14,7 +14,7 @@ class Document;
 class FileGuard;
 class FileNotices;
 
-/// Brings back unsaved work that a crash left, or that was given up a while ago.
+/// Restores unsaved work left by a crash, or discarded a while ago.
 class WorkRecovery {
     Q_DECLARE_TR_FUNCTIONS(WorkRecovery)
 
@@ -22,7 +22,7 @@ public:
     WorkRecovery(Document& document, FileGuard& guard, FileNotices& notices, DiskWait& wait,
                  QWidget* window);
 
-    bool offer(bool alsoDiscarded); ///< true: the document now is such work
+    bool offer(bool alsoDiscarded); ///< true: the document is now such work
 
 private:
     bool recover(const RecoveryItem& item);

@@ -120,7 +120,7 @@ private slots:
         };
         QVERIFY(sameBits(book.number(0, value("Parts run"), 1), 60));
         QVERIFY(sameBits(book.number(0, value("Seed"), 1), project.batch->seed));
-        QCOMPARE(book.text(0, value("What decided"), 1), BatchText::decision(outcome));
+        QCOMPARE(book.text(0, value("Deciding result"), 1), BatchText::decision(outcome));
         QCOMPARE(book.text(0, value("Verdict: the cycle"), 1),
                  BatchText::fitness(weigh(outcome.summary, outcome.result).fitness));
         QVERIFY(book.text(0, value("Factor: Stock per side"), 1)

@@ -118,7 +118,7 @@ private slots:
             said << label->text();
         }
         said << bench.window->statusBar()->currentMessage();
-        QVERIFY2(said.join(u'|').contains(QStringLiteral("Undo takes it back")),
+        QVERIFY2(said.join(u'|').contains(QStringLiteral("Undo reverts it")),
                  qPrintable(said.join(u'|')));
         QVERIFY(document.undoText().contains(QStringLiteral("Calibrate from measurements")));
         bench.action("undo")->trigger();

@@ -35,7 +35,7 @@ using namespace passport_bench;
 Fitness fitness(const Project& project) {
     const QString text = textOfHtml(made(project, Format::html)).simplified();
     for (const Fitness found : {Fitness::unfit, Fitness::conditional, Fitness::fit}) {
-        if (text.contains(QStringLiteral(" %1 What decided ").arg(BatchText::fitness(found)))) {
+        if (text.contains(QStringLiteral(" %1 Deciding result ").arg(BatchText::fitness(found)))) {
             return found;
         }
     }

@@ -8,7 +8,7 @@
 
 namespace sparkout {
 
-/// A combo box that leaves the wheel to the page it stands on, so that scrolling changes nothing.
+/// A combo box that passes the wheel to its page, so that scrolling changes no value.
 class StillComboBox : public QComboBox {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 };
 
-/// One value of an enumeration.
+/// An editor of an enumeration.
 class ChoiceEditor : public FieldEditor {
     Q_OBJECT
 

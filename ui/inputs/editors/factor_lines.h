@@ -7,7 +7,7 @@
 
 namespace sparkout {
 
-/// The numbers of a factor in one of its forms, with what its input allows.
+/// The numbers of a factor in one of its forms, with the range of its input.
 [[nodiscard]] std::vector<NumberLines::Line> factorLines(const std::string& path,
                                                          const Field& field,
                                                          const GivenFactor& factor,

@@ -50,7 +50,7 @@ std::optional<Project> FieldEditor::changedProject(const std::function<void(void
         return withOperation(before, after.operation, m_document.lastWith(after.operation));
     }
     if (after.sections != before.sections) {
-        // From what was there before the digits typed so far: 12 is not to go through 1.
+        // Compares with the value before typing began: 12 must not go through 1.
         const QString key = QString::fromStdString(m_path);
         return withSections(m_document.beforeEditsOf(key), after.sections);
     }

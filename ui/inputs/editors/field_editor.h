@@ -17,7 +17,7 @@ namespace sparkout {
 
 class Document;
 
-/// Puts one member of the project on the screen and takes its edits to the document.
+/// Shows one member of the project and passes edits to the document.
 class FieldEditor : public QObject {
     Q_OBJECT
 
@@ -32,15 +32,15 @@ public:
     virtual void show(bool replaced) = 0; ///< the document's value; replaced: drop refused texts
     virtual void retranslate() = 0;
     [[nodiscard]] virtual Remark remark() const { return m_issue; }
-    [[nodiscard]] virtual QString refusal() const { return {}; } ///< of a text not taken
-    virtual void dropRefusal() {} ///< shows the document's value in its place
+    [[nodiscard]] virtual QString refusal() const { return {}; } ///< reason of a refused text
+    virtual void dropRefusal() {}                                ///< restores the document's value
     virtual void setIssue(const Remark& issue);
-    [[nodiscard]] virtual bool wide() const { return false; }  ///< takes the place of the unit too
-    [[nodiscard]] virtual bool tall() const { return false; }  ///< stands below its label
-    [[nodiscard]] virtual bool empty() const { return false; } ///< not given
+    [[nodiscard]] virtual bool wide() const { return false; }  ///< also covers the unit's column
+    [[nodiscard]] virtual bool tall() const { return false; }  ///< whether it is below its label
+    [[nodiscard]] virtual bool empty() const { return false; } ///< whether the value is not given
 
     [[nodiscard]] bool changedFromDefault() const;
-    void resetToDefault(); ///< a step of the history
+    void resetToDefault(); ///< as a step of the history
 
 signals:
     void remarkChanged();
@@ -48,11 +48,11 @@ signals:
 protected:
     /// Undo and redo belong to the document, not to a watched widget.
     bool eventFilter(QObject* watched, QEvent* event) override;
-    /// Changes the member in a copy of the project and hands it to the document.
+    /// Changes the member in a copy of the project and passes it to the document.
     void change(const std::function<void(void* owner)>& set);
-    /// Whether the change would break no rule that holds now.
+    /// Whether the change would violate no rule that is currently met.
     [[nodiscard]] bool fits(const std::function<void(void* owner)>& set) const;
-    [[nodiscard]] const void* owner() const; ///< the struct that holds the member
+    [[nodiscard]] const void* owner() const; ///< the struct with the member
     [[nodiscard]] Document& document() const { return m_document; }
 
 private:
@@ -65,7 +65,7 @@ private:
     Remark m_issue;
 };
 
-/// The editor of a row by its kind; null for kinds the forms do not show.
+/// The editor of a row by its kind; null for kinds without one.
 [[nodiscard]] std::unique_ptr<FieldEditor> makeEditor(const std::string& path, const Field& field,
                                                       Document& document, QWidget* parent);
 

@@ -21,7 +21,7 @@ namespace {
 constexpr const char* fieldProperty = "sparkoutField";
 constexpr int lines = 4;
 
-/// A widget, or what it stands in on its page, that says what it is for. Buttons say it themselves.
+/// The widget or its nearest parent on the page with a tool tip. Buttons show their own.
 const QWidget* withToolTip(const QWidget* widget) {
     if (qobject_cast<const QAbstractButton*>(widget)) {
         return nullptr;

@@ -10,13 +10,13 @@ class QLabel;
 
 namespace sparkout {
 
-/// Says which input a widget is for, so that the strip can describe it.
+/// Sets the input of a widget, which the strip then describes.
 void setHintField(QWidget& widget, const Field& field);
-/// The input of a widget or of what it stands in; null when there is none.
+/// The input of a widget or its nearest parent with one; null if there is none.
 [[nodiscard]] const Field* hintField(const QWidget* widget);
 
-/// Below the pages: limits, default and meaning of the input that has the focus, for those who
-/// work without a pointer.
+/// Shows below the pages the limits, default and meaning of the focused input, for use without a
+/// pointer.
 class HintStrip : public QFrame {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
     ~HintStrip() override;
 
     void showField(const Field& field);
-    void showFieldOf(const QWidget* widget); ///< nothing where it is no input's
+    void showFieldOf(const QWidget* widget); ///< empty if it belongs to no input
     void retranslate();
 
 protected:
@@ -38,7 +38,7 @@ private:
 
     QLabel* m_text;
     const Field* m_field = nullptr;
-    QPointer<const QWidget> m_helper; ///< what is no input itself, as a tolerance class: its tip
+    QPointer<const QWidget> m_helper; ///< a helper such as a tolerance class: shows its tool tip
 };
 
 } // namespace sparkout

@@ -61,7 +61,7 @@ void LineEditor::show(bool replaced) {
         return; // the refused text stays in sight
     }
     refuse({});
-    if (replaced || !isStored(m_line->text())) { // else as it was typed
+    if (replaced || !isStored(m_line->text())) { // otherwise as typed
         m_line->setText(storedText());
     }
 }

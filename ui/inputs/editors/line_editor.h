@@ -8,8 +8,8 @@ namespace sparkout {
 
 class CellsLineEdit;
 
-/// A member of several numbers in one line of text. A text it cannot read stays there, marked with
-/// its reason, while the document keeps the last good value.
+/// A member of several numbers in one line of text. An unreadable text stays, marked with its
+/// reason, while the document keeps the last valid value.
 class LineEditor : public FieldEditor {
     Q_OBJECT
 
@@ -26,12 +26,12 @@ public:
     [[nodiscard]] bool tall() const override { return true; }
 
 protected:
-    [[nodiscard]] virtual QString storedText() const = 0; ///< of the document's value
+    [[nodiscard]] virtual QString storedText() const = 0; ///< text of the document's value
     /// Whether a text means the document's value.
     [[nodiscard]] virtual bool isStored(const QString& text) const = 0;
-    /// Takes a text to the document, or gives the reason why not.
+    /// Passes a text to the document, or returns the reason for refusing it.
     [[nodiscard]] virtual QString accept(const QString& text) = 0;
-    /// The text that several pasted cells mean, or why they mean none.
+    /// The text for several pasted cells, or why they are invalid.
     struct CellsText {
         QString text = {};
         QString fault = {};
@@ -40,13 +40,13 @@ protected:
 
 private:
     void take();
-    void takeCells(const PastedCells& cells); ///< in place of all that is there, or not at all
+    void takeCells(const PastedCells& cells); ///< replaces the whole contents, or nothing
     void refuse(const QString& reason);
     void forgetPaste();
 
     CellsLineEdit* m_line;
-    QString m_notPasted; ///< why cells were not taken, until something else is done
-    QString m_refused;   ///< why the text was not taken; empty when it was
+    QString m_notPasted; ///< why cells were refused, until the next action
+    QString m_refused;   ///< why the text was refused; empty: accepted
     QString m_kept;      ///< the document's value when that happened
 };
 

@@ -33,7 +33,7 @@ void NumberEditor::addSlider(QWidget* parent) {
     m_slider = new ValueSlider(parent);
     m_slider->setObjectName(QString::fromStdString(path()) + QStringLiteral("/slider"));
     connect(m_slider, &ValueSlider::valueEdited, this, [this](double value) {
-        m_field->reset(value); // a refused text gives way
+        m_field->reset(value); // discards a refused text
         store(value);
     });
     connect(m_slider, &ValueSlider::settled, this, [this] { document().endMerge(); });

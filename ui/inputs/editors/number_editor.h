@@ -8,7 +8,7 @@ namespace sparkout {
 
 class ValueSlider;
 
-/// Numbers and whole numbers, given or optional.
+/// An editor for numbers, whole or not, required or optional.
 class NumberEditor : public FieldEditor {
     Q_OBJECT
 

@@ -40,7 +40,7 @@ void NumberLines::setLines(std::vector<Line> lines) {
         return;
     }
     for (const Row& row : m_rows) {
-        row.field->disconnect(this); // it loses the focus as it goes
+        row.field->disconnect(this); // it loses the focus when deleted
     }
     m_rows.clear();
     delete m_body;
@@ -139,7 +139,7 @@ QString NumberLines::pasteInto(Project& project, std::size_t first,
     return {};
 }
 
-/// Whether a value brings no fault of the batch that is not there.
+/// Whether a value adds no fault to those of the batch.
 bool NumberLines::fits(const Line& line, std::optional<double> value) const {
     Project project = m_document.project();
     const std::size_t before = batchFaults(project).size();

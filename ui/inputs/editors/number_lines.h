@@ -21,16 +21,15 @@ namespace sparkout {
 class Document;
 class ReasonLabel;
 
-/// Numbers below each other in a box, each with label, unit and the reason of its mark, that read
-/// and change the project by functions instead of a table's row. Cells pasted into one fill it and
-/// those below it.
+/// Numbers in a box, one below the other, each with label, unit and the reason of its mark, that
+/// read and change the project by functions instead of a table's row. Cells pasted into one fill it
+/// and the following ones.
 class NumberLines : public QWidget {
     Q_OBJECT
 
 public:
-    /// One of the numbers.
     struct Line {
-        std::string path; ///< in the project
+        std::string path; ///< path in the project
         NumberSpec spec;
         std::function<std::optional<double>(const Project&)> get;
         std::function<void(Project&, std::optional<double>)> set;
@@ -40,19 +39,19 @@ public:
 
     NumberLines(Document& document, const char* editText, QWidget* parent = nullptr);
 
-    /// How pasted cells are put into the order of the lines; otherwise row by row. A matrix may
-    /// have a fault of its own.
+    /// Puts pasted cells into the order of the lines, by default row by row. A matrix may report an
+    /// error.
     using Order = std::function<std::vector<QString>(const PastedCells& cells, QString& fault)>;
     void setOrder(Order order) { m_order = std::move(order); }
-    void setOwner(std::function<QString()> owner); ///< whose numbers, for their accessible names
-    /// Builds the lines anew unless they are those that stand there.
+    void setOwner(std::function<QString()> owner); ///< for their accessible names
+    /// Builds the lines again unless they are the same.
     void setLines(std::vector<Line> lines);
     void showProject(bool replaced);
     void setIssues(const Issues& issues);
     void retranslate();
     [[nodiscard]] std::vector<Refusal> refusals() const;
     bool dropRefusal(const std::string& path);
-    bool focusPath(const std::string& path); ///< false: none of the lines is at the path or below
+    bool focusPath(const std::string& path); ///< false if no line is at the path or below it
     [[nodiscard]] bool empty() const { return m_rows.empty(); }
 
 signals:
@@ -68,7 +67,7 @@ private:
     };
     void addRow(Line line);
     void connectRow(std::size_t index);
-    void forgetPaste(); ///< what was said of cells that were not taken
+    void forgetPaste(); ///< drops the message about refused cells
     void paste(std::size_t index, const PastedCells& cells); ///< all or, with a reason, none
     [[nodiscard]] QString pasteInto(Project& project, std::size_t first,
                                     const std::vector<QString>& cells) const;

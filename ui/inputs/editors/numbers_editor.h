@@ -8,8 +8,8 @@
 
 namespace sparkout {
 
-/// A list of numbers in one line of text, "1; 2; 3"; where the member takes levels also from, to
-/// and step, "300…2400 step 100". Empty is not given, where that may be.
+/// A list of numbers in one line of text, "1; 2; 3"; for levels also from, to and step, "300…2400
+/// step 100". Empty means not given, where allowed.
 class NumbersEditor : public LineEditor {
     Q_OBJECT
 
@@ -27,9 +27,9 @@ protected:
 private:
     [[nodiscard]] Levels stored() const;
     void put(const Levels& levels, void* to) const;
-    /// What a text means; nothing when it cannot be read.
+    /// The value of a text; empty if it is invalid.
     [[nodiscard]] std::optional<Levels> read(const QString& text) const;
-    /// Why what a text means is not taken; empty when it is.
+    /// The reason for refusing a value; empty if it is accepted.
     [[nodiscard]] QString fault(const Levels& levels) const;
     [[nodiscard]] QString grammar() const;
 };

@@ -11,7 +11,7 @@
 
 namespace sparkout {
 
-/// Pasted cells as numbers within a range; with the first cell that is none, by row and column.
+/// Pasted cells as numbers within a range; records the first invalid cell by row and column.
 class PastedNumbers {
     Q_DECLARE_TR_FUNCTIONS(PastedNumbers)
 
@@ -19,8 +19,8 @@ public:
     PastedNumbers(const PastedCells& cells, const Range& allowed, const char* unit);
 
     [[nodiscard]] const std::vector<std::vector<double>>& rows() const { return m_rows; }
-    [[nodiscard]] std::vector<double> inOrder() const;             ///< row by row
-    [[nodiscard]] const QString& fault() const { return m_fault; } ///< empty: all are numbers
+    [[nodiscard]] std::vector<double> inOrder() const;             ///< by rows
+    [[nodiscard]] const QString& fault() const { return m_fault; } ///< empty: all are valid
 
 private:
     std::vector<std::vector<double>> m_rows;

@@ -22,7 +22,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::size_t largestFile = 1u << 20; // bytes; 360 lines need a hundredth of it
+constexpr std::size_t largestFile = 1u << 20; // bytes; 360 lines need a hundredth of this
 
 } // namespace
 
@@ -81,7 +81,7 @@ void RadiiEditor::refuse(const QString& file, const QString& reason) {
 }
 
 void RadiiEditor::clear() {
-    m_read->setFocus(); // the button goes grey
+    m_read->setFocus(); // the button becomes disabled
     change([this](void* to) { field().as<std::optional<std::vector<double>>>(to).reset(); });
     document().endMerge();
 }
@@ -98,7 +98,7 @@ QString RadiiEditor::summary() const {
 }
 
 void RadiiEditor::show(bool) {
-    m_refused.clear(); // it spoke of the project as it was
+    m_refused.clear(); // it concerned the previous project
     m_summary->setText(summary());
     m_clear->setEnabled(field().as<std::optional<std::vector<double>>>(owner()).has_value());
 }

@@ -8,9 +8,8 @@ class QPushButton;
 
 namespace sparkout {
 
-/// The measured profile of the blank: what it holds in a line, a button that reads it from a CSV
-/// file and one that takes it away. A file that cannot be read leaves the profile as it was and
-/// says why beside it.
+/// The measured profile of the blank: a summary line, a button that reads it from a CSV file and
+/// one that removes it. An unreadable file leaves the profile unchanged and shows the reason.
 class RadiiEditor : public FieldEditor {
     Q_OBJECT
 
@@ -37,7 +36,7 @@ private:
     QLabel* m_summary;
     QPushButton* m_read;
     QPushButton* m_clear;
-    QString m_refused; ///< why the last file was not taken; empty when it was
+    QString m_refused; ///< why the last file was refused; empty: accepted
 };
 
 } // namespace sparkout

@@ -17,7 +17,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int longestUnit = 8; ///< of those that stand in one line
+constexpr int longestUnit = 8; ///< longest unit on one line
 
 } // namespace
 
@@ -41,7 +41,7 @@ RangeEditor::RangeEditor(const std::string& path, const Field& field, Document& 
         connect(number, &NumberField::remarkChanged, this, &FieldEditor::remarkChanged);
         connect(number, &QLineEdit::editingFinished, this, [this] {
             this->document().endMerge();
-            emit remarkChanged(); // what the three make together
+            emit remarkChanged(); // a joint remark of all three
         });
     }
     m_unit->setTextFormat(Qt::PlainText);
@@ -85,7 +85,7 @@ void RangeEditor::take() {
 void RangeEditor::show(bool replaced) {
     const Values values = stored();
     if (!replaced && !fault().isEmpty() && values == m_kept) {
-        return; // what is not a range yet stays in sight
+        return; // an incomplete range stays visible
     }
     m_kept = values;
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
@@ -108,7 +108,7 @@ void RangeEditor::retranslate() {
         m_fields[i]->setAccessibleName(tr("%1: %2, %3").arg(label, names[i], unit));
         m_fields[i]->setToolTip(tr("%1: %2").arg(label, names[i]));
     }
-    const bool isLong = unit.size() > longestUnit; // it breaks at the stroke
+    const bool isLong = unit.size() > longestUnit; // it breaks after the slash
     if (isLong) {
         m_unit->setWordWrap(true);
         setTextLines(*m_unit, 2, 6);

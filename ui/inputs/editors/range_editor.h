@@ -13,7 +13,7 @@ namespace sparkout {
 
 class NumberField;
 
-/// Lowest, highest and step of what a machine can be set to: three numbers, or none of them.
+/// Lowest, highest and step of a machine's range: three numbers, or none.
 class RangeEditor : public FieldEditor {
     Q_OBJECT
 
@@ -33,13 +33,13 @@ private:
     using Values = std::optional<std::vector<double>>;
 
     void take();
-    /// Why the three do not make a range; empty when they do.
+    /// The reason why the three are not a range; empty if they are.
     [[nodiscard]] QString fault() const;
     [[nodiscard]] const Values& stored() const;
 
     QWidget* m_body;
     std::array<NumberField*, 3> m_fields{};
-    std::array<QLabel*, 3> m_names{}; ///< in front of each
+    std::array<QLabel*, 3> m_names{}; ///< labels before the fields
     QLabel* m_unit;
     Values m_kept; ///< the document's value when the texts were last in order
 };

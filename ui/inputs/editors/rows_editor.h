@@ -7,7 +7,7 @@
 
 namespace sparkout {
 
-/// Rows of a few numbers in one line of text: "0 50; 200 80". Empty is not given.
+/// Rows of a few numbers in one line of text: "0 50; 200 80". Empty means not given.
 class RowsEditor : public LineEditor {
     Q_OBJECT
 
@@ -22,7 +22,7 @@ protected:
     [[nodiscard]] CellsText textOf(const PastedCells& cells) const override;
 
 private:
-    /// The rows of a text; nothing when it has none of the right count.
+    /// The rows of a text; empty if a row does not have the right count.
     [[nodiscard]] std::optional<NumberRows> rowsOf(const QString& text) const;
     [[nodiscard]] const NumberRows& stored() const;
 };

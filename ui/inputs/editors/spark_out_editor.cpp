@@ -52,19 +52,19 @@ SparkOutEditor::SparkOutEditor(const Field& field, const Operation& operation, Q
 }
 
 SparkOutEditor::~SparkOutEditor() {
-    disconnect(qApp, nullptr, this, nullptr); // the focus moves on while it goes
+    disconnect(qApp, nullptr, this, nullptr); // the focus moves while it is deleted
 }
 
 void SparkOutEditor::leave() {
-    if (!std::exchange(m_left, true)) { // closing moves the focus, which is leaving again
+    if (!std::exchange(m_left, true)) { // closing moves the focus, which would leave again
         if (m_count->hasFocus()) {
-            setFocusProxy(m_count); // the table takes the focus from here, and stays at its cell
+            setFocusProxy(m_count); // the table sets the focus here and stays at its cell
         }
         emit left();
     }
 }
 
-/// Tab goes on to the count; the table would take it as leaving the cell.
+/// Moves from the choice to the count; the table would treat Tab as leaving the cell.
 bool SparkOutEditor::focusNextPrevChild(bool next) {
     if (m_count->isVisible() && (next ? m_mode->hasFocus() : m_count->hasFocus())) {
         (next ? static_cast<QWidget*>(m_count) : m_mode)
@@ -74,7 +74,7 @@ bool SparkOutEditor::focusNextPrevChild(bool next) {
     return QWidget::focusNextPrevChild(next);
 }
 
-/// A digit says how many, whatever was chosen.
+/// A digit selects a number of spark-outs, whatever was chosen.
 bool SparkOutEditor::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_mode && event->type() == QEvent::KeyPress) {
         const QString text = static_cast<QKeyEvent*>(event)->text();
@@ -91,7 +91,7 @@ bool SparkOutEditor::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-/// Also what opens in a window of its own, as the list of the choices does.
+/// Includes windows of its own, such as the list of choices.
 bool SparkOutEditor::holds(const QWidget* widget) const {
     while (widget && widget != this) {
         widget = widget->parentWidget();

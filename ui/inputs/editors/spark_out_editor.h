@@ -11,8 +11,8 @@ namespace sparkout {
 class NumberField;
 class StillComboBox;
 
-/// Chooses what the last stage does: feed, spark out a number of times, or until size. A count that
-/// is refused is one only as long as there is something to count.
+/// Chooses what the last stage does: feed, spark out a number of times, or until size. An invalid
+/// count matters only while it is used.
 class SparkOutEditor : public QWidget {
     Q_OBJECT
 
@@ -20,18 +20,18 @@ public:
     SparkOutEditor(const Field& field, const Operation& operation, QWidget* parent);
     ~SparkOutEditor() override;
 
-    void putInto(Stage& stage) const; ///< with the last good count
+    void putInto(Stage& stage) const; ///< uses the last valid count
     void showStage(const Stage& stage);
-    void revert(); ///< back to the value it was opened with
+    void revert(); ///< restores the initial value
 
-    [[nodiscard]] bool refused() const; ///< not while one types
+    [[nodiscard]] bool refused() const; ///< false while typing
     [[nodiscard]] QString refusedText() const;
     [[nodiscard]] QString refusal() const;
     void showRefused(const QString& text);
 
 signals:
     void edited();
-    void left(); ///< the focus went elsewhere, or Return ended the edit
+    void left(); ///< the focus left, or Return ended the edit
 
 protected:
     bool focusNextPrevChild(bool next) override;

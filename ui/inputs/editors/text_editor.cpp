@@ -13,7 +13,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int longestLine = 20'000; // in UTF-8 still below what a file may hold
+constexpr int longestLine = 20'000; // in UTF-8 still below the limit of a file
 
 } // namespace
 

@@ -50,7 +50,7 @@ private:
     [[nodiscard]] QString stored() const;
 
     QPlainTextEdit* m_text;
-    QString m_refused; ///< why the text on the screen was not taken; empty when it was
+    QString m_refused; ///< why the shown text was refused; empty: accepted
     QString m_kept;    ///< the document's text when that happened
 };
 

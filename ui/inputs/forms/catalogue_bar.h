@@ -16,24 +16,24 @@ class Document;
 class ReasonLabel;
 class Settings;
 
-/// At the head of a page of the inputs: takes values from a catalogue, and keeps the page's in the
+/// At the top of a page of the inputs: takes values from a catalogue, and saves the page's in the
 /// user's own.
 class CatalogueBar : public QWidget {
     Q_OBJECT
 
 public:
-    /// Without settings the own entries live as long as this does.
+    /// Without settings the own entries are lost with this object.
     CatalogueBar(CatalogueKind kind, Document& document, Settings* settings, QWidget* parent);
     ~CatalogueBar() override;
 
     void retranslate();
-    /// The project as the entry of its name makes it; nothing where the catalogue has none.
+    /// The project with the catalogue entry of its name; empty if there is none.
     [[nodiscard]] std::optional<Project> asInCatalogue();
 
 private:
     void choose();
     void keep();
-    [[nodiscard]] CatalogueStore& store(); ///< read when it is first asked for
+    [[nodiscard]] CatalogueStore& store(); ///< read at the first call
     [[nodiscard]] QString nameInProject() const;
 
     CatalogueKind m_kind;
@@ -42,7 +42,7 @@ private:
     std::unique_ptr<CatalogueStore> m_store;
     QPushButton* m_choose;
     QPushButton* m_keep;
-    ReasonLabel* m_fault; ///< why nothing was kept
+    ReasonLabel* m_fault; ///< why saving failed
 };
 
 } // namespace sparkout

@@ -39,7 +39,7 @@ namespace {
 constexpr QSize usualSize(940, 620);
 const QString settingsName = QStringLiteral("catalogue");
 
-/// The numbers one tells entries apart by.
+/// The keys of the main numbers of an entry.
 std::vector<std::string> mainKeys(CatalogueKind kind) {
     switch (kind) {
     case CatalogueKind::materials:
@@ -72,7 +72,7 @@ const Field* fieldAt(const StructInfo& table, const std::string& key) {
                                                 : fieldAt(*field->nested, key.substr(slash + 1));
 }
 
-/// All contents in sight, by scrolling where they are wide; rows to the edge where they are not.
+/// Makes the contents visible, by scrolling if they are too wide, and fills the width otherwise.
 void fitColumns(QTreeWidget& tree) {
     tree.header()->setStretchLastSection(false);
     for (int column = 0; column < tree.columnCount(); ++column) {
@@ -314,7 +314,7 @@ void CatalogueDialog::showChosen() {
     showPreview();
 }
 
-/// What stays as it is because its stiffness is not taken is left out.
+/// Leaves out values that do not change since the stiffness is not taken.
 void CatalogueDialog::showPreview() {
     const CatalogueItem* item = chosen();
     if (!item) {
@@ -355,7 +355,7 @@ void CatalogueDialog::showPreview() {
     const Issues errors = newErrors(m_project, taken());
     m_refused->setText(errors.empty()
                            ? QString()
-                           : tr("With it the inputs would be refused: %1")
+                           : tr("This entry would make the inputs invalid: %1")
                                  .arg(locationText(errors.front().path) + QStringLiteral(": ")
                                       + issueText(errors.front())));
 }
@@ -394,7 +394,7 @@ void CatalogueDialog::renameOwn() {
         tr("Rename the entry"), old,
         [this, &old](const QString& name) -> EntryNameDialog::Answer {
             const bool taken = name != old && m_store.hasOwn(name);
-            return {taken ? tr("You have an entry of this name already.") : QString(), !taken};
+            return {taken ? tr("You already have an entry with this name.") : QString(), !taken};
         },
         this);
     if (dialog.exec() == QDialog::Accepted && dialog.name() != old) {

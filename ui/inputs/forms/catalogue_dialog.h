@@ -17,8 +17,8 @@ namespace sparkout {
 class Settings;
 class StiffnessOffer;
 
-/// A catalogue to choose from: search, entries with their main numbers and sources, and what the
-/// chosen one would change in the project. The user's own entries are renamed and deleted here.
+/// A catalogue to choose from: search, entries with their main numbers and sources, and the changes
+/// that the chosen one would make to the project. Also renames and deletes the user's own entries.
 class CatalogueDialog : public QDialog {
     Q_OBJECT
 
@@ -26,8 +26,8 @@ public:
     CatalogueDialog(CatalogueStore& store, Project project, Settings* settings, QWidget* parent);
     ~CatalogueDialog() override;
 
-    [[nodiscard]] const CatalogueItem* chosen() const; ///< null: none
-    /// The project with the chosen entry, and with what was chosen of it. There must be one.
+    [[nodiscard]] const CatalogueItem* chosen() const; ///< may be null
+    /// The project with the chosen parts of the chosen entry. Requires an entry.
     [[nodiscard]] Project taken() const;
     [[nodiscard]] static QString title(CatalogueKind kind);
 
@@ -38,12 +38,12 @@ private:
     void build();
     QWidget* buildList();
     QWidget* buildPreview();
-    void fill(const QString& current); ///< and makes the entry of that name the current one
+    void fill(const QString& current); ///< and selects the entry with that name
     void filter();
     void showChosen();
     void showPreview();
     void showFault();
-    [[nodiscard]] bool complianceIsGiven() const; ///< so that no stiffness is read
+    [[nodiscard]] bool complianceIsGiven() const; ///< stiffnesses are then not used
     void putAside();
     void renameOwn();
     void removeOwn();

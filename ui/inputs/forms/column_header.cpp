@@ -17,9 +17,9 @@ namespace sparkout {
 
 namespace {
 
-/// Of a title, left and right; where the columns have no room the narrower one.
+/// Margins of a title, left and right; the narrow one if columns are short of width.
 constexpr int wideMargin = 3, narrowMargin = 1;
-constexpr double smallestTitle = 0.75; ///< of the usual titles, where they have no room even so
+constexpr double smallestTitle = 0.75; ///< least size of titles, relative to the usual
 
 } // namespace
 

@@ -151,7 +151,7 @@ void ComplianceBox::connectLine(std::size_t index) {
     connect(field, &QLineEdit::editingFinished, this, [this] { m_document.endMerge(); });
     connect(m_lines[index].slider, &ValueSlider::valueEdited, this,
             [this, index, field](double value) {
-                field->reset(value); // a refused text gives way
+                field->reset(value); // discards a refused text
                 store(index, value);
             });
     connect(m_lines[index].slider, &ValueSlider::settled, this, [this] { m_document.endMerge(); });
@@ -192,7 +192,7 @@ void ComplianceBox::showProject(bool replaced) {
     setIssues(m_issues);
 }
 
-/// One line for all that rest on the same data; what has another value by now is named first.
+/// One line for all inputs that were found from the same data; values changed since come first.
 void ComplianceBox::showCalibration(const Project& project) {
     const Calibration *first = nullptr, *changed = nullptr;
     for (const Line& line : m_lines) {
@@ -221,7 +221,7 @@ void ComplianceBox::forgetResults() {
     showComputed();
 }
 
-/// Zone by zone, or the least and the largest of many sections.
+/// Shows γ zone by zone, or the least and the largest of many sections.
 void ComplianceBox::showComputed() {
     QStringList values;
     if (m_computed->isChecked() && m_good

@@ -18,9 +18,8 @@ class Document;
 class ReasonLabel;
 class ValueSlider;
 
-/// The compliance: a field with its slider a zone (traverse) or a section (plunge), or a tick that
-/// leaves it to stiffness and shaft; what of these is not given yet gets usual values with the
-/// tick.
+/// The compliance: a field with a slider for each zone (traverse) or section (plunge), or a tick to
+/// compute it from stiffness and shaft, which sets missing ones of these to usual values.
 class ComplianceBox : public InputBox {
     Q_OBJECT
 
@@ -30,7 +29,7 @@ public:
 
     void showProject(bool replaced) override;
     void forgetResults() override;
-    void setOutcome(const OutcomePtr& outcome) override; ///< the γ that was computed, to read
+    void setOutcome(const OutcomePtr& outcome) override; ///< the computed γ, for display
     void retranslate() override;
     [[nodiscard]] std::vector<Refusal> refusals() const override;
     bool dropRefusal(const std::string& path) override;
@@ -41,7 +40,7 @@ public:
 
 private:
     struct Line {
-        std::string key; ///< last part of the path
+        std::string key; ///< last key of the path
         QLabel* label;
         CalibratedMark* calibrated;
         NumberField* field;
@@ -69,11 +68,11 @@ private:
     ReasonLabel* m_reason;
     QWidget* m_body;
     QLabel* m_gammas;      ///< computed, greyed
-    QLabel* m_calibration; ///< what the values were found from
+    QLabel* m_calibration; ///< data from which the values were found
     QGridLayout* m_grid = nullptr;
     std::vector<Line> m_lines;
     Issues m_issues;
-    OutcomePtr m_good; ///< of the last accepted inputs
+    OutcomePtr m_good; ///< outcome of the last accepted inputs
 };
 
 } // namespace sparkout

@@ -78,7 +78,8 @@ void CorrelationBox::showProject(bool replaced) {
     m_numbers->showProject(replaced);
 }
 
-/// The cells of a whole matrix below its diagonal, as the lines stand; of any other block all.
+/// The cells of a whole matrix below its diagonal, in the order of the lines; of any other block
+/// all cells.
 std::vector<QString> CorrelationBox::orderOf(const PastedCells& cells, QString& fault) const {
     const std::vector<GivenFactor> given = givenFactors(m_document.project());
     const auto size = static_cast<qsizetype>(given.size());

@@ -15,7 +15,7 @@ class Document;
 class NumberLines;
 class ReasonLabel;
 
-/// The correlations of the batch's factors: a number for every two that are drawn at random.
+/// The correlations of the batch's factors: a number for every two random factors.
 class CorrelationBox : public InputBox {
     Q_OBJECT
 

@@ -16,7 +16,7 @@ class EntryNameDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// What is to be said of a name, and whether it can be taken.
+    /// A message about a name, and whether it is accepted.
     struct Answer {
         QString remark;
         bool allowed = true;
@@ -25,7 +25,7 @@ public:
     EntryNameDialog(const QString& title, const QString& name,
                     std::function<Answer(const QString&)> judge, QWidget* parent);
 
-    [[nodiscard]] QString name() const; ///< without blanks around it
+    [[nodiscard]] QString name() const; ///< trimmed
 
 private:
     void judge();

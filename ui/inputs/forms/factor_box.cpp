@@ -37,7 +37,7 @@ namespace {
 
 constexpr std::size_t largestTable = 8u << 20; // bytes
 
-/// In the order of the forms.
+/// in the order of the forms
 constexpr std::array formNames{QT_TRANSLATE_NOOP("sparkout::FactorBox", "constant"),
                                QT_TRANSLATE_NOOP("sparkout::FactorBox", "uniform"),
                                QT_TRANSLATE_NOOP("sparkout::FactorBox", "normal"),
@@ -105,7 +105,7 @@ void FactorBox::connectParts() {
         edit(given ? std::optional(usualFactor(m_kind, m_document.project())) : std::nullopt);
     });
     connect(&m_document, &Document::stepped, this, [this] {
-        m_shown.reset(); // undone with the edit that chose it
+        m_shown.reset(); // undone together with the edit that chose it
         showProject(false);
     });
     connect(m_form, &QComboBox::activated, this, &FactorBox::chooseForm);

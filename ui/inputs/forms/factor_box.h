@@ -19,8 +19,8 @@ class Document;
 class NumberLines;
 class ReasonLabel;
 
-/// A factor of the batch: a tick that lets it scatter, the form of its distribution and the numbers
-/// of that form; measured values are read from a CSV file.
+/// A factor of the batch: a tick to enable it, the form of its distribution and the numbers of that
+/// form; measured values are read from a CSV file.
 class FactorBox : public InputBox {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] bool holds(const std::string& path) const override;
     void focusPath(const std::string& path) override;
 
-    void readFrom(const QString& path); ///< measured values; a file not taken says why
+    void readFrom(const QString& path); ///< reads measured values; shows the reason of a failure
 
 private:
     void build();
@@ -44,7 +44,7 @@ private:
     void chooseForm();
     void setTruncated(bool truncated);
     void askForFile();
-    void edit(std::optional<Factor> law); ///< a step of the history
+    void edit(std::optional<Factor> law); ///< as a step of the history
     [[nodiscard]] const std::optional<Factor>& law() const;
     [[nodiscard]] FactorForm shownForm(const Factor& law) const;
     [[nodiscard]] QString measuredText(const Factor& law) const;
@@ -62,9 +62,9 @@ private:
     QLabel* m_measured;
     QPushButton* m_read;
     ReasonLabel* m_reason;
-    std::optional<FactorForm> m_shown; ///< two equal ends on the screen make no constant
+    std::optional<FactorForm> m_shown; ///< keeps the form, as two equal ends are not a constant
     Remark m_issue;
-    std::function<QString()> m_fileFault; ///< why the last file was not taken, if it was not
+    std::function<QString()> m_fileFault; ///< why the last file was refused, if it was
 };
 
 } // namespace sparkout

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* lockedProperty = "lockedByLesson";
 constexpr const char* hiddenProperty = "hiddenByLesson";
 
-/// The ticks of boxes disable what is in them.
+/// The ticks of boxes disable their contents.
 bool isInUntickedBox(const QWidget& widget) {
     for (const QWidget* up = widget.parentWidget(); up; up = up->parentWidget()) {
         const auto* box = qobject_cast<const QGroupBox*>(up);

@@ -14,12 +14,12 @@ class QWidget;
 
 namespace sparkout {
 
-/// What may be done with the inputs: all of them, or what a step of a lesson lets a student do.
+/// The allowed access to inputs: all of them, or what a step of a lesson allows.
 class FormAccess {
     Q_DECLARE_TR_FUNCTIONS(FormAccess)
 public:
     FormAccess() = default; ///< every input is free
-    /// While a prediction is awaited no input is.
+    /// Locks all inputs while a prediction is awaited.
     FormAccess(const LessonStep& step, bool isAwaited);
 
     [[nodiscard]] bool isFree() const { return !m_step && !m_isAwaited; } ///< every input is
@@ -27,16 +27,16 @@ public:
     /// Whether it, or something below it, may be changed or is shown.
     [[nodiscard]] bool hasFree(std::string_view path) const;
     [[nodiscard]] bool hasShown(std::string_view path) const;
-    [[nodiscard]] QString lockText() const; ///< why a locked input is
+    [[nodiscard]] QString lockText() const; ///< why an input is locked
 
-    /// Locks a widget, or undoes that: what was not locked stays as it is.
+    /// Locks a widget, or undoes that; what this did not lock stays unchanged.
     static void lock(QWidget& widget, bool locked);
-    static bool hide(QWidget& widget, bool hidden); ///< the same; true: it was undone
+    static bool hide(QWidget& widget, bool hidden); ///< hides or undoes that; true if it was undone
 
 private:
     [[nodiscard]] Access given(std::string_view path) const;
 
-    std::optional<LessonStep> m_step; ///< with its access alone
+    std::optional<LessonStep> m_step; ///< only its access rules
     bool m_isAwaited = false;
 };
 

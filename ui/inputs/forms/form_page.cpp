@@ -43,7 +43,7 @@ namespace {
 constexpr const char* batchPath = "/batch";
 constexpr const char* searchPath = "/optimisation";
 
-/// For one row of the page, its fields below those of the others.
+/// For one row of the page, with fields aligned to those of the others.
 QGridLayout* newGrid(QVBoxLayout& into, int depth) {
     auto* grid = new QGridLayout;
     grid->setColumnStretch(0, 1);
@@ -77,7 +77,7 @@ FormPage::FormPage(Page page, Document& document, QWidget* parent, Settings* set
 }
 
 FormPage::~FormPage() {
-    qDeleteAll(m_rows); // before the fields go, which lose the focus as they do
+    qDeleteAll(m_rows); // before the fields are deleted and lose the focus
 }
 
 void FormPage::build() {
@@ -206,7 +206,7 @@ void FormPage::addRow(const Field& field, const std::string& path, Place into) {
     connectRow(*row);
     if (helper && !helper->standsFirst()) {
         addHelper(helper, path, into);
-    } else if (helper) { // from top to bottom, as one sees them
+    } else if (helper) { // from top to bottom, the visual order
         setTabOrder(helper->focusProxy(), row->editor().widget());
     }
     if (auto* line = qobject_cast<QLineEdit*>(row->editor().widget()); line && helper) {
@@ -318,13 +318,13 @@ void FormPage::setAllInputs(bool all) {
     }
 }
 
-/// Shows what is seen on demand alone, as long as the project is open.
+/// Shows an input that is hidden by rank, as long as the project is open.
 void FormPage::want(const std::string& path) {
     m_rank.wanted.push_back(path);
     showProject(false);
 }
 
-/// After what is relevant is shown: a box goes where nothing in it is left.
+/// Call after showing what is relevant: hides a box without visible inputs.
 void FormPage::showRank(const InputRank& rank) {
     const Project& project = m_document.project();
     const auto isSeen = [&](const std::string& path, const Field& field) {
@@ -352,7 +352,7 @@ void FormPage::showRank(const InputRank& rank) {
                    && row->editor().path().rfind('/') == 0;
         }));
     }
-    for (const Box& box : m_boxes) { // those within another come before it
+    for (const Box& box : m_boxes) { // inner boxes precede outer ones
         const auto isIn = [&box](const std::string& path) {
             return path.starts_with(box.path + '/');
         };
@@ -397,7 +397,7 @@ void FormPage::showAllButton() {
 void FormPage::showProject(bool replaced) {
     const Project& project = m_document.project();
     InputRank rank = m_rank;
-    rank.showsAll = rank.showsAll || !m_access->isFree(); // what a lesson lets one see is seen
+    rank.showsAll = rank.showsAll || !m_access->isFree(); // whatever a lesson allows is shown
     rank.asCatalogue = m_catalogue && !rank.showsAll ? m_catalogue->asInCatalogue() : std::nullopt;
     for (FormRow* row : m_rows) {
         row->show(project, replaced, rank);
@@ -407,7 +407,7 @@ void FormPage::showProject(bool replaced) {
         const bool given =
             member && box.field->kind == Kind::optionalObject && box.field->objectIn(member.owner);
         const bool offered =
-            (box.path == batchPath || box.path == searchPath) && !given; // by its helper
+            (box.path == batchPath || box.path == searchPath) && !given; // shown by its helper
         box.box->setVisible(member && member.relevant(project) && !offered);
         if (box.field->kind == Kind::optionalObject && member) {
             box.box->setChecked(given);
@@ -453,11 +453,11 @@ void FormPage::giveAccess() {
 }
 
 bool FormPage::hasShown() {
-    return m_access->isFree() // no page is without inputs
+    return m_access->isFree() // every page has inputs without a lesson
            || hasShown(tableOf<Project>(), {});
 }
 
-/// By the tables, as the page is built from them: to build all pages at once would take its time.
+/// Decides by the tables, since building all pages at once would take too long.
 bool FormPage::hasShown(const StructInfo& table, const std::string& path) const {
     return std::ranges::any_of(table.fields, [&](const Field& field) {
         const std::string at = path + "/" + field.key;
@@ -469,7 +469,7 @@ bool FormPage::hasShown(const StructInfo& table, const std::string& path) const 
     });
 }
 
-/// What all of is locked is not to be clicked in either; what is hidden is not there.
+/// Disables boxes with only locked inputs and hides those with only hidden ones.
 void FormPage::showAccess() {
     const auto show = [this](QWidget* widget, const std::string& path) {
         FormAccess::lock(*widget, !m_access->hasFree(path));
@@ -502,7 +502,7 @@ void FormPage::showAccess() {
     }
 }
 
-/// Of a surface alone nothing is shared.
+/// A single surface shares nothing.
 void FormPage::showShared() {
     const bool several = m_document.surfaceCount() > 1;
     for (FormRow* row : m_rows) {
@@ -649,7 +649,7 @@ bool FormPage::isOnDemand(const std::string& path) const {
            || (box && box->box->isHidden());
 }
 
-/// Limits that are yet to be given for a known diameter come with its tolerance class.
+/// Limits that are missing for a known diameter are entered by its tolerance class.
 QWidget* FormPage::placeToType(const FormRow& row) const {
     const std::string& path = row.editor().path();
     const bool isLimit = path == "/part/upper_deviation_um" || path == "/part/lower_deviation_um";
@@ -667,7 +667,7 @@ void FormPage::showPath(const std::string& path, bool focus) {
     if (isOnDemand(path)) {
         want(path);
     }
-    widget()->layout()->activate(); // it may just have come into sight
+    widget()->layout()->activate(); // it may have just become visible
     const auto show = [this, focus](QWidget* widget, QWidget* focused) {
         ensureWidgetVisible(widget);
         QTimer::singleShot(0, widget, [this, widget] { ensureWidgetVisible(widget); }); // laid out

@@ -32,33 +32,31 @@ class SectionBox;
 class Settings;
 class StageTable;
 
-/// One page of the inputs, made from the tables: every row that names the page, structs as boxes.
-/// They are built when the page is shown for the first time or something is asked of them: the
-/// window begins with one page of eight.
+/// One page of the inputs, made from the tables: every row with that page, structs as boxes. It is
+/// built when first shown or used: the window begins with one page of eight.
 class FormPage : public QScrollArea {
     Q_OBJECT
 
 public:
-    /// Without settings the user's own catalogues are kept as long as the page lives, and all
-    /// inputs are shown.
+    /// Without settings the user's catalogues last as long as the page, and all inputs are shown.
     FormPage(Page page, Document& document, QWidget* parent = nullptr,
              Settings* settings = nullptr);
     ~FormPage() override;
 
-    void build(); ///< its rows, once
+    void build(); ///< builds the rows, once
     void setOutcome(const sparkout::OutcomePtr& outcome);
     void forgetResults();
-    /// What may be changed, and what is shown.
+    /// Sets which inputs may be changed and which are shown.
     void setAccess(const FormAccessPtr& access);
-    void setAllInputs(bool all);   ///< not the usual ones alone
-    [[nodiscard]] bool hasShown(); ///< whether any input is
+    void setAllInputs(bool all);   ///< all inputs, or the usual ones
+    [[nodiscard]] bool hasShown(); ///< whether any input is shown
     void retranslate();
     [[nodiscard]] std::vector<Refusal> refusals() const;
-    /// Shows the document's value where a text was refused; false when it is not on this page.
+    /// Restores the document's value in a refused field; false if it is not on this page.
     bool dropRefusal(const std::string& path);
     /// Whether this page shows the field at a path.
     [[nodiscard]] bool holds(const std::string& path);
-    /// Scrolls to the field at a path, and gives it the focus if wanted.
+    /// Scrolls to the field at a path and optionally gives it the focus.
     void showPath(const std::string& path, bool focus);
     [[nodiscard]] const std::vector<FormRow*>& rows() const { return m_rows; } ///< once built
 
@@ -78,7 +76,7 @@ private:
         ReasonLabel* reason;
     };
 
-    /// Where rows go: a layout, and how many boxes deep in the page it is.
+    /// The destination of rows: a layout, and its depth in boxes.
     struct Place {
         PageColumns& rows;
         int depth;
@@ -94,41 +92,41 @@ private:
     void addProjectTexts(Place into);
     void connectRow(FormRow& row);
     [[nodiscard]] FormRow* rowAt(const std::string& path) const;
-    [[nodiscard]] QWidget* placeToType(const FormRow& row) const; ///< what is asked for in it
+    [[nodiscard]] QWidget* placeToType(const FormRow& row) const; ///< the field for its value
     [[nodiscard]] const Box* boxAt(const std::string& path) const;
     [[nodiscard]] InputBox* inputBoxAt(const std::string& path) const;
     [[nodiscard]] bool shows(const StructInfo& table) const;
     [[nodiscard]] bool hasShown(const StructInfo& table, const std::string& path) const;
     void showProject(bool replaced);
     void showShared();
-    void showRank(const InputRank& rank); ///< what is seen on demand alone
+    void showRank(const InputRank& rank); ///< applies the ranks of inputs
     void showAllButton();
     void want(const std::string& path);
-    [[nodiscard]] bool isOnDemand(const std::string& path) const; ///< and not seen
+    [[nodiscard]] bool isOnDemand(const std::string& path) const; ///< and currently hidden
     void showAccess();
-    void giveAccess(); ///< to the rows and lists
+    void giveAccess(); ///< to rows and lists
     void toggleOptional(const Box& box, bool given);
 
     Page m_page;
     Document& m_document;
     Settings* m_settings;
     bool m_isBuilt = false;
-    sparkout::OutcomePtr m_outcome; ///< for what is not built yet
+    sparkout::OutcomePtr m_outcome; ///< for parts not built yet
     std::vector<FormRow*> m_rows;
     std::vector<Box> m_boxes;
-    CatalogueBar* m_catalogue = nullptr;                       ///< on pages that have one
-    std::vector<std::pair<RowHelper*, std::string>> m_helpers; ///< with what they fill
+    CatalogueBar* m_catalogue = nullptr;                       ///< on pages with a catalogue
+    std::vector<std::pair<RowHelper*, std::string>> m_helpers; ///< with the paths of their rows
     std::vector<InputBox*> m_inputBoxes;
-    std::vector<std::string> m_inputBoxPaths; ///< of each of them
+    std::vector<std::string> m_inputBoxPaths; ///< in the same order
     FormAccessPtr m_access = std::make_shared<const FormAccess>();
-    std::string m_cataloguePath; ///< of the struct that it fills
+    std::string m_cataloguePath; ///< path of the struct that it fills
     std::vector<ListTable*> m_lists;
-    std::vector<std::pair<ListTable*, QLabel*>> m_sharedLists; ///< with what says that they are
-    StageTable* m_stages = nullptr;                            ///< one of them
+    std::vector<std::pair<ListTable*, QLabel*>> m_sharedLists; ///< with their labels
+    StageTable* m_stages = nullptr;                            ///< one of the lists
     SectionBox* m_projectBox = nullptr;
     bool m_replaced = false;
     InputRank m_rank;
-    QToolButton* m_all = nullptr; ///< at the foot: all inputs, or the usual ones
+    QToolButton* m_all = nullptr; ///< at the bottom: all inputs, or the usual ones
 };
 
 } // namespace sparkout

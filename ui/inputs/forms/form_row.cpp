@@ -96,7 +96,7 @@ void FormRow::addTo(QGridLayout& grid) {
         setTextWidth(*m_unit, unitColumn);
         grid.addWidget(field, row, 1);
         grid.addWidget(m_unit, row, 2);
-        if (QWidget* slider = m_editor->slider()) { // a label of two lines stands beside both
+        if (QWidget* slider = m_editor->slider()) { // a label of two lines is beside both
             m_label->setMinimumHeight(field->sizeHint().height());
             grid.addWidget(m_head, row, 0, 2, 1, Qt::AlignTop);
             grid.addWidget(slider, row + 1, 1, 1, 2);
@@ -112,7 +112,7 @@ void FormRow::show(const Project& project, bool replaced, const InputRank& rank)
     const ConstMember member = findMember(project, m_editor->path());
     m_isRelevant = member && member.relevant(project) && m_access != Access::hidden;
     m_editor->show(replaced);
-    m_label->setText(labelMarkup(m_editor->field(), project)); // of a bore it is another
+    m_label->setText(labelMarkup(m_editor->field(), project)); // a bore has another symbol
     m_isShown = m_isRelevant
                 && (rank.shows(project, m_editor->field(), m_editor->path())
                     || m_editor->remark().mark != Mark::none || m_editor->widget()->hasFocus());
@@ -181,7 +181,7 @@ void FormRow::showRemark() {
                                               ? colors.color(QPalette::PlaceholderText)
                                               : markColor(remark.mark, colors));
     const bool shown = m_isShown && !text.isEmpty();
-    // A message that goes while one types leaves its place until the field is left.
+    // A message that disappears while typing leaves its space until the field is left.
     QSizePolicy policy = m_reason->sizePolicy();
     policy.setRetainSizeWhenHidden(m_isShown && !shown && m_editor->widget()->hasFocus()
                                    && (m_reason->isVisible() || policy.retainSizeWhenHidden()));
@@ -193,7 +193,7 @@ void FormRow::showRemark() {
     m_reason->setVisible(shown);
 }
 
-/// As wide as its texts, where that is more than the other fields take.
+/// Makes the field as wide as its texts if the other fields are narrower.
 void FormRow::fitWide() {
     if (!m_editor->wide() || m_editor->tall()) {
         return;

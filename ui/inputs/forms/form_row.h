@@ -19,7 +19,7 @@ class ResetMark;
 class SharedMark;
 
 /// One row of a form: label with symbol, mark of a change from the default, field, unit, slider,
-/// and below them the reason of a mark.
+/// and the reason of a mark below them.
 class FormRow : public QObject {
     Q_OBJECT
 
@@ -32,11 +32,11 @@ public:
     /// Whether it is to be seen only on demand, and whether it is seen.
     [[nodiscard]] bool isOnDemand() const { return m_isRelevant && !m_editor->field().usual; }
     [[nodiscard]] bool isShown() const { return m_isShown; }
-    void setShared(bool shared);              ///< with the other surfaces of the set-up
-    void setAccess(const FormAccess& access); ///< taken up by the next show()
+    void setShared(bool shared);              ///< shared with the other surfaces of the set-up
+    void setAccess(const FormAccess& access); ///< applied by the next show()
     void setIssues(const Issues& issues);
     void retranslate(const Project& project);
-    /// Adds what one can do with the input to a context menu.
+    /// Adds the commands of the input to a context menu.
     void fillMenu(QMenu& menu);
 
 protected:
@@ -48,23 +48,23 @@ private:
     void showRemark();
     void showCalibration(const Project& project);
     void showHint();
-    [[nodiscard]] bool meaningIsLong() const; ///< of an empty field, for the field itself
-    [[nodiscard]] QString caption() const;    ///< below the field while nothing is remarked
+    [[nodiscard]] bool meaningIsLong() const; ///< too long for the field
+    [[nodiscard]] QString caption() const;    ///< text below the field without a remark
 
     std::unique_ptr<FieldEditor> m_editor;
     QWidget* m_head; ///< label and mark
     QLabel* m_label;
     QLabel* m_unit;
     QLabel* m_reason;
-    ResetMark* m_mark = nullptr; ///< null where there is no default to go back to
+    ResetMark* m_mark = nullptr; ///< null without a default
     SharedMark* m_shared;
     CalibratedMark* m_calibrated;
-    QString m_calibration; ///< in brief; empty: not calibrated
+    QString m_calibration; ///< short text; empty: not calibrated
     bool m_isShared = false;
     Access m_access = Access::free;
-    QString m_lock;           ///< why it is locked
-    bool m_isRelevant = true; ///< is read by the model, and not hidden by a lesson
-    bool m_isShown = true;    ///< and of a rank that is
+    QString m_lock;           ///< why the input is locked
+    bool m_isRelevant = true; ///< used by the model, and not hidden by a lesson
+    bool m_isShown = true;    ///< also by its rank
 };
 
 } // namespace sparkout

@@ -9,7 +9,7 @@
 
 namespace sparkout {
 
-/// A box of a page with fields of its own, for inputs that no row of a table describes one by one.
+/// A box of a page with its own fields, for inputs that are not single rows of a table.
 class InputBox : public SectionBox {
     Q_OBJECT
 
@@ -18,10 +18,10 @@ public:
 
     virtual void showProject(bool replaced) = 0; ///< replaced: drop refused texts
     virtual void setOutcome(const OutcomePtr& outcome) = 0;
-    virtual void forgetResults() {} ///< that it tells beside the inputs
+    virtual void forgetResults() {} ///< removes results shown beside the inputs
     virtual void retranslate() = 0;
     [[nodiscard]] virtual std::vector<Refusal> refusals() const = 0;
-    /// Shows the document's value where a text was refused; false when it is not here.
+    /// Restores the document's value in a refused field; false if it is not here.
     virtual bool dropRefusal(const std::string& path) = 0;
     [[nodiscard]] virtual bool holds(const std::string& path) const = 0;
     virtual void focusPath(const std::string& path) = 0;

@@ -10,17 +10,16 @@
 
 namespace sparkout {
 
-/// Which inputs of a page are to be seen: the usual ones, and of the others those that say
-/// something here; or all.
+/// Which inputs of a page are shown: all, or the usual ones and those of the others that matter in
+/// this project.
 class InputRank {
 public:
     bool showsAll = false;
-    std::vector<std::string> wanted;    ///< paths that were asked for: by a message, by the search
-    std::optional<Project> asCatalogue; ///< the project as the chosen entry of a catalogue makes it
+    std::vector<std::string> wanted;    ///< paths requested by a message or by the search
+    std::optional<Project> asCatalogue; ///< project with the values of the chosen catalogue entry
 
-    /// Whether the input at a path of this project is to be seen whatever its rank: it, or
-    /// something below it, was asked for, is calibrated, or is neither as a new project nor as the
-    /// chosen entry of the catalogue has it.
+    /// Whether the input at a path is shown whatever its rank: it, or something below it, was
+    /// requested, is calibrated, or differs from both a new project and the chosen catalogue entry.
     [[nodiscard]] bool isNews(const Project& project, const std::string& path) const;
     [[nodiscard]] bool shows(const Project& project, const Field& field,
                              const std::string& path) const {

@@ -32,7 +32,7 @@ QWidget* ListDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
     auto* self = const_cast<ListDelegate*>(this);
     const ListModel& model = modelOf(index);
     NumberSpec spec = NumberSpec::of(model.field(index), m_document.project(), model.item(index));
-    spec.optional = false; // a column that is shown is needed
+    spec.optional = false; // a visible column is required
     auto* editor = new NumberField(spec, parent);
     setCell(*editor, index);
     editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -94,7 +94,7 @@ void ListDelegate::setModelData(QWidget* editor, QAbstractItemModel* model,
                                 const QModelIndex& index) const {
     auto* list = static_cast<ListModel*>(model);
     const auto* field = static_cast<NumberField*>(editor);
-    list->setNumber(index, field->value()); // of a refused text: what stood before it
+    list->setNumber(index, field->value()); // restores the text before the refused one
     if (field->refused() && !field->typing()) {
         list->refuse(index, field->text(), field->refusal());
     } else if (!field->refused()) {
@@ -110,7 +110,7 @@ void ListDelegate::dropRefusal(const QAbstractItemView& view) {
 }
 
 void ListDelegate::destroyEditor(QWidget* editor, const QModelIndex& index) const {
-    if (index.isValid()) { // it may be left without a pause in typing
+    if (index.isValid()) { // the editor may be left without a pause in typing
         auto fields = editor->findChildren<NumberField*>();
         if (auto* own = qobject_cast<NumberField*>(editor)) {
             fields += own;
@@ -140,8 +140,8 @@ bool ListDelegate::eventFilter(QObject* watched, QEvent* event) {
         }
         if (auto* editor = qobject_cast<QWidget*>(watched);
             editor && (key == Qt::Key_Return || key == Qt::Key_Enter)) {
-            // As the base class does, after the editor has had the key; but not for an editor that
-            // a click elsewhere has closed meanwhile.
+            // As the base class does, after the editor has received the key, unless a click
+            // elsewhere has closed it meanwhile.
             QMetaObject::invokeMethod(
                 this,
                 [this, open = QPointer<QWidget>(editor)] {

@@ -7,7 +7,7 @@ namespace sparkout {
 
 class Document;
 
-/// Edits the numbers of a ListModel in place; every good value goes to the document as it is typed.
+/// Edits the numbers of a ListModel in place; every valid value goes to the document while typing.
 class ListDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
@@ -19,18 +19,18 @@ public:
     void setEditorData(QWidget* editor, const QModelIndex& index) const override;
     void setModelData(QWidget* editor, QAbstractItemModel* model,
                       const QModelIndex& index) const override;
-    /// Takes back a refused text in the editor that is open in a view.
+    /// Discards a refused text in the open editor of a view.
     static void dropRefusal(const QAbstractItemView& view);
     void destroyEditor(QWidget* editor, const QModelIndex& index) const override;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     [[nodiscard]] Document& document() const { return m_document; }
-    static void setCell(QWidget& editor, const QModelIndex& cell); ///< needed by all below
-    /// Whether the view still holds it: it forgets an editor before taking the focus from it.
+    static void setCell(QWidget& editor, const QModelIndex& cell); ///< required by all below
+    /// Whether the view still has the editor: it drops an editor before taking its focus.
     [[nodiscard]] static bool isOpen(const QWidget& editor);
-    void commit(QWidget* editor); ///< when open
-    void close(QWidget* editor);  ///< with a commit, when open
+    void commit(QWidget* editor); ///< if open
+    void close(QWidget* editor);  ///< commits it, if open
 
 private:
     Document& m_document;

@@ -231,7 +231,7 @@ Access ListModel::access(const QModelIndex& index) const {
 
 void ListModel::setAccess(const FormAccessPtr& access) {
     m_access = access;
-    setIssues(m_issues); // all cells anew
+    setIssues(m_issues); // updates all cells
 }
 
 void ListModel::setIssues(const Issues& issues) {

@@ -19,13 +19,13 @@ namespace sparkout {
 
 class Document;
 
-/// A list of structs in the document as a table: a row an item, a column a number of the item that
-/// the project reads. A text that was refused is kept beside the value it did not replace.
+/// A list of structs in the document as a table: a row for each item, a column for each number of
+/// the item that the project reads. A refused text is kept beside the unchanged value.
 class ListModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    /// The list at `path`, described by `list` (Kind::objectList).
+    /// Shows the list at `path`, described by `list` (Kind::objectList).
     ListModel(std::string path, const Field& list, Document& document);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -35,13 +35,13 @@ public:
                                       int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
-    [[nodiscard]] const char* itemName() const; ///< of the struct of a row, for structText()
-    /// Whether a column shows a member; further columns tell of results and are not edited.
+    [[nodiscard]] const char* itemName() const; ///< name of the struct of a row, for structText()
+    /// Whether a column shows a member; further columns show results and are not editable.
     [[nodiscard]] bool isField(const QModelIndex& index) const;
     [[nodiscard]] const Field& field(const QModelIndex& index) const;
     [[nodiscard]] std::optional<double> number(const QModelIndex& index) const;
     void setNumber(const QModelIndex& index, std::optional<double> value);
-    /// Whether a number would break no rule that holds now.
+    /// Whether a number would violate no rule that is currently met.
     [[nodiscard]] bool fits(const QModelIndex& index, std::optional<double> value) const;
     [[nodiscard]] const void* item(const QModelIndex& index) const; ///< the struct of a row
 
@@ -55,24 +55,24 @@ public:
 
     void setIssues(const Issues& issues);
     void setAccess(const FormAccessPtr& access);
-    /// What may be done with a cell, and with the rows as such.
+    /// The access to a cell, and to the number of rows.
     [[nodiscard]] Access access(const QModelIndex& index) const;
     [[nodiscard]] bool mayHaveOtherRows() const { return m_access->at(m_path) == Access::free; }
-    [[nodiscard]] QString tableText() const; ///< with its heads, tab-separated, for spreadsheets
+    [[nodiscard]] QString tableText() const; ///< with headings, tab-separated, for spreadsheets
     [[nodiscard]] QString cellsText(const QModelIndexList& cells) const; ///< a block of cells
 
-    // For what is pasted.
+    // For pasting.
     [[nodiscard]] const std::vector<const Field*>& columns() const { return m_columns; }
-    /// Rows that stay at the end when rows are added whose given columns are these.
+    /// Number of rows that stay at the end when rows with these columns are added.
     [[nodiscard]] virtual std::size_t lastRowsKept(const std::vector<const Field*>& given) const;
-    /// Gives the list of a project so many rows; of these `last` stay at the end. A new row is a
-    /// copy of the one before it.
+    /// Resizes the list of a project; the last `last` rows stay at the end. A new row is a copy of
+    /// the one before it.
     virtual void resizeRows(Project& project, std::size_t rows, std::size_t last) const;
-    /// Puts the text of a cell into a project; why not, where it does not go.
+    /// Puts the text of a cell into a project; returns the reason of a refusal.
     [[nodiscard]] virtual QString takeText(Project& project, int row, const Field& column,
                                            const QString& text) const;
 
-    void update(bool replaced); ///< takes the document's items; replaced: drops refused texts
+    void update(bool replaced); ///< reads the document's items; replaced: drops refused texts
     void retranslate();
 
 signals:
@@ -83,7 +83,7 @@ protected:
     /// Whether a column that the project may read is shown.
     [[nodiscard]] virtual bool shows(const Field&) const { return true; }
     [[nodiscard]] virtual QString shown(const QModelIndex& index) const;
-    [[nodiscard]] virtual int resultColumns() const { return 0; } ///< behind the fields
+    [[nodiscard]] virtual int resultColumns() const { return 0; } ///< after the fields
     [[nodiscard]] virtual QVariant resultData(const QModelIndex& index, int role) const;
     [[nodiscard]] virtual QVariant resultHeader(int column, int role) const;
     [[nodiscard]] Document& document() const { return m_document; }

@@ -17,7 +17,7 @@ namespace sparkout {
 
 namespace {
 
-/// The head of a column of stock that was copied while stock was read the other way.
+/// The heading of a stock column in the other reading, per side or on the diameter.
 QString columnInOtherReading(const Field& field) {
     if (!StockReading::isStock(field)) {
         return {};
@@ -77,7 +77,7 @@ void ListPaste::paste(PastedCells cells, const QModelIndex& at) {
     }
 }
 
-/// Empty where the row has no head of a member.
+/// Empty if the row has no heading of a member.
 std::vector<ListPaste::Column> ListPaste::columnsByHeads(const QStringList& heads) const {
     std::vector<Column> columns;
     const std::vector<const Field*>& fields = m_model.columns();
@@ -100,8 +100,8 @@ std::vector<ListPaste::Column> ListPaste::columnsByHeads(const QStringList& head
     return columns;
 }
 
-/// Whether the first row has the heads of another table: words alone, over numbers in some column
-/// that takes numbers.
+/// Whether the first row has the headings of another table: only words, above numbers in some
+/// numeric column.
 bool ListPaste::hasForeignHeads(const std::vector<QStringList>& rows,
                                 const std::vector<Column>& columns) {
     if (rows.size() < 2) {
@@ -131,7 +131,7 @@ std::vector<ListPaste::Column> ListPaste::columnsFrom(int first, qsizetype width
     return columns;
 }
 
-/// Gives the list as many rows as are pasted, each new one a copy of the row before it.
+/// Gives the list the number of pasted rows, each new one a copy of the row before it.
 void ListPaste::makeRoom(std::size_t rows, const std::vector<Column>& columns, bool all) {
     void* const owner = findMember(*m_project, m_path).owner;
     const std::size_t before = m_list.size(owner);
@@ -142,7 +142,7 @@ void ListPaste::makeRoom(std::size_t rows, const std::vector<Column>& columns, b
     }
     std::size_t last = std::min(m_model.lastRowsKept(fields), before);
     if (first + last >= before && !all) {
-        last = 0; // it is pasted over
+        last = 0; // it is overwritten
     }
     const std::size_t wanted = all ? rows + last : std::max(before, first + rows + last);
     if (!m_list.hard.contains(double(wanted))) {
@@ -153,7 +153,7 @@ void ListPaste::makeRoom(std::size_t rows, const std::vector<Column>& columns, b
     m_model.resizeRows(*m_project, wanted, last);
 }
 
-/// A word first: whether a number is asked for may hang on it.
+/// Takes words first: they may decide whether a number is needed.
 void ListPaste::take(const std::vector<QStringList>& rows, const std::vector<Column>& columns) {
     for (const bool words : {true, false}) {
         for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -17,31 +17,31 @@ namespace sparkout {
 
 class ListModel;
 
-/// Rows of a spreadsheet on their way into a list of the project: from a cell on, rows added at the
-/// end; or, where the first row has heads of the table, under these and in place of all rows. Heads
-/// of another table are left out.
-/// Either all cells are taken or none.
+/// Pastes rows of a spreadsheet into a list of the project: from a cell on, with rows added at the
+/// end; or, if the first row has headings of the table, under these and replacing all rows.
+/// Headings of another table are ignored. Either all cells are accepted or none.
 class ListPaste {
     Q_DECLARE_TR_FUNCTIONS(ListPaste)
 
 public:
-    /// The list at `path`, described by `list`, as the model shows it; `at` is the selected cell.
+    /// Pastes into the list at `path`, described by `list`, as displayed by the model; `at` is the
+    /// selected cell.
     ListPaste(const ListModel& model, std::string path, const Field& list, const Project& project);
 
     void paste(PastedCells cells, const QModelIndex& at);
 
-    /// With all cells; nothing where one was refused.
+    /// With all cells; empty if one was refused.
     [[nodiscard]] const std::optional<Project>& project() const { return m_project; }
-    /// Each refused cell by row and column, with its reason.
+    /// The refused cells by row and column, with their reasons.
     [[nodiscard]] const QStringList& faults() const { return m_faults; }
     [[nodiscard]] int firstRow() const { return m_first; }
 
 private:
-    /// A column of the pasted cells and the member it goes to; null: a result, left out.
+    /// A column of the pasted cells and its member; null: a result, ignored.
     struct Column {
         qsizetype from;
         const Field* field;
-        double factor = 1; ///< from the pasted numbers to those that are shown
+        double factor = 1; ///< converts pasted into displayed numbers
     };
 
     [[nodiscard]] std::vector<Column> columnsByHeads(const QStringList& heads) const;

@@ -38,8 +38,8 @@ namespace sparkout {
 namespace {
 
 constexpr int shownRows = 8;
-constexpr qsizetype shownFaults = 5; ///< of what was not pasted
-constexpr int shownRemarks = 8;      ///< on what stands in the table
+constexpr qsizetype shownFaults = 5; ///< number of reported paste faults
+constexpr int shownRemarks = 8;      ///< number of reported remarks
 const QKeySequence copyTableKey(Qt::CTRL | Qt::SHIFT | Qt::Key_C);
 
 bool isCopyTable(const QKeyEvent& key) {
@@ -49,7 +49,7 @@ bool isCopyTable(const QKeyEvent& key) {
 void setUpView(QTableView& view) {
     view.setSelectionBehavior(QAbstractItemView::SelectItems);
     view.setSelectionMode(QAbstractItemView::ContiguousSelection);
-    // Not SelectedClicked: it waits for a double click, and keys typed meanwhile would search.
+    // Not SelectedClicked: it waits for a double click, during which typed keys would search.
     view.setEditTriggers(QAbstractItemView::AnyKeyPressed | QAbstractItemView::DoubleClicked
                          | QAbstractItemView::EditKeyPressed);
     view.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -107,7 +107,7 @@ void ListTable::setUp() {
     layout->addLayout(head);
     layout->addWidget(m_view);
     layout->addWidget(m_sliders);
-    layout->addWidget(m_reasons); // below: what is dragged stays where it is
+    layout->addWidget(m_reasons); // below, so that a dragged slider does not move
     connect(&m_document, &Document::projectReplaced, this, [this] { m_replaced = true; });
     connect(&m_document, &Document::changed, this, &ListTable::takeProject);
     connect(&m_document, &Document::saved, this, &ListTable::forgetPaste);
@@ -156,7 +156,7 @@ void ListTable::buildButtons(QHBoxLayout& into) {
     m_remove = button(u"remove", [this] { removeRow(); });
     m_up = button(u"up", [this] { moveRow(-1); });
     m_down = button(u"down", [this] { moveRow(1); });
-    setTabOrder(m_down, m_view); // from top to bottom, as one sees them
+    setTabOrder(m_down, m_view); // from top to bottom, the visual order
 }
 
 void ListTable::showTitleBold() {
@@ -218,7 +218,7 @@ void ListTable::addRow() {
     auto list = items();
     const int at = currentRow();
     const Numbers added = at < 0 ? numbersOf(m_list.nested->defaults) : list[std::size_t(at)];
-    list.insert(list.begin() + (at + 1), added); // a copy of the row it follows
+    list.insert(list.begin() + (at + 1), added); // a copy of the preceding row
     store(list, at + 1);
 }
 
@@ -302,7 +302,7 @@ void ListTable::updateReasons() {
         add(Mark::error, refusal.path, refusal.reason);
     }
     int remarks = 0;
-    for (const Issue& issue : m_issues) { // the messages have all of them
+    for (const Issue& issue : m_issues) { // the message panel has all of them
         if ((issue.path == m_path || issue.path.starts_with(m_path + "/"))
             && ++remarks <= shownRemarks) {
             add(markOf(issue), issue.path, issueText(issue));
@@ -341,7 +341,7 @@ void ListTable::retranslate() {
     name(*m_down, shown.down, tr("Ctrl+Down"));
     m_model->retranslate();
     m_sliders->retranslate();
-    if (m_refusedCells) { // the reasons in the present language
+    if (m_refusedCells) { // the reasons in the current language
         ListPaste again(*m_model, m_path, m_list, m_document.project());
         again.paste(m_refusedCells->first, m_refusedCells->second);
         m_notPasted = again.faults();
@@ -391,7 +391,7 @@ void ListTable::setRowHeight(int height) {
 
 void ListTable::fitHeight() {
     m_view->setVisible(rows() > 0);
-    // Of what is sure: the viewport changes with each scroll bar that comes and goes.
+    // Uses fixed quantities: the viewport changes with each scroll bar.
     const bool scrolls = rows() > shownRows;
     m_view->setVerticalScrollBarPolicy(scrolls ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
     m_header->fit(m_view->width() - 2 * m_view->frameWidth()
@@ -442,7 +442,7 @@ bool ListTable::takeClipboardKey(const QKeyEvent& key) {
     return true;
 }
 
-/// A number is needed in each cell: the next one is typed in place of what stood there.
+/// A cell needs a number: the next one is typed over the old.
 void ListTable::clearCell() {
     if (!(m_model->flags(m_view->currentIndex()) & Qt::ItemIsEditable)) {
         return;
@@ -455,7 +455,7 @@ void ListTable::clearCell() {
         }
         return nullptr;
     };
-    if (!field()) { // else it is being edited already
+    if (!field()) { // otherwise it is being edited
         m_view->edit(m_view->currentIndex());
     }
     if (NumberField* const open = field()) {
@@ -494,7 +494,7 @@ void ListTable::paste() {
     updateReasons();
 }
 
-/// What was pasted, with its first cell as the current one.
+/// Selects the pasted block, with its first cell as the current one.
 void ListTable::selectBlock(int row, int column, int rows, int columns) {
     const int lastRow = std::min(row + rows, this->rows()) - 1;
     const int lastColumn = std::min(column + columns, m_model->columnCount()) - 1;
@@ -522,7 +522,7 @@ void ListTable::showMenu(const QPoint& at) {
     menu->addSeparator();
     const auto add = [menu](const QString& text, const QKeySequence& key) {
         QAction* action = menu->addAction(text);
-        action->setShortcut(key); // shown, and while the menu is open
+        action->setShortcut(key); // displayed, and while the menu is open
         return action;
     };
     connect(add(tr("Copy the &selected cells"), QKeySequence::Copy), &QAction::triggered, this,
@@ -545,7 +545,7 @@ bool ListTable::eventFilter(QObject* watched, QEvent* event) {
         }
     }
     if (watched == m_view && event->type() == QEvent::ShortcutOverride) {
-        // Copying and pasting are the table's while it has the focus.
+        // The table handles copying and pasting while it has the focus.
         const auto& key = *static_cast<QKeyEvent*>(event);
         event->setAccepted(key.matches(QKeySequence::Copy) || key.matches(QKeySequence::Paste)
                            || isCopyTable(key));

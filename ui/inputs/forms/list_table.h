@@ -29,12 +29,12 @@ class RowSliders;
 /// A list of structs: a table to edit in place, with buttons and keys to add (Ins), remove
 /// (Ctrl+Del) and move (Ctrl+Up, Ctrl+Down) a row, to clear a cell (Del), to copy the selected
 /// cells (Ctrl+C) or the table with its heads (Ctrl+Shift+C) and to paste cells (Ctrl+V); below it
-/// the sliders of the selected row. As it stands it serves lists whose items hold numbers only.
+/// the sliders of the selected row. Without subclassing it serves lists of numbers only.
 class ListTable : public QWidget {
     Q_OBJECT
 
 public:
-    /// The list at `path`, described by `list` (Kind::objectList).
+    /// Edits the list at `path`, described by `list` (Kind::objectList).
     ListTable(const std::string& path, const Field& list, Document& document,
               QWidget* parent = nullptr);
 
@@ -45,27 +45,27 @@ public:
     [[nodiscard]] std::vector<Refusal> refusals() const;
     bool dropRefusal(const std::string& path);
     [[nodiscard]] bool holds(const std::string& path) const;
-    void showPath(const std::string& path, bool focus); ///< makes its cell the current one
+    void showPath(const std::string& path, bool focus); ///< makes the cell current
     [[nodiscard]] QTableView& view() const { return *m_view; }
 
     virtual void addRow();
     virtual void removeRow();
     virtual void moveRow(int by);
     virtual void clearCell();
-    void copyCells() const; ///< the selected ones, to the clipboard, for spreadsheets
-    void copyTable() const; ///< with its heads
-    void paste();           ///< from the selected cell on: all cells or, with reasons, none
+    void copyCells() const; ///< copies the selected cells for spreadsheets
+    void copyTable() const; ///< with headings
+    void paste();           ///< pastes from the selected cell on: all cells or, with reasons, none
 
 signals:
     void refusalsChanged();
-    void currentFieldChanged(); ///< the hint field of the view may be another
+    void currentFieldChanged(); ///< the hint field of the view may have changed
 
 protected:
     struct Texts {
         QString title, name, add, remove, up, down;
     };
 
-    /// A table with a model and a delegate of its own, both taken over.
+    /// A table with its own model and delegate; takes ownership of both.
     ListTable(const std::string& path, const Field& list, Document& document, ListModel* model,
               ListDelegate* delegate, QWidget* parent);
 
@@ -73,13 +73,13 @@ protected:
     [[nodiscard]] virtual bool canRemove() const;
     [[nodiscard]] virtual bool canMove(int by) const;
 
-    virtual void fitRows(); ///< to the size of the type, whenever that is another
-    void showTitleBold();   ///< of a table that is a group of its own
+    virtual void fitRows(); ///< adapts to the font size
+    void showTitleBold();   ///< for a table that is a group by itself
     [[nodiscard]] int currentRow() const;
     [[nodiscard]] int rows() const;
-    [[nodiscard]] bool mayHaveOtherRows() const; ///< whether rows may come and go
+    [[nodiscard]] bool mayHaveOtherRows() const; ///< whether rows may be added and removed
     [[nodiscard]] Document& document() const { return m_document; }
-    /// Takes a project whose list has other rows, or the same in another order, to the document.
+    /// Passes to the document a project with other rows, or another order of them.
     void apply(Project project, EditText text, int selected);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -92,7 +92,7 @@ private:
     void setUp();
     void buildButtons(QHBoxLayout& into);
     void takeProject();
-    void showCurrent(); ///< what belongs to the selected cell
+    void showCurrent(); ///< shows the parts for the selected cell
     bool takeKey(const QKeyEvent& key);
     bool takeClipboardKey(const QKeyEvent& key);
     void selectBlock(int row, int column, int rows, int columns);
@@ -103,7 +103,7 @@ private:
     void store(const std::vector<Numbers>& items, int selected);
     void updateButtons();
     void updateReasons();
-    void forgetPaste(); ///< what was said of cells that were not taken
+    void forgetPaste(); ///< drops the message about refused cells
     void fitHeight();
 
     std::string m_path;
@@ -121,10 +121,10 @@ private:
     QToolButton* m_up = nullptr;
     QToolButton* m_down = nullptr;
     Issues m_issues;
-    QStringList m_notPasted; ///< why, until something else is done
-    std::optional<std::pair<PastedCells, QModelIndex>> m_refusedCells; ///< and where they were put
+    QStringList m_notPasted; ///< reasons, until the next action
+    std::optional<std::pair<PastedCells, QModelIndex>> m_refusedCells; ///< with their position
     bool m_replaced = false;
-    std::optional<int> m_wanted; ///< row to select once the table has its rows
+    std::optional<int> m_wanted; ///< row to select after the next update
 };
 
 } // namespace sparkout

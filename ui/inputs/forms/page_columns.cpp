@@ -28,7 +28,7 @@ void PageColumns::addWide(QWidget* part) {
     m_wide.push_back(part);
 }
 
-/// A column is no narrower than a page of one column that has a scroll bar.
+/// A column is at least as wide as a page of one column with a scroll bar.
 bool PageColumns::hasTwo(int width) const {
     const int bar = parentWidget()->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
     return (width - between) / 2 >= panelWidth() - bar - 2 * metrics::margin;
@@ -39,7 +39,7 @@ bool PageColumns::isWide(const QLayoutItem& item) const {
     return std::ranges::find(m_wide, widget) != m_wide.end();
 }
 
-/// Rows of fields are layouts, and stand closer than what has a frame or a title.
+/// Rows of fields are layouts, with a smaller gap than parts with a frame or a title.
 int PageColumns::gap(const QLayoutItem& above, const QLayoutItem& below) const {
     const auto isRow = [](const QLayoutItem& item) {
         return const_cast<QLayoutItem&>(item).layout() != nullptr;
@@ -55,7 +55,7 @@ int PageColumns::heightOf(std::span<const Part> parts) const {
     return height;
 }
 
-/// How many stand on the left: the first of the splits whose higher column is the least.
+/// The number of parts on the left: the first of the splits whose higher column is lowest.
 std::size_t PageColumns::split(std::span<const Part> parts) const {
     std::size_t best = parts.size();
     int least = heightOf(parts);
@@ -77,7 +77,7 @@ int PageColumns::placeColumn(std::span<const Part> parts, QRect room, const Put&
     return heightOf(parts);
 }
 
-/// In two columns; a box that is alone has both to itself.
+/// Places parts in two columns; a single box spans both.
 int PageColumns::placeColumns(const Items& items, const QRect& room, const Put& put) const {
     const bool isAlone = items.size() == 1 && qobject_cast<SectionBox*>(items.front()->widget());
     const int width = isAlone ? room.width() : (room.width() - between) / 2;

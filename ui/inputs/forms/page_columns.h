@@ -9,14 +9,13 @@
 
 namespace sparkout {
 
-/// The parts of a page or of a box in it below each other, as high as they need to be at their
-/// width; two columns of them where there is room, in their order and as equal in height as the
-/// parts allow.
+/// Lays out the parts of a page or of a box below each other, with their height for the width; in
+/// two columns if there is room, in their order and as equal in height as possible.
 class PageColumns : public QVBoxLayout {
 public:
     using QVBoxLayout::QVBoxLayout;
 
-    void addWide(QWidget* part); ///< over both columns
+    void addWide(QWidget* part); ///< across both columns
 
     [[nodiscard]] bool hasHeightForWidth() const override { return true; }
     [[nodiscard]] int heightForWidth(int width) const override;
@@ -31,7 +30,7 @@ private:
     };
     using Items = std::vector<QLayoutItem*>;
     using Put = std::function<void(QLayoutItem&, const QRect&)>;
-    /// Puts every part into its place, and returns the height of all.
+    /// Places every part, and returns the total height.
     int place(const QRect& room, const Put& put) const;
     int placeColumns(const Items& items, const QRect& room, const Put& put) const;
     int placeColumn(std::span<const Part> parts, QRect room, const Put& put) const;

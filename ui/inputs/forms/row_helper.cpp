@@ -41,7 +41,7 @@ QLabel* noteLabel(QWidget* parent, const char* name) {
     return label;
 }
 
-/// A line to type in with its name, set like the rows of numbers, and a note below it.
+/// A labelled text field, aligned with the rows of numbers, and a note below it.
 void layOutTyped(RowHelper& helper, QLabel& label, QLineEdit& line, QLabel& note) {
     helper.setFocusProxy(&line);
     setTextWidth(line, metrics::field);
@@ -53,7 +53,7 @@ void layOutTyped(RowHelper& helper, QLabel& label, QLineEdit& line, QLabel& note
     row->setSpacing(metrics::gap);
     row->addWidget(&label, 1);
     row->addWidget(&line);
-    auto* noUnit = new QWidget(&helper); // below the units of the other rows
+    auto* noUnit = new QWidget(&helper); // aligned with the units of the other rows
     setTextWidth(*noUnit, unitColumn);
     row->addWidget(noUnit);
     auto* layout = new QVBoxLayout(&helper);
@@ -127,7 +127,7 @@ const Offer estimatedMass{
         "Without chamfers, keyways and bores; the mass in the drawing takes precedence"),
     [](const Project& project) { return printedNumber(estimatedMass_kg(project).value_or(0)); }};
 
-/// "1.7, 3.71, 2.68 µm", or that it was not measured.
+/// "1.7, 3.71, 2.68 µm", or a remark that it was not measured.
 QString measuredText(const std::optional<std::vector<double>>& values_um) {
     QStringList texts;
     for (const double value_um : values_um.value_or(std::vector<double>())) {
@@ -285,8 +285,8 @@ SizeHelper::SizeHelper(Document& document, QWidget* parent)
     retranslate();
 }
 
-/// What is being typed stays, and what was refused as long as it is; else the part's own field
-/// stands there.
+/// Keeps text being typed, and a refused text as long as it is refused; otherwise shows the part's
+/// field.
 void SizeHelper::showPart() {
     const auto typed = toFill();
     const bool unfinished = m_size->isModified() && !m_size->text().trimmed().isEmpty() && typed
@@ -297,7 +297,7 @@ void SizeHelper::showPart() {
     showTyped();
 }
 
-/// The size that is typed, as far as the part has another.
+/// The typed size, unless the part already has it.
 std::optional<TypedSize> SizeHelper::toFill() const {
     const Part& part = *m_document.project().part;
     const TypedSize typed = readSize(m_size->text(), part);

@@ -16,7 +16,7 @@ class QPushButton;
 
 namespace sparkout {
 
-/// What stands beside a row of the inputs and fills others from what is typed there.
+/// A helper beside a row of the inputs that fills others from text typed in it.
 class RowHelper : public QWidget {
     Q_OBJECT
 
@@ -24,15 +24,15 @@ public:
     using QWidget::QWidget;
     virtual void retranslate() = 0;
     [[nodiscard]] virtual bool standsFirst() const { return false; } ///< above its row, not below
-    /// Takes a text that the row itself refuses; false where it means nothing here.
+    /// Accepts a text that the row itself refuses; false if it has no meaning here.
     virtual bool take(const QString&) { return false; }
 };
 
-/// The helper of the row at a path; null where there is none.
+/// The helper of the row at a path; null if there is none.
 [[nodiscard]] RowHelper* makeRowHelper(const std::string& path, Document& document,
                                        QWidget* parent);
 
-/// Says what the wheel's marking means, and fills the wheel from it.
+/// Explains the wheel's marking, and fills in the wheel from it.
 class MarkingHelper : public RowHelper {
     Q_OBJECT
 
@@ -49,18 +49,18 @@ private:
     QPushButton* m_fill;
 };
 
-/// A part of the project that may not be given yet, and a usual one of it.
+/// An optional part of the project, and a usual value of it.
 struct Offer {
-    const char *noteName, *buttonName; ///< of the widgets
+    const char *noteName, *buttonName; ///< names of the widgets
     bool (*isGiven)(const Project& project);
     Project (*give)(Project project);
     EditText edit;
     const char *purpose, *note, *button, *tip; ///< to be translated
-    /// What is offered, for %1 of the note.
+    /// The offered value, for %1 of the note.
     QString (*value)(const Project& project) = nullptr;
 };
 
-/// Says what the part is for and offers the usual one, as long as it is not given.
+/// Explains the part and offers the usual one as long as it is not given.
 class OfferHelper : public RowHelper {
     Q_OBJECT
 
@@ -77,8 +77,8 @@ private:
     QPushButton* m_add;
 };
 
-/// Takes a size with its tolerance class, 30h6, says what it means, and fills diameter and limits
-/// from it when it is left or Enter is pressed; also one that is typed into the diameter.
+/// Accepts a size with its tolerance class, 30h6, shows its meaning, and fills diameter and limits
+/// from it when the focus leaves or on Enter; also accepts one typed into the diameter.
 class SizeHelper : public RowHelper {
     Q_OBJECT
 
@@ -100,9 +100,9 @@ private:
     QLabel* m_meaning;
 };
 
-/// Takes a keyway as a drawing states it, 12P9 × 45, says what it is to the model, and makes it a
-/// gap of the surface when it is left or Enter is pressed. One that begins within a gap takes its
-/// place.
+/// Accepts a keyway in the notation of drawings, 12P9 × 45, shows its meaning for the model, and
+/// makes it a gap of the surface when the focus leaves or on Enter. A keyway that begins within a
+/// gap replaces it.
 class KeywayHelper : public RowHelper {
     Q_OBJECT
 
@@ -111,7 +111,7 @@ public:
     void retranslate() override;
 
 private:
-    /// What is typed as a gap of the part: its words, or why it is none.
+    /// A typed gap of the part: its description, or the error.
     struct Typed {
         std::optional<SurfaceGap> gap;
         QString text;

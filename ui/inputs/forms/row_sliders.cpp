@@ -23,7 +23,7 @@ namespace sparkout {
 namespace {
 
 constexpr int valueWidth = 92;
-constexpr int leastSlider = 32; ///< beside a long name and a number of many digits
+constexpr int leastSlider = 32; ///< beside a long name and a number with many digits
 
 } // namespace
 
@@ -93,7 +93,7 @@ void RowSliders::addLine(int column) {
     m_grid->addWidget(line.value, row, 2);
     connect(line.slider, &ValueSlider::valueEdited, this, [this, column](double value) {
         const QModelIndex index = m_model.index(m_row, column);
-        m_model.accept(index); // a refused text gives way
+        m_model.accept(index); // discards a refused text
         m_model.setNumber(index, value);
     });
     connect(line.slider, &ValueSlider::settled, this, [this] { m_document.endMerge(); });

@@ -15,17 +15,17 @@ struct Field;
 class ListModel;
 class ValueSlider;
 
-/// The sliders of one row of a table, a line for each of its numbers one plays with.
+/// The sliders of one row of a table, a line for each number with one.
 class RowSliders : public QWidget {
     Q_OBJECT
 
 public:
-    /// The sliders come after `before` in the tab order.
+    /// The sliders follow `before` in the tab order.
     RowSliders(ListModel& model, Document& document, QWidget& before, QWidget* parent = nullptr);
 
-    void showRow(int row); ///< of the model as it is now; none: −1
+    void showRow(int row); ///< row of the model; −1: none
     void retranslate();
-    [[nodiscard]] ValueSlider* slider(const QString& key) const; ///< null when there is none
+    [[nodiscard]] ValueSlider* slider(const QString& key) const; ///< null if there is none
 
 private:
     struct Line {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int deepest = 2;
 
-/// What the style keeps clear beside the contents of a box.
+/// The margin that the style leaves beside the contents of a box.
 int styleInset() {
     static const int inset = [] {
         QGroupBox box;

@@ -8,17 +8,17 @@ namespace sparkout {
 class PageColumns;
 
 /// A group of inputs under a bold title, without a frame, so that the fields of all groups of a
-/// page stand below each other.
+/// page are aligned.
 class SectionBox : public QGroupBox {
     Q_OBJECT
 
 public:
-    /// `depth` boxes deep in the page, the page's own rows being 0.
+    /// `depth`: number of boxes around it; the page's own rows are at 0.
     explicit SectionBox(int depth, QWidget* parent = nullptr);
 
     [[nodiscard]] int depth() const { return m_depth; }
     [[nodiscard]] PageColumns& rows() const { return *m_rows; }
-    /// What rows at a depth keep clear left and right to line up with those of the deepest boxes.
+    /// The left and right margin that aligns rows at a depth with those of the deepest boxes.
     [[nodiscard]] static int inset(int depth);
 
 protected:

@@ -34,14 +34,14 @@ int barHeight(const QFontMetrics& font) {
     return int(font.height() * noteType);
 }
 
-/// Of the cell's type, or smaller, to a limit, where the text is longer than the cell.
+/// The cell's font, reduced down to a limit if the text is longer than the cell.
 QFont fitting(const QFont& font, const QString& text, int width) {
     constexpr double least = 0.7;
     const int wanted = QFontMetrics(font).horizontalAdvance(text);
     return wanted > width ? enlarged(font, std::max(least, double(width) / wanted)) : font;
 }
 
-/// A bar of the share's length with its percents in it.
+/// Draws a bar with the length of the share and its percentage.
 void drawShare(QPainter& painter, const QRect& bar, double share, const QColor& ink,
                const QStyleOptionViewItem& item, bool stale) {
     QColor fill = stale ? ink : item.palette.color(QPalette::Highlight);
@@ -69,7 +69,7 @@ const StageModel& stagesOf(const QModelIndex& index) {
 
 } // namespace
 
-/// The mark and the text have no room side by side.
+/// Whether the mark and the text do not fit side by side.
 bool StageDelegate::needsTwoLines(const QStyleOptionViewItem& item) {
     const int text = item.fontMetrics.horizontalAdvance(item.text) + 2 * metrics::row;
     const int mark = item.icon.isNull() ? 0 : item.decorationSize.width() + 2 * metrics::row;
@@ -102,7 +102,7 @@ void StageDelegate::paintInTwoLines(QPainter& painter, QStyleOptionViewItem item
     painter.restore();
 }
 
-/// A feed, and below it in small type the same in another form.
+/// A feed, and below it in a small font the feed in another unit.
 void StageDelegate::paintWithForm(QPainter& painter, QStyleOptionViewItem item,
                                   const QString& form) {
     const QString text = std::exchange(item.text, QString());
@@ -226,7 +226,7 @@ void StageDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionView
         QStyledItemDelegate::updateEditorGeometry(editor, option, index);
         return;
     }
-    QRect place = option.rect; // over its neighbours: a cell is too narrow for it
+    QRect place = option.rect; // over its neighbours, since a cell is too narrow
     place.setLeft(qMax(0, place.right() - sparkOutWidth));
     editor->setGeometry(place);
 }

@@ -5,7 +5,7 @@
 
 namespace sparkout {
 
-/// Edits a cell of the stage table in place: numbers, and the spark-out of the last stage. Under
+/// Edits cells of the stage table in place: numbers, and the spark-out of the last stage. Under
 /// stock and time it paints the stage's share as a bar.
 class StageDelegate : public ListDelegate {
     Q_OBJECT
@@ -22,7 +22,7 @@ public:
                               const QModelIndex& index) const override;
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
-    [[nodiscard]] static int rowHeight(const QFontMetrics& font); ///< a number above its share
+    [[nodiscard]] static int rowHeight(const QFontMetrics& font); ///< for a number above its share
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

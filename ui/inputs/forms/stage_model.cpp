@@ -32,7 +32,7 @@ QString percentText(double share) {
 
 namespace {
 
-/// Three digits, and no exponent however long it takes.
+/// Three digits, never an exponent.
 QString timeText(double time_s) {
     return printedNumber(time_s < 1000 ? time_s : std::round(time_s), time_s < 1000 ? 3 : 15);
 }
@@ -48,7 +48,7 @@ void setFeeding(Stage& stage, const Operation& operation) {
 
 StageModel::StageModel(std::string path, const Field& list, Document& document)
     : ListModel(std::move(path), list, document) {
-    update(true); // the columns that it shows
+    update(true); // updates the visible columns
 }
 
 bool StageModel::shows(const Field& column) const {
@@ -71,14 +71,14 @@ void StageModel::setSparkOut(const QModelIndex& index, Stage edited) {
     Project project = document().project();
     Stage& to = project.cycle->stages[std::size_t(index.row())];
     const Stage before = std::exchange(to, std::move(edited));
-    if (!to.feeds() && before.feeds()) { // a spark-out feeds nothing
+    if (!to.feeds() && before.feeds()) { // a spark-out has no infeed
         to.radial_feed_mm.reset();
         to.radial_feed_mm_min.reset();
         to.continuous_feed_mm_min.reset();
     } else if (to.feeds() && !before.feeds()) {
         const auto& started =
             document().beforeEditsOf(QString::fromStdString(path(index))).cycle->stages;
-        if (std::size_t(index.row()) < started.size()) { // what this edit took away
+        if (std::size_t(index.row()) < started.size()) { // restores values removed by this edit
             to.radial_feed_mm = started[std::size_t(index.row())].radial_feed_mm;
             to.radial_feed_mm_min = started[std::size_t(index.row())].radial_feed_mm_min;
             to.continuous_feed_mm_min = started[std::size_t(index.row())].continuous_feed_mm_min;
@@ -146,7 +146,7 @@ QString StageModel::takeSparkOut(Project& project, std::size_t row, const Field&
         return tr("“%1”: only the last stage may spark out").arg(text);
     }
     isCount ? stage.sparkOutFor(int(*count)) : stage.sparkOutUntilSize();
-    stage.radial_feed_mm.reset(); // a spark-out feeds nothing
+    stage.radial_feed_mm.reset(); // a spark-out has no infeed
     stage.radial_feed_mm_min.reset();
     stage.continuous_feed_mm_min.reset();
     return {};
@@ -187,7 +187,8 @@ bool StageModel::known(int row) const {
            && m_run->result.project.cycle->stages.size() == std::size_t(rowCount()) && row >= 0;
 }
 
-/// The stock a stage takes of the part's: the first one what the later ones leave [MODEL-7].
+/// A stage's share of the part's stock: the first one gets the remainder of the later ones
+/// [MODEL-7].
 double StageModel::stockShare(int row) const {
     const Project& project = m_run->result.project;
     const auto& stages = project.cycle->stages;

@@ -72,7 +72,7 @@ StageTable::StageTable(Document& document, StageModel* model, QWidget* parent)
     m_fit->setAutoDefault(false);
     layout()->addWidget(m_fit);
     connect(m_fit, &QPushButton::clicked, this, [this] {
-        view().setFocus(); // the button goes
+        view().setFocus(); // the button disappears
         StockFit::apply(this->document());
     });
     connect(&document, &Document::changed, this, &StageTable::showFit);
@@ -106,7 +106,7 @@ void StageTable::retranslate() {
     showFit();
 }
 
-/// That the cycle changes with the drawing is said while it does, and that it no longer does.
+/// Shows whether the cycle follows the drawing, or that it no longer does.
 void StageTable::showFollows() {
     const bool follows = document().followsDrawing();
     m_hasFollowed = m_hasFollowed || follows;
@@ -127,7 +127,7 @@ void StageTable::showSparkOut() {
 
 void StageTable::addSparkOut() {
     const Project& project = document().project();
-    view().setFocus(); // the button goes
+    view().setFocus(); // the button disappears
     apply(withSparkOutAfter(project, usualSparkOut(project)),
           {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a spark-out")},
           static_cast<int>(project.cycle->stages.size()));
@@ -146,7 +146,7 @@ void StageTable::setContinuous(bool stated) {
 
 void StageTable::showFit() {
     const QString text = StockFit::text(document());
-    // In two lines: the page is narrow.
+    // In two lines, since the page is narrow.
     m_fit->setText(QString(text)
                        .replace(QStringLiteral(": "), QStringLiteral(":\n"))
                        .replace(QStringLiteral(", "), QStringLiteral(",\n")));
@@ -186,7 +186,8 @@ void StageTable::addRow() {
         applyStages({Stage{}}, {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a stage")}, 0);
         return;
     }
-    // The new stage shares the stock of the one it follows (or, for a spark-out, goes before it).
+    // The new stage shares the stock of the one before it; before a spark-out, of the one that it
+    // precedes.
     auto at = static_cast<std::size_t>(std::max(0, currentRow()));
     const bool beforeSparkOut = !stages[at].feeds();
     if (beforeSparkOut && at > 0) {
@@ -212,7 +213,7 @@ void StageTable::removeRow() {
         return;
     }
     const auto index = static_cast<std::size_t>(at);
-    Stage& heir = stages[index > 0 ? index - 1 : 1]; // the sum of the stocks stays
+    Stage& heir = stages[index > 0 ? index - 1 : 1]; // keeps the sum of the stocks
     heir.stock_mm = tidyStock(heir.stock_mm + stages[index].stock_mm);
     stages.erase(stages.begin() + at);
     applyStages(std::move(stages), {"Edit", QT_TRANSLATE_NOOP("Edit", "Remove a stage")},

@@ -13,9 +13,9 @@ namespace sparkout {
 
 class StageModel;
 
-/// The cycle's stages. Adding, removing and moving keep the sum of the stocks and leave a
-/// spark-out at the end; where the stocks do not add up to the part's, a button fits them. Where
-/// the table travels, a box puts a continuous infeed in.
+/// The cycle's stages. Adding, removing and moving keep the sum of the stocks and leave a spark-out
+/// at the end; where the stocks do not add up to the part's, a button fits them. In traverse
+/// grinding a box adds a continuous infeed.
 class StageTable : public ListTable {
     Q_OBJECT
 
@@ -49,11 +49,11 @@ private:
     void setContinuous(bool stated);
 
     StageModel* m_stages;
-    QCheckBox* m_continuous; ///< whether the stages state a continuous infeed, and its column shows
-    QPushButton* m_sparkOut; ///< as long as there is none
-    QPushButton* m_start;    ///< takes a starting cycle
+    QCheckBox* m_continuous; ///< whether the stages have a continuous infeed, with its column
+    QPushButton* m_sparkOut; ///< shown without a spark-out
+    QPushButton* m_start;    ///< inserts a starting cycle
     QPushButton* m_fit;
-    QLabel* m_follows; ///< that the cycle follows the drawing, or no longer does
+    QLabel* m_follows; ///< whether the cycle follows the drawing
     bool m_hasFollowed = false;
 };
 

@@ -26,7 +26,7 @@ namespace sparkout {
 namespace {
 
 constexpr double nmOfMm = 1e6;
-constexpr std::size_t mostGammas = 3; ///< zones or sections, else the least and the largest γ
+constexpr std::size_t mostGammas = 3; ///< more are shown as the least and the largest γ
 
 bool isSameStiffness(const std::optional<Stiffness>& a, const std::optional<Stiffness>& b) {
     return a.has_value() == b.has_value()
@@ -35,7 +35,7 @@ bool isSameStiffness(const std::optional<Stiffness>& a, const std::optional<Stif
                    && a->wheel_head == b->wheel_head));
 }
 
-/// "4.1 → 5.2", one of them a dash where there was no run.
+/// "4.1 → 5.2", with a dash for a missing run.
 QString beforeAndAfter(const OutcomePtr& before, const OutcomePtr& after,
                        const std::function<QString(const Outcome&)>& of) {
     const auto shown = [&of](const OutcomePtr& outcome) {
@@ -44,7 +44,7 @@ QString beforeAndAfter(const OutcomePtr& before, const OutcomePtr& after,
     return shown(before) + QStringLiteral(" → ") + shown(after);
 }
 
-/// In the unit of the view "Compliance".
+/// in the unit of the view "Compliance"
 QString gammasShown(const Outcome& outcome) {
     const auto& sections = outcome.result.sections;
     const auto shown = [](const auto& section) {
@@ -89,7 +89,7 @@ StiffnessOffer::StiffnessOffer(Project project, QWidget* parent)
     , m_effect(new QLabel(this)) {
     m_take->setObjectName(QStringLiteral("takeStiffness"));
     m_take->setText(isGiven() ? tr("&Compute the compliance from its stiffness")
-                              : tr("Take its &stiffness"));
+                              : tr("Use its &stiffness"));
     m_take->setToolTip(
         isGiven() ? tr("The compliance is given on the page Machine, so a stiffness is not used "
                        "there. This removes the given compliance; γ then follows from the "
@@ -139,7 +139,7 @@ bool StiffnessOffer::isTaken() const {
     return !m_offered || m_take->isChecked();
 }
 
-/// Of the stiffness alone: both runs have the other values of the machine.
+/// The effect of the stiffness alone: both runs have the other values of the machine.
 void StiffnessOffer::askForEffect() {
     Project without = m_with, with = m_with;
     without.machine->stiffness_n_um = m_project.machine->stiffness_n_um;

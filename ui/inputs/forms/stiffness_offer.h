@@ -12,7 +12,7 @@ class QLabel;
 
 namespace sparkout {
 
-/// Offers the stiffness of a machine from the catalogue, with what it does to the compliance, the
+/// Offers the stiffness of a machine from the catalogue, with its effect on the compliance, the
 /// machining time and the diameters.
 class StiffnessOffer : public QWidget {
     Q_OBJECT
@@ -20,20 +20,20 @@ class StiffnessOffer : public QWidget {
 public:
     explicit StiffnessOffer(Project project, QWidget* parent = nullptr);
 
-    /// Of a machine that has been put into the project; hidden where its stiffness changes nothing.
+    /// Offers the machine that was put into the project; hidden if its stiffness changes nothing.
     void offer(const Project& with);
     void withdraw();
-    [[nodiscard]] bool isTaken() const; ///< or there is nothing to choose
-    /// The project with the machine, and with its stiffness if that was chosen.
+    [[nodiscard]] bool isTaken() const; ///< or if there is no choice
+    /// The project with the machine, and with its stiffness if chosen.
     [[nodiscard]] Project taken(Project with) const;
 
 signals:
-    void chosen(); ///< or not any more
+    void chosen(); ///< the choice has changed
 
 private:
     void askForEffect();
     void showEffect(const OutcomePtr& before, const OutcomePtr& after);
-    [[nodiscard]] bool isGiven() const; ///< the compliance, so that no stiffness is read
+    [[nodiscard]] bool isGiven() const; ///< the compliance, so that no stiffness is used
 
     Project m_project;
     Project m_with;

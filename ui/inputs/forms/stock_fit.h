@@ -8,14 +8,14 @@ namespace sparkout {
 
 class Document;
 
-/// The command that makes the stocks of the stages add up to the part's.
+/// Makes the stocks of the stages add up to the part's.
 class StockFit {
     Q_DECLARE_TR_FUNCTIONS(StockFit)
 
 public:
-    /// What it would do; empty where the stocks add up.
+    /// A description of the change; empty if the stocks add up.
     [[nodiscard]] static QString text(const Document& document);
-    static void apply(Document& document); ///< one step of the history
+    static void apply(Document& document); ///< as one step of the history
 };
 
 } // namespace sparkout

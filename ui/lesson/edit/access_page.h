@@ -19,8 +19,8 @@ namespace sparkout {
 class LessonDraft;
 class LessonForm;
 
-/// What a student may do with the inputs in a step: a tree of all of them by the names of the
-/// forms, with a search; what is chosen is given to the selected ones, and holds below them.
+/// Sets a student's access to the inputs in a step: a searchable tree of all inputs with their
+/// names in the forms; a choice applies to the selected ones and those below them.
 class AccessPage : public QWidget {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ public:
     AccessPage(LessonDraft& draft, std::size_t step, QWidget* parent = nullptr);
 
 private:
-    [[nodiscard]] const LessonStep* now() const; ///< null: the step is gone
+    [[nodiscard]] const LessonStep* now() const; ///< null: the step was removed
     void fill();
     void addInput(const std::string& path);
     void show();
@@ -40,7 +40,7 @@ private:
     LessonForm* m_others; ///< what holds for the inputs that are not named
     QLineEdit* m_search;
     QTreeWidget* m_tree;
-    QComboBox* m_access; ///< of the selected ones
+    QComboBox* m_access; ///< access to the selected inputs
     std::map<std::string, QTreeWidgetItem*> m_items;
 };
 

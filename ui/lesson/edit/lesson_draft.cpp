@@ -18,7 +18,7 @@ namespace {
 
 constexpr int stepsOfHistory = 200;
 
-/// The index behind the name of a list, where a path is of one of its items.
+/// The index behind the name of a list, if the path is that of an item.
 std::optional<std::size_t> indexAfter(std::string_view list, const std::string& path) {
     return path.starts_with(list)
                ? std::optional(static_cast<std::size_t>(std::atoi(path.c_str() + list.size())))
@@ -65,7 +65,7 @@ LessonDraft::LessonDraft(QObject* parent)
 
 Lesson LessonDraft::about(Setup base) {
     for (GroundSurface& surface : base.surfaces) {
-        surface.project.runs.clear(); // a teacher's own
+        surface.project.runs.clear(); // belong to the teacher
     }
     Lesson lesson;
     lesson.base = std::move(base);
@@ -92,7 +92,7 @@ Issues LessonDraft::faults() const {
 }
 
 const Project& LessonDraft::projectAt(const std::string& path) const {
-    const auto stepOf = [this](int number) { // from 1
+    const auto stepOf = [this](int number) { // counted from 1
         const auto& steps = m_lesson->steps;
         const bool isThere = number >= 1 && static_cast<std::size_t>(number) <= steps.size();
         return isThere ? steps[static_cast<std::size_t>(number) - 1].surface : 1;
@@ -146,12 +146,12 @@ QString LessonDraft::location(const std::string& path) {
         }
         if (isIndex && list && list->nested) {
             words += QStringLiteral("%1 %2").arg(structText(list->nested->name)).arg(index + 1);
-        } else if (!field) { // an input, where values of a step break a rule of the project
+        } else if (!field) { // an input, if values of a step break a rule of the project
             words += inputLocation('/' + keys.mid(i).join(u'/').toStdString());
             break;
         } else {
             if (field->kind != Kind::objectList || i + 1 == keys.size()) {
-                words += inputText(field->label); // else each of them says what it is
+                words += inputText(field->label); // otherwise each names itself
             }
             table = field->nested;
             list = field;

@@ -25,23 +25,23 @@ class LessonDraft : public FormModel {
 public:
     explicit LessonDraft(QObject* parent = nullptr);
 
-    /// Another lesson; an empty path: it has no file yet.
+    /// Starts another lesson; an empty path: it has no file yet.
     void begin(Lesson lesson, const QString& path);
-    /// The least lesson about a set-up: without texts, of one step that asks for words.
+    /// A minimal lesson on a set-up: without texts, with one step that asks for words.
     [[nodiscard]] static Lesson about(Setup base);
 
     [[nodiscard]] const Lesson& lesson() const { return *m_lesson; }
     [[nodiscard]] const QString& path() const { return m_path; }
     [[nodiscard]] bool isChanged() const { return !m_history.isClean(); }
     [[nodiscard]] QUndoStack& history() { return m_history; }
-    [[nodiscard]] std::string text() const; ///< of its file
-    /// What the strict reader of lessons says of it: errors alone.
+    [[nodiscard]] std::string text() const; ///< contents of the draft's file
+    /// The errors found by the strict reader of lessons.
     [[nodiscard]] Issues faults() const;
-    /// The project that a place of the lesson is about, as it stands in the lesson: a step, what is
-    /// varied, a bound of a figure.
+    /// The project to which a path of the lesson refers, as stored in the lesson: a step, a varied
+    /// input, a bound of a figure.
     [[nodiscard]] const Project& projectAt(const std::string& path) const;
 
-    /// Changes it; in a row with the same key that is one step of the history.
+    /// Changes the lesson; successive changes with the same key are one step of the history.
     void edit(const std::string& key, const std::function<void(Lesson& lesson)>& change);
     [[nodiscard]] const void* root() const override;
     void change(const std::string& key, const Change& set) override;

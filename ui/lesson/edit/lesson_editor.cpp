@@ -48,7 +48,7 @@ QString lessonFiles() {
     return LessonEditor::tr("Lessons (*%1)").arg(editedEnding);
 }
 
-/// The variants name steps by their numbers, from 1.
+/// The variants refer to steps by their numbers, from 1.
 void renumber(Lesson& lesson, const std::function<int(int number)>& of) {
     if (lesson.variants) {
         for (FigureBound& bound : lesson.variants->figures) {
@@ -141,9 +141,7 @@ void LessonEditor::build() {
         [this] { takeProject(); }));
     files->addWidget(make(
         "editShow", [] { return tr("S&how the project"); },
-        [] {
-            return tr("The project of the laboratory work comes into the window, to be changed");
-        },
+        [] { return tr("Opens the project of the laboratory work in the window for editing"); },
         [this] { emit projectWanted(); }));
     files->addWidget(make(
         "editTry", [] { return tr("&Try as a student"); },
@@ -221,7 +219,7 @@ void LessonEditor::beginAbout() {
     m_draft.begin(LessonDraft::about(m_document.setup()), {});
 }
 
-/// The lesson of a file or a shipped one; nothing once it is said what is wrong with it.
+/// The lesson of a file or a shipped one; empty, after showing the faults, if it is invalid.
 std::optional<Lesson> LessonEditor::readFrom(const QString& path, QByteArray& hash) {
     std::string text;
     if (QFile file(path); path.startsWith(u':') && file.open(QIODevice::ReadOnly)) {
@@ -290,7 +288,7 @@ void LessonEditor::chooseShipped() {
     }
 }
 
-/// What cannot be opened again is not written.
+/// A lesson that could not be opened again is not written.
 bool LessonEditor::isWhole() {
     showFaults();
     const bool isWhole = m_draft.faults().empty() && StructForm::refusals(*this).empty();
@@ -341,7 +339,7 @@ bool LessonEditor::write(const QString& path) {
     return false;
 }
 
-/// The history keeps what was in the window.
+/// The history keeps the previous contents.
 void LessonEditor::reload() {
     const QString path = m_draft.path();
     QByteArray hash;
@@ -375,7 +373,7 @@ bool LessonEditor::mayClose() {
 
 void LessonEditor::reject() {
     if (mayClose()) {
-        beginAbout(); // what was given up does not come back
+        beginAbout(); // discarded changes are not restored
         QDialog::reject();
     }
 }
@@ -454,7 +452,7 @@ void LessonEditor::showState() {
         }
     }
     m_pages->setCurrentRow(row);
-    if (m_page && m_shown != step()) { // it went without a word
+    if (m_page && m_shown != step()) { // the dropped text was not reported
         showPage();
     }
     for (QPushButton* button : m_ofSteps) {

@@ -22,30 +22,30 @@ class Document;
 class LessonPage;
 class Settings;
 
-/// Where a teacher makes a laboratory work, without a line of code: the work and its steps on the
-/// left, the page of one of them beside them, what the reader of lessons finds wrong below. The
-/// project comes from the window and goes there; the work is tried in it as a student has it.
+/// The editor of laboratory works: the work and its steps on the left, the page of one of them
+/// beside them, the faults found by the reader of lessons below. The project is exchanged with the
+/// window, in which the work can be tried.
 class LessonEditor : public QDialog {
     Q_OBJECT
 
 public:
     LessonEditor(Document& document, Settings& settings, QWidget* window);
 
-    /// From now on the lesson's file is locked, and earlier versions are kept in this folder.
+    /// Locks the lesson's file from now on, and keeps earlier versions in this folder.
     void protect(const QString& stateFolder) { m_file.protect(stateFolder); }
     [[nodiscard]] LessonDraft& draft() { return m_draft; }
     bool
-    openLesson(const QString& path); ///< a file, or a shipped lesson as a new one; false: refused
-    [[nodiscard]] bool isWhole();    ///< without faults, which are shown
-    [[nodiscard]] QMenu& papers() const { return *m_papers; } ///< that are made of the work
-    /// Asks what to do with unsaved changes; false: the teacher wants to stay.
+    openLesson(const QString& path); ///< a file, or a shipped lesson as a new one; false if refused
+    [[nodiscard]] bool isWhole();    ///< whether it has no faults; shows them
+    [[nodiscard]] QMenu& papers() const { return *m_papers; } ///< papers made from the work
+    /// Asks what to do with unsaved changes; false if the teacher cancels.
     [[nodiscard]] bool mayClose();
     void retranslate();
 
 signals:
-    /// As a student has it, from a step on.
+    /// A trial as a student, from a step on, was requested.
     void trialWanted(const sparkout::Lesson& lesson, std::size_t step);
-    void projectWanted(); ///< that of the lesson is to be shown in the window
+    void projectWanted(); ///< show the project of the lesson in the window
 
 protected:
     void reject() override;
@@ -72,7 +72,7 @@ private:
     void addStep(bool copies);
     void moveStep(Move by);
     void removeStep();
-    [[nodiscard]] int step() const; ///< in front, from 0; −1: the work as a whole
+    [[nodiscard]] int step() const; ///< current, from 0; −1: the work as a whole
     [[nodiscard]] QString fileName() const;
 
     Document& m_document;
@@ -83,9 +83,9 @@ private:
     GuardQuestions m_questions;
     QTimer m_check; ///< the faults, after a pause
     QListWidget* m_pages;
-    QVBoxLayout* m_place; ///< of the page in front
+    QVBoxLayout* m_place; ///< place of the current page
     LessonPage* m_page = nullptr;
-    int m_shown = -1; ///< the step that it is of
+    int m_shown = -1; ///< step of the page
     QListWidget* m_faults;
     QMenu* m_papers;
     struct Button {
@@ -95,7 +95,7 @@ private:
     };
     std::vector<Button> m_buttons;
     QPushButton *m_undo = nullptr, *m_redo = nullptr;
-    std::vector<QPushButton*> m_ofSteps; ///< what is done with the step in front
+    std::vector<QPushButton*> m_ofSteps; ///< actions on the current step
 };
 
 } // namespace sparkout

@@ -12,7 +12,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double mostLevelsListed = 100; ///< of a range that becomes a list or sets
+constexpr double mostLevelsListed = 100; ///< for a range converted to a list or sets
 
 std::vector<double> levelNumbers(const VariedInput& input) {
     std::vector<double> numbers;

@@ -7,29 +7,30 @@
 #include <string>
 #include <vector>
 
-/// The inputs of a project that a lesson can name, and how the variants vary them.
+/// The inputs that a lesson can refer to, and their variation.
 namespace sparkout {
 
-/// The inputs that the forms show, with those above them: paths in the file.
+/// The inputs shown in the forms, and those above them: paths in the file.
 [[nodiscard]] std::vector<std::string> formInputs(const Project& project);
 
 enum class Puts { numbers, anything };
 
-/// Those that a value can be put into, in the order of the forms.
+/// The inputs to which a value can be assigned, in the order of the forms.
 [[nodiscard]] std::vector<std::string> inputsToPut(const Project& project, Puts puts);
 
-/// The value that an input has in a project; one that it does not have: the path alone.
+/// The value of an input in a project; only the path if it has none.
 [[nodiscard]] InputValue valueIn(const Project& project, const std::string& path);
 
-/// How an input is varied, in the order in which the form offers it.
+/// The kind of variation of an input, in the order of the form.
 enum class VariedBy { range, list, sets };
 
 [[nodiscard]] VariedBy variedBy(const VariedInput& input);
 
-/// The same levels in another way, as far as it has them; else the value of the project.
+/// Converts to the same levels in another form, as far as possible; otherwise uses the project's
+/// value.
 [[nodiscard]] VariedInput variedAs(const VariedInput& input, VariedBy by, const Project& project);
 
-/// Variants that the rules have: the product of the levels; 0 where an input has none yet.
+/// The number of variants of the rules: the product of the levels; 0 if an input has none yet.
 [[nodiscard]] double variantCount(const VariantRules& rules);
 
 } // namespace sparkout

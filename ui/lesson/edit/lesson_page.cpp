@@ -35,7 +35,7 @@ QWidget* formPage(LessonForm* form, TextPreview* preview = nullptr) {
     return page;
 }
 
-/// The first widget of a group that takes the focus; of any other, itself.
+/// The first focusable widget of a group; any other widget itself.
 QWidget* focusIn(QWidget& widget) {
     if (widget.focusPolicy() != Qt::NoFocus) {
         return &widget;
@@ -90,12 +90,12 @@ void LessonPage::add(QWidget* page, const QString& title, std::vector<std::strin
     scroll->setWidget(page);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus); // what stands in it has it
+    scroll->setFocusPolicy(Qt::NoFocus); // its contents have it
     addTab(scroll, title);
     m_shown.push_back(std::move(shows));
 }
 
-/// How they differ, and a look at some of them.
+/// The rules of the variants, and a preview of some.
 QWidget* LessonPage::variants(LessonDraft& draft) {
     auto* check = new QPushButton(tr("Chec&k variants…"));
     check->setObjectName(QStringLiteral("checkVariants"));
@@ -114,7 +114,7 @@ QWidget* LessonPage::variants(LessonDraft& draft) {
     return page;
 }
 
-/// Views, panels and commands, each to be taken away.
+/// Views, panels and commands, each with a box to hide it.
 QWidget* LessonPage::hiddenThings(LessonDraft& draft, std::size_t step) {
     auto* list = new QListWidget;
     list->setObjectName(QStringLiteral("hiddenThings"));

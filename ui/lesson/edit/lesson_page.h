@@ -11,21 +11,19 @@ namespace sparkout {
 
 class LessonDraft;
 
-/// A page of the editor of lessons: its tabs, by the part of the file that each of them shows.
+/// A page of the editor of lessons: its tabs, each for a part of the file.
 class LessonPage : public QTabWidget {
     Q_OBJECT
 
 public:
-    /// Of the work as a whole.
     explicit LessonPage(LessonDraft& draft, QWidget* parent = nullptr);
-    /// Of one of its steps.
     LessonPage(LessonDraft& draft, std::size_t step, QWidget* parent = nullptr);
 
-    /// To the value at a path, or as near to it as there is a widget.
+    /// Shows the value at a path, or the nearest widget.
     void goTo(const std::string& path);
 
 signals:
-    void checkWanted(); ///< of the variants
+    void checkWanted(); ///< a check of the variants is requested
 
 private:
     void add(QWidget* page, const QString& title, std::vector<std::string> shows);

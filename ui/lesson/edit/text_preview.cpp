@@ -16,7 +16,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int leastLines = 7; ///< in sight
+constexpr int leastLines = 7; ///< visible
 
 } // namespace
 

@@ -14,7 +14,7 @@ namespace sparkout {
 
 class LessonDraft;
 
-/// A text of the lesson as the student reads it, in a language of the teacher's choice.
+/// A text of the lesson as shown to students, in a chosen language.
 class TextPreview : public QWidget {
     Q_OBJECT
 

@@ -34,7 +34,7 @@ QString faultSentence(const char* words) {
     return text.left(1).toUpper() + text.mid(1) + u'.';
 }
 
-/// What a column of a varied input is called: where it is, without the page.
+/// The heading of a varied input's column: its place, without the page.
 QString checkHeading(const VariedInput& input, const Project& project) {
     if (!input.sets.empty()) {
         return structText(tableOf<ValueSet>().name);
@@ -87,7 +87,7 @@ void VariantCheckDialog::build() {
     for (const VariedInput& input : m_lesson.variants->inputs) {
         heads += checkHeading(input, project);
     }
-    heads += {tr("Best time, min"), tr("Margin, %"), tr("Refused because")};
+    heads += {tr("Best time, min"), tr("Margin, %"), tr("Reason for refusal")};
     m_table->setColumnCount(static_cast<int>(heads.size()));
     m_table->setHorizontalHeaderLabels(heads);
     m_state->setObjectName(QStringLiteral("checkState"));

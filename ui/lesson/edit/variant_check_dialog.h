@@ -15,8 +15,8 @@ class QTableWidget;
 
 namespace sparkout {
 
-/// Makes some variants of a lesson, those that students draw by their numbers, and lists every try:
-/// what is varied, the best time and its margin, or why it is none. Nothing is written.
+/// Makes some variants of a lesson, those drawn by number, and lists every try: the varied inputs,
+/// the best time and its margin, or the reason for rejecting it. Writes nothing.
 class VariantCheckDialog : public QDialog {
     Q_OBJECT
 
@@ -43,7 +43,7 @@ private:
     QProgressBar* m_progress;
     QTableWidget* m_table;
     QLabel* m_state;
-    NewestJob m_job; ///< last: stopped before what it uses is gone
+    NewestJob m_job; ///< last member: stopped before the objects it uses are destroyed
 };
 
 } // namespace sparkout

@@ -226,7 +226,7 @@ QString CardRows::measuring(const Project& project) {
     return all.join(QStringLiteral("; "));
 }
 
-/// Tolerances that all of the surfaces have stand once, after them.
+/// Tolerances common to all surfaces are listed once, after them.
 QString CardRows::control(const CardLine& line, const Setup& setup) {
     const auto limitsOf = [&setup](std::size_t surface) {
         return tolerances(*setup.surfaces[surface].project.part).join(QStringLiteral("; "));
@@ -310,7 +310,7 @@ std::vector<CardRow> CardRows::of(const OperationCard& card, const Setup& setup,
         row.keeps = line.entry == CardEntry::install || line.entry == CardEntry::grind
                     || line.entry == CardEntry::tooling || line.entry == CardEntry::settings
                     || line.entry == CardEntry::control || lastRegime
-                    || (i + 2 == card.lines.size()); // nothing is taken off on a sheet of its own
+                    || (i + 2 == card.lines.size()); // no unloading on a sheet of its own
         row.main = line.main_min ? printed[static_cast<qsizetype>(i)] : QString();
         row.auxiliary = line.auxiliary_min && *line.auxiliary_min > 0 ? minutes(*line.auxiliary_min)
                                                                       : QString();

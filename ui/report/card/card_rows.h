@@ -11,26 +11,26 @@
 
 namespace sparkout::report {
 
-/// A line of an operation card in words, not yet wrapped.
+/// A line of an operation card as text, not yet wrapped.
 struct CardRow {
-    QString symbol; ///< "О"; empty: it goes on
+    QString symbol; ///< "О"; empty: a continuation
     QString text;
-    QStringList cells; ///< from ПИ to V; empty: the text may take their place
+    QStringList cells; ///< from ПИ to V; empty: the text may extend over them
     QString main, auxiliary;
-    bool keeps = false; ///< it stays with the next row
+    bool keeps = false; ///< keep on one sheet with the next row
 };
 
-/// The words of operation card and sketch sheet, in the present language.
+/// The texts of operation card and sketch sheet, in the current language.
 class CardRows {
     Q_DECLARE_TR_FUNCTIONS(OperationCard)
 public:
     [[nodiscard]] static std::vector<CardRow> of(const OperationCard& card, const Setup& setup,
                                                  const SetupRun& run);
-    static QString operation(const Setup& setup); ///< its name, of all surfaces
+    static QString operation(const Setup& setup); ///< its name, for all surfaces
     static QString surfaceName(const Setup& setup, std::size_t surface); ///< "2 (bearing seat)"
     static QStringList tolerances(const Part& part); ///< "roundness 0.003", in mm
     static QString minutes(double value_min);        ///< two decimals
-    /// Rounded so that they add up to the rounded sum.
+    /// Rounds minutes so that they add up to the rounded sum.
     static QStringList minutesAddingUp(const std::vector<double>& values_min);
 
 private:

@@ -19,7 +19,7 @@ constexpr double captioned =
     form::halfPitch + form::pitch; ///< height of a cell with its caption above
 constexpr double columnsFirst = operationTop + 2 * captioned;
 constexpr double columnsFollowing = signersTop + captioned;
-constexpr double widestNumber = 35; ///< of a cell whose value stands in its middle
+constexpr double widestNumber = 35; ///< width of a cell whose value is centred
 constexpr double signersWidth = 80, changesFrom = form::left + 67, sheetsFrom = changesFrom + 136;
 
 void caption(FormSheet& sheet, const QRectF& cell, const char* text,
@@ -39,7 +39,7 @@ void value(FormSheet& sheet, const QRectF& cell, const QString& text,
     }
 }
 
-/// Cells beside each other: the caption above, the value below.
+/// Cells side by side, with captions above and values below.
 void captionedRow(FormSheet& sheet, std::span<const form::Cell> cells, const QStringList& values,
                   double x, double y, double height = captioned) {
     const double captionHeight = height == captioned ? form::halfPitch : height - 5.2;
@@ -225,7 +225,7 @@ void CardSheets::addInventory(FormSheet& sheet, int number, int count) const {
             const form::Cell& column = form::changes.at(i % form::changes.size());
             const QRectF cell(x, y, column.width_mm, form::halfPitch);
             sheet.frame(cell, form::thin);
-            if (row + 1 == form::inventory.size()) { // below what is entered by hand
+            if (row + 1 == form::inventory.size()) { // below cells to be filled in by hand
                 caption(sheet, cell, column.caption);
             }
             x += column.width_mm;
@@ -313,7 +313,7 @@ void CardSheets::addLine(FormSheet& sheet, const Line& line, double y, std::size
         const TablePlace place{tableRow, static_cast<int>(i)};
         const bool joined =
             row.cells.isEmpty() && number > 0 && i > form::firstValue - 1 && i < form::mainColumn;
-        if (!joined) { // of a text the cells are one
+        if (!joined) { // the cells of a text are merged
             sheet.lines.push_back({QLineF(x, y, x, y + form::pitch), form::thin});
         }
         if (i == 0 && number > 0) {

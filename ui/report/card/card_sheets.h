@@ -13,12 +13,12 @@
 
 namespace sparkout::report {
 
-/// What the head of card and sketch have.
+/// The contents of the heads of card and sketch.
 struct CardHead {
     Company company;
     QString part;   ///< its name
-    QString letter; ///< of the document
-    QString author; ///< of the project, who prepared it unless the company says who
+    QString letter; ///< letter of the document
+    QString author; ///< prepared it, unless the company names somebody
     QDate date;
     QStringList operation; ///< values of form::operationRow
     QStringList equipment; ///< values of form::equipmentRow
@@ -30,29 +30,29 @@ struct CardHead {
     [[nodiscard]] QStringList following() const;    ///< by form::continued
 };
 
-/// The form: its sheets with head and foot, and the rows of an operation card on them.
+/// Draws the form: its sheets with head and foot, and the rows of an operation card.
 class CardSheets {
 public:
     explicit CardSheets(CardHead head) : m_head(std::move(head)) {}
 
-    /// Rows wrapped to their cells, on as many sheets as it takes; others may follow, which are
-    /// counted with them.
+    /// Wraps rows to their cells, on as many sheets as needed; `others` further sheets are counted
+    /// with them.
     [[nodiscard]] std::vector<FormSheet> card(const std::vector<CardRow>& rows,
                                               std::size_t following = 0) const;
-    /// The sheet of the sketch, empty between head and foot, with its number among those of the
-    /// document.
+    /// The sheet of the sketch, empty between head and foot, with its number in the document.
     [[nodiscard]] FormSheet sketch(int number, int count) const;
-    /// Where there is room on it [mm].
+    /// The free area of a sheet [mm].
     [[nodiscard]] static QRectF sketchRoom(bool first);
 
 private:
-    /// A row as wrapped: one line of the form.
+    /// A line of the form, part of a wrapped row.
     struct Line {
         CardRow row;
-        bool keeps; ///< with the next
+        bool keeps; ///< whether it stays on the page of the next line
     };
     [[nodiscard]] static std::vector<Line> wrapped(const std::vector<CardRow>& rows);
-    /// How many of the lines from one on a sheet takes without parting what belongs together.
+    /// The number of lines from one on that fit on a sheet without separating lines that belong
+    /// together.
     [[nodiscard]] static std::size_t taken(const std::vector<Line>& lines, std::size_t from,
                                            std::size_t room);
     [[nodiscard]] FormSheet begun(const form::Kind& kind, bool isFirst, int number,

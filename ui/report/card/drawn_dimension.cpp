@@ -16,7 +16,7 @@ namespace {
 
 constexpr int leastDecimals = 3, mostDecimals = 6;
 
-/// Both deviations have as many decimals as the one that needs more.
+/// Both deviations have the same decimals, as many as either needs.
 int decimalsOf(double upper_um, double lower_um) {
     int decimals = leastDecimals;
     const auto isWhole = [](double value) { return std::abs(value - std::round(value)) < 1e-9; };

@@ -9,12 +9,12 @@ struct Part;
 
 namespace sparkout::report {
 
-/// A diameter as a drawing writes it: ⌀30h6 and its deviations in millimetres, one above the other
-/// and half as high. A deviation of 0 is not written.
+/// A diameter as on a drawing: ⌀30h6 and its deviations in millimetres, one above the other at half
+/// height. A deviation of 0 is not written.
 struct DrawnDimension {
     QString nominal; ///< "⌀30h6"
     QString upper, lower;
-    bool isSymmetric = false; ///< "±0.008", in full height, in place of both
+    bool isSymmetric = false; ///< "±0.008", in full height, for both
 
     [[nodiscard]] static DrawnDimension of(const Part& part);
 };

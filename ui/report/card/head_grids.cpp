@@ -15,7 +15,7 @@ namespace sparkout::report {
 
 namespace {
 
-/// Cells beside each other, each with its caption.
+/// Cells side by side, each with its caption.
 FormGrid captionedRow(std::span<const form::Cell> cells, const QStringList& values) {
     FormGrid grid;
     std::vector<FormCell>& row = grid.rows.emplace_back();
@@ -46,7 +46,7 @@ FormGrid HeadGrids::inventory() {
         cells.push_back({form::text(form::inventory.at(static_cast<std::size_t>(row)))});
         cells.resize(form::inventoryWidths.size());
         for (std::size_t i = 0; i < 2 * form::changes.size(); ++i) {
-            const bool isNamed = row + 1 == rows; // below what is entered by hand
+            const bool isNamed = row + 1 == rows; // below cells to be filled in by hand
             cells.push_back({isNamed
                                  ? form::text(form::changes.at(i % form::changes.size()).caption)
                                  : QString()});
@@ -70,7 +70,7 @@ FormGrid HeadGrids::inventory() {
 FormGrid HeadGrids::signers(const CardHead& head) {
     FormGrid grid;
     grid.widths_mm.assign(form::signerWidths.begin(), form::signerWidths.end());
-    // Columns as both rows beside the signers need them: designations and names.
+    // Columns for both rows beside the signatures: designations and names.
     grid.widths_mm.insert(grid.widths_mm.end(), {72, 48, 12, 15, 15, 15, 15});
     constexpr std::array designationColumns{1, 2, 4};
     constexpr std::array nameColumns{2, 1, 1, 1, 1, 1};

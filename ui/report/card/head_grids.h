@@ -7,7 +7,7 @@
 
 namespace sparkout::report {
 
-/// The head of card and sketch as cells, for a text that is edited: what the sheets have in lines.
+/// The head of card and sketch as cells, for an editable text; the sheets draw it with lines.
 class HeadGrids {
 public:
     [[nodiscard]] static FormHead of(const CardHead& head, const form::Kind& kind);

@@ -19,7 +19,7 @@ unsigned byteAt(const QByteArray& bytes, qsizetype at) {
     return static_cast<unsigned char>(bytes[at]);
 }
 
-/// A number of several bytes, the highest first; 0 where the bytes end before.
+/// A big-endian number of several bytes; 0 beyond the end.
 quint32 numberAt(const QByteArray& bytes, qsizetype at, int length) {
     quint32 number = 0;
     for (qsizetype i = at; i < at + length; ++i) {
@@ -56,7 +56,7 @@ QSize declaredSizeOfPng(const QByteArray& bytes) {
     return hasHeader ? sizeOf(numberAt(bytes, width, 4), numberAt(bytes, height, 4)) : QSize();
 }
 
-/// Markers with a length until the one that begins a frame [ITU-T T.81, B.2.2].
+/// Skips markers with a length up to the beginning of a frame [ITU-T T.81, B.2.2].
 QSize declaredSizeOfJpeg(const QByteArray& bytes) {
     constexpr unsigned tables = 0xc4, extension = 0xc8, conditioning = 0xcc;
     qsizetype at = 2;
@@ -79,8 +79,8 @@ QSize declaredSize(const QByteArray& bytes) {
     return isPng(bytes) ? declaredSizeOfPng(bytes) : declaredSizeOfJpeg(bytes);
 }
 
-/// What a PNG file is drawn from: texts and colour profiles beside it, which unpack to a thousand
-/// times their bytes, are left out.
+/// The parts of a PNG file needed for drawing, without texts and colour profiles, which unpack to a
+/// thousand times their size.
 QByteArray drawnChunks(const QByteArray& png) {
     constexpr std::array drawn{"IHDR", "PLTE", "IDAT", "IEND", "tRNS", "gAMA", "cHRM", "sRGB"};
     QByteArray kept = png.left(pngSignatureBytes);
@@ -95,8 +95,8 @@ QByteArray drawnChunks(const QByteArray& png) {
     return kept;
 }
 
-/// Each scan of a JPEG file runs over all of its pixels, and needs a few bytes only; a picture of
-/// the usual programs has ten.
+/// Each scan of a JPEG file covers all pixels, but needs only a few bytes; usual pictures have
+/// about ten.
 bool hasTooManyScans(const QByteArray& jpeg) {
     constexpr qsizetype most = 100;
     return jpeg.count("\xff\xda") > most;

@@ -8,8 +8,8 @@
 
 namespace sparkout::report {
 
-/// The picture in the heads of documents: the bytes of a PNG or JPEG file. Nothing else is given to
-/// a decoder: a drawing may name other files, and small bytes of it may take hours to draw.
+/// The picture in the heads of documents: the bytes of a PNG or JPEG file. Other formats are not
+/// decoded: a drawing may refer to other files, and a few bytes of it may take hours to draw.
 class Logo {
     Q_DECLARE_TR_FUNCTIONS(Logo)
 
@@ -17,14 +17,14 @@ public:
     static constexpr qsizetype mostBytes = 1 << 20;
     static constexpr int mostSide = 4096; ///< in pixels
 
-    /// Why bytes are refused as a logo, a sentence; empty: they are one, or there are none. It
-    /// looks at kind and declared size alone and decodes nothing.
+    /// The reason for refusing bytes as a logo, a sentence; empty for a valid or missing logo. It
+    /// checks the kind and the declared size without decoding.
     [[nodiscard]] static QString fault(const QByteArray& bytes);
 
-    /// The picture for paper; null: there is none, it is refused, or it is damaged.
+    /// The picture for paper; null if it is missing, refused or damaged.
     [[nodiscard]] static QImage image(const QByteArray& bytes);
 
-    [[nodiscard]] static QString damagedText(); ///< of one whose picture cannot be decoded
+    [[nodiscard]] static QString damagedText(); ///< for a picture that cannot be decoded
 };
 
 } // namespace sparkout::report

@@ -117,7 +117,7 @@ Table OperationCardReport::table(const std::vector<CardRow>& rows) {
 
 namespace {
 
-/// With all surfaces as its inputs.
+/// A report with all surfaces as its inputs.
 Report begun(const QString& title, Setup setup, const QString& file, const QDate& date) {
     Report report = begunReport(title, setup.surfaces.front().project, file, date);
     for (GroundSurface& surface : setup.surfaces) {
@@ -152,11 +152,11 @@ Report OperationCardReport::sketch(const Setup& setup, const Company& company, c
 }
 
 void OperationCardReport::addSketch(Report& report, const CardHead& head, const Setup& setup) {
-    const int number = static_cast<int>(report.sheets.size()) + 1; // the last of the document
+    const int number = static_cast<int>(report.sheets.size()) + 1; // the last sheet of the document
     FormSheet sheet = CardSheets(head).sketch(number, number);
     SketchSheet::draw(sheet, CardSheets::sketchRoom(true), setup);
     report.sheets.push_back(std::move(sheet));
-    const bool isAlone = report.blocks.empty(); // else the card's head has said it all
+    const bool isAlone = report.blocks.empty(); // otherwise the card's head has these facts
     report.blocks.push_back(isAlone ? formHead(head, form::sketch)
                                     : HeadGrids::of(head, form::sketch));
     FormSheet figure;

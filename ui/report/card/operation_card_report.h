@@ -14,8 +14,8 @@
 
 namespace sparkout::report {
 
-/// The operation card of a set-up: the sheets of the form, and the same as tables for other
-/// formats; and the sketch sheet, which follows the card.
+/// The operation card of a set-up: the sheets of the form, and tables with the same contents for
+/// other formats; and the sketch sheet after the card.
 class OperationCardReport {
     Q_DECLARE_TR_FUNCTIONS(OperationCard)
 public:
@@ -23,7 +23,7 @@ public:
                                       const Company& company, const QString& file,
                                       const QDate& date);
 
-    /// The sketch sheet alone.
+    /// Only the sketch sheet.
     [[nodiscard]] static Report sketch(const Setup& setup, const Company& company,
                                        const QString& file, const QDate& date);
 

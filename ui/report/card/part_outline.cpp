@@ -9,9 +9,9 @@ namespace sparkout::report {
 
 namespace {
 
-constexpr double assumedWall = 1.5; ///< outer diameter over the largest bore, where not given
+constexpr double assumedWall = 1.5; ///< outer diameter over the largest bore, if not given
 
-/// The steps with another one laid over them.
+/// The steps with another one placed over them.
 std::vector<OutlineStep> overlaid(const std::vector<OutlineStep>& steps, const OutlineStep& over) {
     std::vector<OutlineStep> all;
     const auto add = [&all](double from, double to, double diameter) {
@@ -56,7 +56,7 @@ void PartOutline::addOuter(const Setup& setup) {
         at += segment.length_mm;
     }
     m_length_mm = std::max(m_length_mm, at);
-    if (at < m_length_mm) { // the shaft ends before what is ground on it, or is not given
+    if (at < m_length_mm) { // the shaft is too short for the ground surface, or not given
         double diameter = 0;
         for (const GroundStep& step : m_ground) {
             diameter = std::max(diameter, step.diameter_mm * (step.isBore ? assumedWall : 1));
@@ -82,7 +82,7 @@ void PartOutline::addBores() {
     if (bores.empty()) {
         return;
     }
-    // Between and beyond them the part is bored through at the smaller neighbour.
+    // Between and beyond the bores the part has a through hole of the smaller neighbour's diameter.
     double at = 0;
     for (std::size_t i = 0; i < bores.size(); ++i) {
         if (bores[i].from_mm > at) {

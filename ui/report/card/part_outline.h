@@ -14,21 +14,21 @@ struct OutlineStep {
     double diameter_mm = 0;
 };
 
-/// A surface that is ground, at its place.
+/// A ground surface at its place.
 struct GroundStep : OutlineStep {
     std::size_t surface = 0; ///< index into the set-up
     bool isBore = false;
 };
 
-/// The part of a set-up as a drawing has it: its outer form with the ground diameters, its bores,
-/// and what is ground.
+/// The part of a set-up as drawn: its outer form with the ground diameters, its bores, and the
+/// ground surfaces.
 class PartOutline {
 public:
     explicit PartOutline(const Setup& setup);
 
     [[nodiscard]] double length_mm() const { return m_length_mm; }
     [[nodiscard]] double largest_mm() const; ///< outer diameter
-    /// From end to end. Where the inputs tell nothing of it the outer form is an assumption.
+    /// The outer form from end to end; assumed where the inputs do not define it.
     [[nodiscard]] const std::vector<OutlineStep>& outer() const { return m_outer; }
     [[nodiscard]] bool isOuterKnown() const { return m_outerKnown; }
     [[nodiscard]] const std::vector<OutlineStep>& bores() const { return m_bores; }

@@ -112,7 +112,7 @@ void SketchCallout::draw(FormSheet& sheet, const QPointF& at) const {
 
 void SketchCallout::drawSize(FormSheet& sheet, const QPointF& at) const {
     const double left = at.x() + circle_mm + apart;
-    const double nominal = widthOf(m_nominal, sizePoints) + 0.2; // and what rounding takes
+    const double nominal = widthOf(m_nominal, sizePoints) + 0.2; // plus an allowance for rounding
     drawText(sheet, {left, at.y(), nominal, sizeHeight - apart}, m_nominal, sizePoints);
     double x = left + nominal + 0.6;
     if (m_isSymmetric) {

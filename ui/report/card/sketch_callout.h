@@ -13,18 +13,18 @@
 
 namespace sparkout::report {
 
-/// What a drawing says of one ground surface: its number in a circle, the size with deviations, the
+/// The annotations of one ground surface: its number in a circle, the size with deviations, the
 /// roughness sign and the frames of its tolerances, one below the other.
 class SketchCallout {
     Q_DECLARE_TR_FUNCTIONS(SketchSheet)
 public:
-    static constexpr double circle_mm = 7; ///< across
+    static constexpr double circle_mm = 7; ///< diameter
 
-    /// The datum letters stand for the axis that runout is measured about.
+    /// The datum letters denote the axis for runout.
     SketchCallout(const Part& part, std::size_t number, const QString& datum);
 
     [[nodiscard]] QSizeF size() const { return m_size; }
-    /// With its upper left corner at a place.
+    /// With its upper left corner at a point.
     void draw(FormSheet& sheet, const QPointF& at) const;
 
     /// A number in a circle about a point.
@@ -40,7 +40,7 @@ private:
     struct Frame {
         Sign sign;
         QString value;
-        QString datum; ///< empty: none
+        QString datum; ///< may be empty
     };
     static void drawSign(FormSheet& sheet, Sign sign, const QRectF& cell);
     void drawSize(FormSheet& sheet, const QPointF& at) const;
@@ -48,7 +48,7 @@ private:
     void drawFrame(FormSheet& sheet, const QPointF& at, const Frame& frame) const;
 
     std::size_t m_number;
-    QString m_nominal, m_upper, m_lower; ///< of the size
+    QString m_nominal, m_upper, m_lower; ///< parts of the size
     bool m_isSymmetric = false;
     QString m_roughness; ///< "Ra 0.8"; empty: not required
     std::vector<Frame> m_frames;

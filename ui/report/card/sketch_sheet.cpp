@@ -25,8 +25,8 @@ constexpr double outline = 0.35, doubled = 0.8, fine = 0.2, hatching = 0.15;
 constexpr double legendBand = 7, edge = 3, leaderRoom = 14, lanePitch = 6.5;
 constexpr double leastPartHeight = 22, mostPartHeight = 62, mostPartWidth = 190;
 constexpr double overhang = 8;       ///< of the centre line
-constexpr double spareAbove = 0.4;   ///< of the height that is not needed
-constexpr double calloutShare = 0.7; ///< of their widths that the part is at least as long as
+constexpr double spareAbove = 0.4;   ///< share of the unused height
+constexpr double calloutShare = 0.7; ///< the part is at least this share of the callouts' width
 constexpr double lengthPoints = 9, tableRow = 4.8, tableWidth = 132;
 constexpr std::size_t tableRows = 10;
 
@@ -83,7 +83,7 @@ SketchSheet::SketchSheet(FormSheet& sheet, const QRectF& room, const Setup& setu
     const double height =
         std::clamp(m_room.height() - above - leaderRoom - below, leastPartHeight, mostPartHeight);
     const double largest = m_outline.largest_mm();
-    // A slender part is drawn thicker, one that is short beside its callouts longer.
+    // A slender part is drawn thicker, one that is short relative to its callouts longer.
     const double uniform = std::min(mostPartWidth / m_outline.length_mm(), height / largest);
     const double callouts = m_hasTable ? mostPartWidth : std::reduce(widths.begin(), widths.end());
     m_scaleX =
@@ -128,7 +128,7 @@ void SketchSheet::drawOuter() {
          Qt::DashDotLine);
 }
 
-/// Above the axis the part is cut open.
+/// Above the axis the part is drawn in section.
 void SketchSheet::drawBores() {
     double before = 0;
     for (const OutlineStep& bore : m_outline.bores()) {
@@ -185,7 +185,7 @@ void SketchSheet::drawGaps(const GroundStep& step) {
     for (const SurfaceGap& cut : gaps) {
         for (const double side : {cut.from_deg, cut.from_deg + cut.width_deg}) {
             const double angle = (side - front) * std::numbers::pi / 180;
-            if (std::cos(angle) > 0) { // else behind
+            if (std::cos(angle) > 0) { // otherwise behind
                 const double y = m_axis + half(step.diameter_mm) * std::sin(angle);
                 line(x(step.from_mm), y, x(step.to_mm), y, outline);
             }
@@ -193,7 +193,7 @@ void SketchSheet::drawGaps(const GroundStep& step) {
     }
 }
 
-/// Along the surface for a traverse, onto it for a plunge; beside the leader.
+/// Draws the feed along the surface for a traverse, towards it for a plunge; beside the leader.
 void SketchSheet::drawFeed(const GroundStep& step) {
     constexpr double distance = 3, length = 7, shortest = 12;
     const double from = x(step.from_mm), to = x(step.to_mm), side = step.isBore ? 1 : -1;
@@ -281,7 +281,8 @@ void SketchSheet::drawDatum(const QPointF& at, const QString& letter) {
 std::vector<double> SketchSheet::spread(const std::vector<double>& widths,
                                         const std::vector<double>& places) const {
     constexpr double between = 2;
-    // Pushed to the right from the first on, to the left from the last on: between both.
+    // Pushes boxes to the right from the first on, and to the left from the last on; the result is
+    // the mean of both.
     std::vector<double> wanted = places;
     for (std::size_t i = 1; i < widths.size(); ++i) {
         wanted[i] = std::max(wanted[i], wanted[i - 1] + widths[i - 1] + between);
@@ -330,7 +331,7 @@ void SketchSheet::drawCallouts() {
     }
 }
 
-/// With many surfaces only their numbers stand at the part.
+/// With many surfaces the part has only their numbers.
 void SketchSheet::drawTable() {
     const std::array<std::pair<QString, double>, 6> columns{{{tr("No."), 8},
                                                              {tr("Size"), 36},
@@ -427,7 +428,7 @@ void SketchSheet::drawLengths() {
     }
     std::vector<Interval> sorted(intervals.begin(), intervals.end());
     std::ranges::stable_sort(sorted, {}, [](const Interval& i) { return i.to_mm - i.from_mm; });
-    std::vector<std::vector<std::pair<double, double>>> lanes; // what is taken of each [mm]
+    std::vector<std::vector<std::pair<double, double>>> lanes; // occupied ranges of each [mm]
     const double below = m_axis + half(m_outline.largest_mm()) + 1;
     for (const Interval& i : sorted) {
         const double width =

@@ -14,14 +14,14 @@
 
 namespace sparkout::report {
 
-/// The sketch of an operation in drawing style: the part as it lies on the machine, its supports,
-/// what is ground in lines of double width, with numbers, sizes, tolerances and lengths.
+/// The sketch of an operation in drawing style: the part on the machine, its supports, the ground
+/// surfaces in lines of double width, with numbers, sizes, tolerances and lengths.
 class SketchSheet {
     Q_DECLARE_TR_FUNCTIONS(SketchSheet)
 public:
-    /// Draws into the room of a sheet [mm].
+    /// Draws into an area of a sheet [mm].
     static void draw(FormSheet& sheet, const QRectF& room, const Setup& setup);
-    static QString description(const Setup& setup); ///< the same in words
+    static QString description(const Setup& setup); ///< a description in words
 
 private:
     SketchSheet(FormSheet& sheet, const QRectF& room, const Setup& setup);
@@ -52,8 +52,8 @@ private:
     void drawLengths();
     void drawDimension(double from_mm, double to_mm, double y, double below);
     void drawLegend();
-    /// Where boxes of these widths begin so that each is as near to its place as the others let it;
-    /// nothing when they do not fit.
+    /// The left edges of boxes of these widths, each as near as possible to its place; empty if
+    /// they do not fit.
     [[nodiscard]] std::vector<double> spread(const std::vector<double>& widths,
                                              const std::vector<double>& places) const;
 
@@ -63,7 +63,7 @@ private:
     PartOutline m_outline;
     double m_scaleX = 1, m_scaleY = 1, m_left = 0, m_axis = 0;
     bool m_hasTable = false;
-    std::vector<SketchCallout> m_callouts; ///< of the ground steps, in their order
+    std::vector<SketchCallout> m_callouts; ///< callouts of the ground steps, in their order
 };
 
 } // namespace sparkout::report

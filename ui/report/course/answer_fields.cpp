@@ -16,7 +16,7 @@ namespace sparkout::report {
 namespace {
 
 constexpr int textLines = 6, notesLines = 3;
-constexpr std::size_t mostRows = 16; ///< of inputs to write values of
+constexpr std::size_t mostRows = 16; ///< number of inputs whose values are to be written
 
 QString toWrite() {
     return QString(10, u'_');
@@ -43,7 +43,7 @@ Table AnswerFields::freeInputs(const StudentView& view, std::size_t step) {
         }
     }
     if (table.rows.size() > mostRows) {
-        table.rows.clear(); // all of a cycle or more: lines are given instead
+        table.rows.clear(); // a whole cycle or more: lines are given instead
     }
     return table;
 }

@@ -9,20 +9,20 @@
 #include <span>
 #include <vector>
 
-/// The papers of the course, each described once: command line and menus go by this table. They
-/// are written in the present language, in the thread of the window.
+/// The papers of the course, each described once in a table for command line and menus. They are
+/// written in the current language, in the window's thread.
 namespace sparkout::report {
 
 enum class Paper { labReport, worksheet, worksheetKey, guide };
 
 struct PaperRow {
     Paper paper;
-    const char* key;   ///< on the command line, whose manual says what it is
-    const char* menu;  ///< its menu, to be translated in the context Paper
-    bool takesWork;    ///< it is made from a student's work
-    bool takesLesson;  ///< from the teacher's lesson
-    bool takesProject; ///< from a project alone
-    bool takesStep;    ///< of a project's cycle
+    const char* key;   ///< key on the command line, described in the manual
+    const char* menu;  ///< menu text, translated in the context Paper
+    bool takesWork;    ///< made from a student's work
+    bool takesLesson;  ///< made from the teacher's lesson
+    bool takesProject; ///< made from a project alone
+    bool takesStep;    ///< uses a step of a project's cycle
 };
 
 [[nodiscard]] std::span<const PaperRow> papers();
@@ -30,11 +30,11 @@ struct PaperRow {
 [[nodiscard]] std::vector<PaperRow> papersOfLessons();
 [[nodiscard]] const PaperRow& rowOf(Paper paper);
 [[nodiscard]] std::optional<Paper> paperOf(const QString& key);
-[[nodiscard]] QString menuText(Paper paper); ///< with its mnemonic
+[[nodiscard]] QString menuText(Paper paper); ///< text with its mnemonic
 
-/// A paper that is made from works.
+/// Makes a paper from a work.
 [[nodiscard]] Report makePaper(Paper paper, const Work& work, const PaperWish& wish);
-/// A paper that is made from lessons; times that follow from the best are in it: withBestTimes().
+/// Makes a paper from a lesson with the times that depend on the best, see withBestTimes().
 [[nodiscard]] Report makePaper(Paper paper, const Lesson& lesson, const PaperWish& wish);
 
 } // namespace sparkout::report

@@ -18,7 +18,7 @@ constexpr double lineWidth = 2, roomAbove = 0.1;
 constexpr QColor saidColour(0xd5, 0x5e, 0x00), engineColour(0x00, 0x72, 0xb2),
     gridColour(0x96, 0x96, 0x96);
 
-/// Axes with their names, as a curve prediction has them.
+/// Axes with their names, for a curve prediction.
 void setUpAxes(QCustomPlot& plot, const CurvePrediction& goal, const Project& project) {
     sparkout::Figure figure = goal.figure;
     plot.xAxis->setLabel(GoalWords::along(goal, project));
@@ -86,7 +86,7 @@ Figure CurveFigure::blank(const CurvePrediction& goal, const Project& project) {
     if (least != goal.at.end()) {
         style::setSafeRange(*plot.xAxis, *least, *most);
     }
-    // The scale of the values is the student's: it would say how large they are.
+    // The student scales the values: a scale would reveal their size.
     plot.yAxis->setTickLabels(false);
     style::setSafeRange(*plot.yAxis, 0, gridLines);
     const QSharedPointer<QCPAxisTickerFixed> lines(new QCPAxisTickerFixed);

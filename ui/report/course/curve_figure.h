@@ -10,14 +10,15 @@
 
 namespace sparkout::report {
 
-/// The curves of a step that asks for one, made in the window's thread.
+/// The curves of a step that asks for one, drawn in the window's thread.
 class CurveFigure {
     Q_DECLARE_TR_FUNCTIONS(CurveFigure)
 public:
-    /// What was said and what the engine has.
+    /// The predicted curve and the engine's.
     [[nodiscard]] static Figure compared(const CurvePrediction& goal, const Project& project,
                                          const GoalResult& result, const NumberRows& said);
-    /// A grid to draw on. Its values end above all that can be, as far as the inputs tell.
+    /// A grid to draw on. Its upper end is above all possible values, as far as the inputs
+    /// determine them.
     [[nodiscard]] static Figure blank(const CurvePrediction& goal, const Project& project);
 };
 

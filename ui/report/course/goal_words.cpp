@@ -12,7 +12,7 @@ namespace sparkout::report {
 
 namespace {
 
-/// "mm/N" and what else figures have, beside the units of inputs.
+/// "mm/N" and other units of figures besides those of inputs.
 QString figureUnit(const sparkout::Figure& figure) {
     const char* const unit = rowOf(figure.name).unit;
     return *unit ? unitText(unit) : QString();

@@ -13,29 +13,29 @@
 
 namespace sparkout::report {
 
-/// Goals, what they ask for and what was found, in the present language.
+/// Goals, their questions and results, in the current language.
 class GoalWords {
     Q_DECLARE_TR_FUNCTIONS(GoalWords)
 public:
     /// "Actual feed, НЗ, double stroke 20, E3"
     [[nodiscard]] static QString quantity(const sparkout::Figure& figure, const Project& project);
     [[nodiscard]] static QString unit(const sparkout::Figure& figure); ///< never empty: a dash
-    /// With the unit after a comma, where there is one.
+    /// With the unit after a comma, if it has one.
     [[nodiscard]] static QString withUnit(const QString& quantity, const sparkout::Figure& figure);
     [[nodiscard]] static QString number(const sparkout::Figure& figure, double value);
-    /// The same with its unit, for a sentence.
+    /// A value with its unit, for a sentence.
     [[nodiscard]] static QString amount(const sparkout::Figure& figure, double value);
     [[nodiscard]] static QString place(const Project& project, std::size_t index);
     /// "НЗ > РЗ2 > РЗ1"
     [[nodiscard]] static QString order(const Project& project,
                                        const std::vector<std::size_t>& places);
-    /// What a curve runs along: "Double stroke", "Stage", "Zone or section".
+    /// The abscissa of a curve: "Double stroke", "Stage", "Zone or section".
     [[nodiscard]] static QString along(const CurvePrediction& goal, const Project& project);
     /// A place on that axis: "20", "НЗ".
     [[nodiscard]] static QString alongAt(const CurvePrediction& goal, double at,
                                          const Project& project);
     [[nodiscard]] static QString finding(Finding finding);
-    /// What a goal asks for, in a sentence; what it is held against is no answer.
+    /// The question of a goal, a sentence; it does not reveal the answer.
     [[nodiscard]] static QString asked(const Goal& goal, const Project& project);
 };
 

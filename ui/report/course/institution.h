@@ -11,7 +11,7 @@ namespace sparkout {
 
 namespace report {
 
-/// Where the works are done: what their title pages have beside the work. All of it may be empty.
+/// The place of the works: additional data for their title pages. All may be empty.
 struct Institution {
     std::string ministry;
     std::string university;
@@ -23,7 +23,7 @@ struct Institution {
 
     friend bool operator==(const Institution&, const Institution&) = default;
 
-    /// As settings keep it; what is empty is left out.
+    /// The form kept in the settings, without empty values.
     [[nodiscard]] QVariantMap kept() const;
     [[nodiscard]] static Institution fromKept(const QVariantMap& kept);
 };

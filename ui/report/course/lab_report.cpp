@@ -23,9 +23,8 @@ namespace sparkout::report {
 
 namespace {
 
-constexpr int conclusionLines = 12; ///< to be written by hand
+constexpr int conclusionLines = 12; ///< number of lines to be written by hand
 
-/// Writes the report section by section.
 class LabReportWriter {
     Q_DECLARE_TR_FUNCTIONS(LabReport)
 public:
@@ -173,7 +172,7 @@ private:
         m_paper.lines(recordOf(m_work, *step).answer->text);
     }
 
-    /// The program, and where its equations are from.
+    /// The program, and the sources of its equations.
     void writeSources() {
         QStringList sources{
             tr("%1: calculation of cylindrical grinding cycles: a computer program and the "
@@ -187,8 +186,7 @@ private:
         }
     }
 
-    /// Key and words of what the formulas of the deepest cut are from, beside the model's own
-    /// description.
+    /// Keys and texts of the sources of the deepest cut's formulas, besides the model description.
     [[nodiscard]] std::vector<QStringList> citedRows() const {
         std::vector<QStringList> rows;
         const OutcomePtr outcome = evaluate(m_work.lesson.base.surfaces.front().project, {});

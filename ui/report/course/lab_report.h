@@ -14,19 +14,19 @@
 
 namespace sparkout::report {
 
-/// What the papers of the course are made with, beside a lesson or a work.
+/// The options of the course papers, besides a lesson or a work.
 struct PaperWish {
     Institution institution;
-    QString file; ///< path of the lesson or work, or empty
+    QString file; ///< path of the lesson or work; may be empty
     QDate date;
     std::set<HandoutView> figures{HandoutView::cycle, HandoutView::profiles};
     std::function<void()> breathe = [] {}; ///< called between runs and figures
 };
 
-/// The report of a laboratory work in the order of ГОСТ 7.32, from the student's file, for him: it
-/// shows nothing that his file does not, and results only once all his predictions are handed in.
-/// Its conclusion is what he answered to the last step in words; without one there are lines for
-/// it. In the thread of the window.
+/// The report of a laboratory work in the order of ГОСТ 7.32, from the student's file: it shows
+/// nothing that the file does not, and results only after all predictions are handed in. Its
+/// conclusion is the answer to the last step in words; without one there are blank lines. In the
+/// window's thread.
 [[nodiscard]] Report labReport(const Work& work, const PaperWish& wish);
 
 } // namespace sparkout::report

@@ -20,7 +20,7 @@ QString withoutEntities(QString text) {
     return text;
 }
 
-/// "2" raised; what has no sign of its own stands after a caret.
+/// Raises "2"; a character without a superscript form follows a caret.
 QString raised(const QString& text) {
     static const QString plain = QStringLiteral("0123456789+-−n()");
     static const QString above = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻ⁿ⁽⁾");
@@ -35,7 +35,6 @@ QString raised(const QString& text) {
     return signs;
 }
 
-/// Reads the markup tag by tag.
 class MarkupReader {
 public:
     explicit MarkupReader(int* formulas) : m_formulas(formulas) {}
@@ -79,7 +78,7 @@ private:
             return;
         }
         if (m_isAfterIndex && !plain.isEmpty() && plain.front().isLetterOrNumber()) {
-            plain.prepend(QChar(0x200a)); // else it would belong to the index
+            plain.prepend(QChar(0x200a)); // otherwise it would join the index
         }
         m_isAfterIndex = m_isAfterIndex && plain.isEmpty();
         m_text += plain;
@@ -182,7 +181,7 @@ private:
     int* m_formulas;
     std::vector<Block> m_blocks;
     QString m_text, m_script, m_item;
-    std::vector<int> m_lists; ///< the number of the next item; 0: they have none
+    std::vector<int> m_lists; ///< number of the next item; 0: unnumbered
     std::vector<QStringList> m_rows;
     bool m_isFormula = false, m_isStrong = false, m_hasIndices = false, m_isAfterIndex = false;
 };

@@ -9,13 +9,13 @@
 
 namespace sparkout::report {
 
-/// A text of a lesson, in its markup, as blocks: paragraphs whose indices stand below the line,
-/// formulas, items of lists, tables.
+/// Converts the markup of a lesson's text into blocks: paragraphs with indices, formulas, list
+/// items, tables.
 class LessonMarkup {
 public:
-    /// Formulas are numbered on from `formulas`, where one is given.
+    /// Numbers formulas starting from `formulas`, if given.
     [[nodiscard]] static std::vector<Block> blocks(const QString& markup, int* formulas = nullptr);
-    /// All of it in one line.
+    /// The whole text on one line.
     [[nodiscard]] static QString inOneLine(const QString& markup);
 };
 

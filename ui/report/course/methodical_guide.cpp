@@ -21,7 +21,6 @@ namespace sparkout::report {
 
 namespace {
 
-/// Writes the guide section by section.
 class GuideWriter {
     Q_DECLARE_TR_FUNCTIONS(MethodicalGuide)
 public:

@@ -7,9 +7,9 @@
 
 namespace sparkout::report {
 
-/// The methodical guide of a work, from the teacher's lesson, for him: aim, theory, data, order of
-/// the work with the answers, time norm, control questions with answers, typical mistakes. What the
-/// lesson does not give has no section.
+/// The methodical guide of a work, from the teacher's lesson: aim, theory, data, order of the work
+/// with the answers, time norm, control questions with answers, typical mistakes. Sections without
+/// contents are left out.
 [[nodiscard]] Report methodicalGuide(const Lesson& lesson, const PaperWish& wish);
 
 } // namespace sparkout::report

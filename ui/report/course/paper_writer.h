@@ -13,25 +13,26 @@
 namespace sparkout::report {
 
 /// Writes a paper of the course block by block: sections, tables, figures and formulas are numbered
-/// on, as ГОСТ 7.32 has it.
+/// by ГОСТ 7.32.
 class PaperWriter {
     Q_DECLARE_TR_FUNCTIONS(PaperWriter)
 public:
-    /// `subject` stands in the properties of the file and, on the program's own sheets, above.
+    /// `subject` appears in the properties of the file and, on the program's own sheets, at the
+    /// top.
     PaperWriter(const QString& title, const QString& subject, const QString& file,
                 const QDate& date, PageStyle style);
 
-    void part(const QString& text);       ///< without a number
+    void part(const QString& text);       ///< unnumbered
     void section(const QString& text);    ///< "1 …"
     void subsection(const QString& text); ///< "1.1 …"
     void add(Block block) { m_report.blocks.push_back(std::move(block)); }
     void add(std::vector<Block> blocks);
     void say(const QString& text) { add(Paragraph{text}); }
-    /// With its name above; one without rows is left out.
+    /// With its name above; omitted without rows.
     void table(Table table, const QString& caption);
-    /// With its number before its caption; returns the number.
+    /// With its number in the caption; returns the number.
     int figure(Figure figure);
-    /// A text of a lesson in the present language.
+    /// A text of a lesson in the current language.
     void lesson(const Bilingual& text);
     /// A text of the user, line by line.
     void lines(const std::string& text);
@@ -39,7 +40,7 @@ public:
     [[nodiscard]] const Report& report() const { return m_report; }
     [[nodiscard]] Report take() { return std::move(m_report); }
 
-    [[nodiscard]] static bool isRussian();                    ///< the present language
+    [[nodiscard]] static bool isRussian(); ///< whether the current language is Russian
     [[nodiscard]] static QString text(const Bilingual& text); ///< its markup
 
 private:

@@ -10,7 +10,7 @@
 
 namespace sparkout::report {
 
-/// The answer to a step of the teacher's lesson: the engine's, or the options that are right.
+/// The answer to a step of the teacher's lesson: the engine's, or the right options.
 class StepKey {
     Q_DECLARE_TR_FUNCTIONS(StepKey)
 public:

@@ -40,9 +40,9 @@ QString numberOrDash(const sparkout::Figure& figure, const std::optional<double>
     return value ? GoalWords::number(figure, *value) : cell({});
 }
 
-constexpr int saidDigits = 6; ///< of a number that a student typed
+constexpr int saidDigits = 6; ///< digits of a number typed by a student
 
-/// What runs differ in, without the inputs that a step hides.
+/// The differences of runs, without the inputs that a step hides.
 std::vector<RunRow> shownRows(const StudentView& view, const std::vector<ComparedRun>& runs) {
     const std::vector<ComparedRow> compared = compareRuns(runs);
     const std::vector<RunRow> rows = differingRows(runs); // one for each of them
@@ -55,7 +55,7 @@ std::vector<RunRow> shownRows(const StudentView& view, const std::vector<Compare
     return shown;
 }
 
-/// A run that is compared, with what it points to.
+/// A run to compare, and its data.
 struct HeldRun {
     QString name;
     Project inputs;
@@ -167,7 +167,7 @@ void StepResults::writePrediction(PaperWriter& paper, std::size_t step) const {
     const NumberPrediction& goal = *m_work.lesson.steps[step].goal.prediction;
     const sparkout::Figure& figure = goal.figure;
     const GoalResult& result = m_results[step];
-    // What is read off a run can be answered again: the engine's number is not given away.
+    // A question that a student can answer again does not reveal the engine's number.
     const bool shows = !goal.after_run || result.passed();
     Table table;
     table.head = {tr("Quantity"), tr("Unit"), goal.after_run ? tr("Answer") : tr("Predicted"),

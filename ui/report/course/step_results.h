@@ -20,28 +20,29 @@
 
 namespace sparkout::report {
 
-/// The results of a work, step by step: every number is the engine's, from what was handed in.
+/// The results of a work, step by step: every number is computed by the engine from what was handed
+/// in.
 class StepResults {
     Q_DECLARE_TR_FUNCTIONS(StepResults)
 public:
     StepResults(const Work& work, const StudentView& view, const std::set<HandoutView>& figures,
                 const std::function<void()>& breathe);
 
-    /// What a step found and what came of it, in tables and figures.
+    /// Writes the answers to a step and their results, in tables and figures.
     void write(PaperWriter& paper, std::size_t step);
-    /// All predictions beside what the engine has; no rows where there are none.
+    /// All predictions beside the engine's values; no rows if there are none.
     [[nodiscard]] Table predictions() const;
-    /// The project as given and the runs that were kept: in what they differ. No rows without runs.
+    /// The differences between the given project and the kept runs. No rows without runs.
     [[nodiscard]] Table keptRuns() const;
     [[nodiscard]] const GoalResult& result(std::size_t step) const { return m_results[step]; }
 
 private:
     struct Run {
         OutcomePtr outcome;
-        std::map<QString, int> figures; ///< their numbers, by what they show
+        std::map<QString, int> figures; ///< numbers of figures by their contents
     };
     [[nodiscard]] const Project& given(std::size_t step) const;
-    /// What was run for a step; null: it could not be.
+    /// The run for a step; null if it was not possible.
     Run* runOf(std::size_t step);
     [[nodiscard]] Table changes(std::size_t step, const Project& set) const;
     void writeSetting(PaperWriter& paper, std::size_t step, Run& run) const;
@@ -57,7 +58,7 @@ private:
     const std::function<void()>& m_breathe;
     std::vector<StepRecord> m_records;
     std::vector<GoalResult> m_results;
-    std::vector<Setup> m_given;        ///< with which each step begins
+    std::vector<Setup> m_given;        ///< initial set-up of each step
     std::map<std::string, Run> m_runs; ///< by the text of the set-up and the surface
 };
 

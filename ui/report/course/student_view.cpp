@@ -18,8 +18,8 @@ struct InputColumn {
     static constexpr std::size_t what = 0, symbol = 1, unit = 2, value = 3, key = 4;
 };
 
-/// What no student's work changes or needs: what the file says beside the inputs, what the machine
-/// can be set to, and the search.
+/// Entries that no student's work changes or needs: entries besides the inputs, ranges of the
+/// machine, and the search.
 bool isBeside(std::string_view path) {
     return path == "/part/name" || path == "/title" || path == "/author" || path == "/notes"
            || path.starts_with("/machine/limits") || path.starts_with("/optimisation")

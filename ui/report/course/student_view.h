@@ -17,8 +17,8 @@
 
 namespace sparkout::report {
 
-/// What papers for students may show: of a lesson without answers, all inputs but those that a step
-/// hides, and of a view nothing where it is hidden.
+/// Selects what papers for students may show: a lesson without answers, inputs that no step hides,
+/// and no hidden views.
 class StudentView {
     Q_DECLARE_TR_FUNCTIONS(StudentView)
 public:
@@ -32,10 +32,10 @@ public:
     /// The inputs of a project that the model reads: name, symbol, value, unit.
     [[nodiscard]] Table inputs(const Project& project) const;
 
-    /// A cell of inputTable() as papers have it.
+    /// A cell of inputTable() in the notation of papers.
     [[nodiscard]] static QString cellOf(const CsvCell& cell);
-    /// Predictions of a work that were not handed in, by their steps: as long as there are any, no
-    /// result may be shown.
+    /// Predictions of a work that were not handed in, by their steps: until then no result may be
+    /// shown.
     [[nodiscard]] static std::vector<std::size_t> unpredicted(const Work& work);
 
 private:

@@ -7,14 +7,14 @@
 
 namespace sparkout::report {
 
-/// The title of a lesson, "Work 2. Programmed and actual feed", as number and name.
+/// The title of a lesson, "Work 2. Programmed and actual feed", split into number and name.
 struct WorkTitle {
-    explicit WorkTitle(const Bilingual& title); ///< in the present language
+    explicit WorkTitle(const Bilingual& title); ///< translated
 
     QString number; ///< "2"; empty: the title has none
     QString name;
 
-    [[nodiscard]] QString inFull() const; ///< as it stands
+    [[nodiscard]] QString inFull() const; ///< unchanged
 private:
     QString m_full;
 };

@@ -33,9 +33,9 @@ namespace {
 constexpr int answerLines = 3;
 constexpr auto compliancePath = "/machine/compliance_mm_per_n";
 
-/// What a worksheet is of.
+/// The subject of a worksheet.
 struct Exam {
-    OutcomePtr outcome;             ///< null: its project cannot be run
+    OutcomePtr outcome;             ///< null: the project cannot be run
     const Lesson* lesson = nullptr; ///< null: a project alone
     QString title, student, group, variant;
     StepWish step;
@@ -114,7 +114,7 @@ private:
         return m_view && !m_isKey && m_view->hidesAnyOf(group);
     }
 
-    /// Symbols whose numbers a worksheet does not have; nothing in the key.
+    /// Symbols whose numbers a worksheet leaves out; empty in the key.
     [[nodiscard]] WorkedStep::Hidden hiddenSymbols() const {
         if (m_isKey) {
             return {};
@@ -174,7 +174,7 @@ private:
         }
     }
 
-    /// Of a lesson no input of its questions may be hidden.
+    /// For a lesson, no input of its questions may be hidden.
     void writeQuestions() {
         const bool isHidden = hides("/wheel/dullness") || hides(compliancePath)
                               || hidesAnyOf("/cycle") || hides("/part/initial_runout_mm")
@@ -206,7 +206,7 @@ private:
     PaperWriter m_paper;
 };
 
-/// The first moment that the lesson shows in the cycle as given.
+/// The first moment shown by the lesson in the given cycle.
 StepWish stepOf(const Lesson& lesson) {
     for (const LessonStep& step : lesson.steps) {
         if (!step.moment || !step.moment->count || step.surface != 1) {

@@ -19,7 +19,7 @@ namespace sparkout {
 namespace {
 constexpr int waitSteps = 1000;
 constexpr int waitWidth = 420;
-constexpr int unseen_ms = 300; ///< a batch that is over by then shows no dialog
+constexpr int unseen_ms = 300; ///< a batch that ends earlier shows no dialog
 } // namespace
 
 BatchWait::BatchWait(const Project& project, const QString& what, QWidget* parent)
@@ -67,7 +67,7 @@ BatchOutcomePtr BatchWait::wait() {
     briefly.exec(QEventLoop::ExcludeUserInputEvents);
     if (!m_outcome) {
         exec();
-        m_job.drop(); // when it was stopped
+        m_job.drop(); // after a stop
     }
     return m_outcome;
 }

@@ -11,14 +11,14 @@ class QPushButton;
 
 namespace sparkout {
 
-/// Runs a batch that something waits for, beside the window, with its progress and a way to stop.
+/// Runs a batch that the caller waits for, with its progress and a way to stop.
 class BatchWait : public QDialog {
     Q_OBJECT
 
 public:
     BatchWait(const Project& project, const QString& what, QWidget* parent);
 
-    /// The whole batch; with issues when it cannot be run; null when it was stopped.
+    /// The whole batch; with issues if it cannot be run; null after a stop.
     [[nodiscard]] BatchOutcomePtr wait();
 
 private:
@@ -29,7 +29,7 @@ private:
     QProgressBar* m_progress;
     QPushButton* m_stop;
     BatchOutcomePtr m_outcome;
-    Job m_job; ///< last: stopped before what it reports to is gone
+    Job m_job; ///< last member: stopped before the objects it reports to are destroyed
 };
 
 } // namespace sparkout

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t mostCharted = 24; ///< rows
 constexpr double customaryPpk = 1.33;
-// On paper.
+// Colours on paper.
 constexpr QColor chartInk(0, 0, 0), chartMark(40, 40, 40), chartGrid(190, 190, 190),
     chartGood(20, 90, 160), chartPoor(190, 60, 20);
 
@@ -57,7 +57,7 @@ double CapabilityChart::x(double ppk) const {
 
 void CapabilityChart::paintScale(QPainter& painter) const {
     const double end = top + rowHeight * double(m_rows.size());
-    std::vector<QRectF> taken; // the marks' numbers come first, and no other stands in them
+    std::vector<QRectF> taken; // the marks' numbers have priority over the others
     for (const double value : {1.0, customaryPpk, 0.0, 10.0, 5.0, 3.0, 2.0, -1.0}) {
         if (value < m_lowest || value > m_highest) {
             continue;
@@ -67,7 +67,7 @@ void CapabilityChart::paintScale(QPainter& painter) const {
         painter.drawLine(QPointF(x(value), top), QPointF(x(value), end));
         const QString name = printedNumber(value);
         const double width = QFontMetricsF(painter.font()).horizontalAdvance(name);
-        constexpr double reach = 3; // the two marks stand close: their numbers keep apart
+        constexpr double reach = 3; // the two marks are close: keep their numbers apart
         const double from = value == 1              ? x(value) + reach - width
                             : value == customaryPpk ? x(value) - reach
                                                     : x(value) - width / 2;
@@ -95,7 +95,7 @@ void CapabilityChart::paintRow(QPainter& painter, const CharacteristicSummary& o
     painter.setBrush(colour);
     if (ppk.value <= m_highest) {
         painter.drawEllipse(QPointF(x(ppk.value), y), 4, 4);
-    } else { // beyond the scale
+    } else { // outside the scale
         painter.drawPolygon(
             QPolygonF{QPointF(right - 7, y - 5), QPointF(right + 1, y), QPointF(right - 7, y + 5)});
     }

@@ -11,11 +11,11 @@
 
 namespace sparkout::report {
 
-/// Ppk of a batch with its bounds, a row a characteristic, the least first.
+/// Ppk of a batch with its bounds, a row for each characteristic, the least first.
 class CapabilityChart {
     Q_DECLARE_TR_FUNCTIONS(CapabilityChart)
 public:
-    /// Nothing when no characteristic has a Ppk.
+    /// Empty if no characteristic has a Ppk.
     [[nodiscard]] static std::optional<Figure> figure(const BatchSummary& summary);
 
 private:
@@ -31,7 +31,7 @@ private:
     [[nodiscard]] double x(double ppk) const;
 
     std::vector<CharacteristicSummary> m_rows; ///< the least Ppk first
-    double m_lowest = 0, m_highest = 3;        ///< of the scale; what is beyond is cut
+    double m_lowest = 0, m_highest = 3;        ///< ends of the scale; values outside are cut off
 };
 
 } // namespace sparkout::report

@@ -12,7 +12,7 @@
 namespace sparkout::report {
 
 QStringList OutcomeRemarks::estimates(const Outcome& outcome) {
-    std::vector<std::pair<QString, QStringList>> groups; // requirements by what is behind them
+    std::vector<std::pair<QString, QStringList>> groups; // requirements grouped by their estimates
     for (const ConstraintResult& c : outcome.constraints) {
         const QString inputs = EstimateNames::inputs(outcome.result.project, c.kind);
         const auto same = [&inputs](const auto& group) { return group.first == inputs; };

@@ -8,12 +8,12 @@
 
 namespace sparkout::report {
 
-/// What a document states beside the numbers of a run, a line each.
+/// Remarks of a document beside the numbers of a run, one per line.
 class OutcomeRemarks {
     Q_DECLARE_TR_FUNCTIONS(OutcomeRemarks)
 public:
     static QStringList estimates(const Outcome& outcome); ///< predictions that rest on estimates
-    static QStringList remarks(const Outcome& outcome);   ///< of the shop's numbers, and messages
+    static QStringList remarks(const Outcome& outcome);   ///< on the shop's figures, and messages
 };
 
 } // namespace sparkout::report

@@ -29,7 +29,6 @@ namespace sparkout::report {
 
 namespace {
 
-/// Writes the passport section by section.
 class PassportWriter {
     Q_DECLARE_TR_FUNCTIONS(Passport)
 public:
@@ -107,7 +106,7 @@ private:
         }
     }
 
-    /// How many parts the wheel grinds, where that can be said.
+    /// The number of parts between dressings, if it is known.
     void addDressing() {
         if (m_subject.dressing && m_subject.dressing->interval.ran()) {
             const auto& [setup, interval] = *m_subject.dressing;
@@ -155,7 +154,7 @@ private:
                 OverviewCharts::boxes(*m_subject.batch, statisticsOfMeasured(m_project)));
     }
 
-    /// Of the mean diameter, and of what decides when that is not a diameter.
+    /// Shows the mean diameter, and the deciding characteristic if that is not a diameter.
     void addHistograms(const BatchSummary& summary) {
         const std::string usual = summary.characteristics.front().characteristic.name;
         add(PassportFigures::histograms(summary, usual));

@@ -5,9 +5,9 @@
 
 namespace sparkout::report {
 
-/// The accuracy passport: what the cycle makes of a batch of parts against the drawing, from the
-/// inputs and factors to the verdict, so that it can be computed again. Without a batch it tells
-/// the nominal part alone, and says so.
+/// The accuracy passport: the result of the cycle for a batch of parts compared with the drawing,
+/// from the inputs and factors to the verdict, so that it can be reproduced. Without a batch it
+/// covers the nominal part alone, and says so.
 [[nodiscard]] Report passport(const Subject& subject);
 
 } // namespace sparkout::report

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int histogramHeight = 240, alongHeight = 300, acrossHeight = 320;
 constexpr int leastBarsHeight = 110, standingBarsHeight = 230;
-constexpr std::size_t mostAcross = 4; ///< cross-sections beside each other
-constexpr double narrowBar = 0.8;     ///< at least so wide
+constexpr std::size_t mostAcross = 4; ///< cross-sections side by side
+constexpr double narrowBar = 0.8;     ///< least width
 
 std::vector<int> allOf(const ProfileSeries& series) {
     std::vector<int> all;
@@ -50,7 +50,7 @@ Figure PassportFigures::histograms(const BatchSummary& summary, const std::strin
     HistogramPlot plot;
     setUpForPaper(plot, histogramHeight);
     plot.setSummaries(std::move(shown));
-    for (int i = 0; i < plot.cellCount(); ++i) { // a white edge would leave nothing of a narrow bar
+    for (int i = 0; i < plot.cellCount(); ++i) { // a white edge would hide a narrow bar
         plot.bars(i)->setPen(QPen(plot.bars(i)->brush().color(), narrowBar));
     }
     return plotFigure(plot, plot.legendEntries(), caption, values.join(QStringLiteral("; ")));

@@ -13,16 +13,16 @@
 
 namespace sparkout::report {
 
-/// The figures of the accuracy passport, made in the window's thread.
+/// The figures of the accuracy passport, drawn in the window's thread.
 class PassportFigures {
     Q_DECLARE_TR_FUNCTIONS(PassportFigures)
 public:
     static Figure histograms(const BatchSummary& summary, const std::string& name);
     static Figure alongThePart(const Outcome& outcome);
     static Figure crossSections(const Outcome& outcome);
-    /// A chart of the overview; nothing where it is empty.
+    /// A chart of the overview; empty without data.
     static std::optional<Figure> bars(OverviewChart which, BarChart chart);
-    static std::optional<Figure> bars(const QString& name, BarChart chart); ///< any other
+    static std::optional<Figure> bars(const QString& name, BarChart chart); ///< for any other chart
 };
 
 } // namespace sparkout::report

@@ -77,7 +77,7 @@ bool isOtherForm(const Leaf& leaf, bool isNumber) {
                   : leaf.field->kind == sparkout::Kind::optionalInteger;
 }
 
-/// What is typed stays as it is; a wheel that other surfaces wore has all the digits of a double.
+/// Typed values stay unchanged; a wheel worn by other surfaces has all the digits of a double.
 QString inNineDigits(double value) {
     constexpr qsizetype typed = 12;
     const QString exact = printedNumber(value);
@@ -231,7 +231,7 @@ std::vector<Block> PassportInputs::recomputing(const Subject& subject) {
     if (subject.batch) {
         facts.facts.emplace_back(tr("What was run"), BatchText::run(*subject.batch));
     }
-    facts.facts.emplace_back(tr("Command that computes it again"), command);
+    facts.facts.emplace_back(tr("Command to recompute it"), command);
     const QString how =
         project.batch
             ? tr("The same inputs and the same seed give the same numbers, with any number of "

@@ -8,14 +8,14 @@
 
 namespace sparkout::report {
 
-/// What was put into the cycle and its batch, in the accuracy passport.
+/// The inputs of the cycle and its batch, for the accuracy passport.
 class PassportInputs {
     Q_DECLARE_TR_FUNCTIONS(PassportInputs)
 public:
     static Facts drawing(const Project& project);                ///< tolerances and other limits
     static std::vector<Block> scenarios(const Subject& subject); ///< factors, laws, correlations
     static QString law(const GivenFactor& factor);               ///< "uniform, 0.14…0.16"
-    static Table inputs(const Project& project);                 ///< all that the model reads
+    static Table inputs(const Project& project);                 ///< all inputs of the model
     static std::vector<Block> recomputing(const Subject& subject);
 };
 

@@ -14,11 +14,11 @@ namespace sparkout::report {
 class PassportMeasured {
     Q_DECLARE_TR_FUNCTIONS(PassportMeasured)
 public:
-    /// Whether a project has parts to hold against a prediction.
+    /// Whether a project has measured parts to compare with a prediction.
     static bool applies(const Project& project);
-    /// Nothing where no part was measured, or nothing predicts.
+    /// Empty without measured parts or a prediction.
     static std::vector<Block> blocks(const Subject& subject);
-    /// What the calibration says of traces that it has not used; nothing where there are none.
+    /// The check of the calibration by unused traces; empty if there are none.
     static std::vector<Block> heldOut(const Project& project);
 
 private:

@@ -34,7 +34,7 @@ QString limitsText(const Characteristic& of) {
                     : cell({});
 }
 
-/// The nominal part, measured as each part of the batch is.
+/// The values of the nominal part, measured like those of the batch.
 std::vector<QString> nominalTexts(const Outcome& outcome,
                                   const std::vector<Characteristic>& characteristics) {
     PartOutcome part;

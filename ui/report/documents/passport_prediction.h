@@ -7,18 +7,19 @@
 
 namespace sparkout::report {
 
-/// What comes out of the cycle and its batch against the drawing, in the accuracy passport.
+/// The predicted results of the cycle and its batch compared with the drawing, for the accuracy
+/// passport.
 class PassportPrediction {
     Q_DECLARE_TR_FUNCTIONS(PassportPrediction)
 public:
-    static Table nominal(const Outcome& outcome); ///< of a passport without a batch
+    static Table nominal(const Outcome& outcome); ///< for a passport without a batch
     static Table values(const Subject& subject);  ///< nominal, extremes, mean and s
     static Table capability(const BatchSummary& summary);
     static Table percentiles(const BatchSummary& summary);
     static std::vector<Block> worst(const Subject& subject);
-    /// What the drawing and the process ask of one part, with margins and place.
+    /// The requirements of drawing and process on one part, with margins and places.
     static Table requirements(const Outcome& outcome);
-    static Table settings(const Outcome& outcome); ///< what is asked of the settings
+    static Table settings(const Outcome& outcome); ///< requirements on the settings
 };
 
 } // namespace sparkout::report

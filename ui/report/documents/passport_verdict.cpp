@@ -58,7 +58,7 @@ std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
     Facts facts{
         {{tr("Prediction"), JudgementText::headline(judgement)},
          {tr("The cycle, by the prediction"), BatchText::fitness(fitness(subject, judgement))},
-         {tr("What decided"), decision(subject, judgement)}}};
+         {tr("Deciding result"), decision(subject, judgement)}}};
     QStringList reasons;
     if (outcome.result.status != RunStatus::completed) {
         reasons << sparkout::verdict::status(outcome.result);

@@ -9,7 +9,7 @@
 
 namespace sparkout::report {
 
-/// Whether the cycle conforms, and what decided it, in the accuracy passport.
+/// The verdict on the cycle and its reason, for the accuracy passport.
 class PassportVerdict {
     Q_DECLARE_TR_FUNCTIONS(PassportVerdict)
 public:
@@ -17,8 +17,8 @@ public:
     static QString decision(const Subject& subject, const Judgement& judgement);
     static std::vector<Block> verdict(const Subject& subject);
 
-    /// The characteristic that decides: of the greatest share out of tolerance, else the least
-    /// Ppk; null when none is limited.
+    /// The deciding characteristic: that with the greatest share out of tolerance, otherwise with
+    /// the least Ppk; null if none is limited.
     static const CharacteristicSummary* deciding(const BatchSummary& summary);
     static const CharacteristicSummary* leastCapable(const BatchSummary& summary);
 };

@@ -26,7 +26,7 @@ namespace sparkout::report {
 
 namespace {
 
-/// Who makes the document, before the other facts of its head.
+/// Puts the company before the other facts of a report's head.
 Report withCompany(Report report, const Company& company) {
     const auto head = std::ranges::find_if(
         report.blocks, [](const Block& block) { return std::holds_alternative<Facts>(block); });
@@ -44,7 +44,7 @@ Report withCompany(Report report, const Company& company) {
     return report;
 }
 
-/// Which surface of its part it is about, first in its head and in the line at the top of pages.
+/// Puts the surface first in the head of a report and in the line at the top of pages.
 Report withSurface(Report report, const Subject& subject) {
     const auto head = std::ranges::find_if(
         report.blocks, [](const Block& block) { return std::holds_alternative<Facts>(block); });
@@ -59,7 +59,7 @@ Report withSurface(Report report, const Subject& subject) {
     return report;
 }
 
-/// With the project's own numbers.
+/// The company with the project's own numbers.
 Company companyOf(const Subject& subject) {
     return subject.company.with(*subject.outcome->result.project.card);
 }
@@ -131,8 +131,8 @@ void nameSurface(Subject& subject, const Setup& setup, std::size_t surface) {
     }
     subject.surface = CardRows::surfaceName(setup, surface);
     const std::string number = std::to_string(surface + 1);
-    // A shell reads a number as it stands; only where a name of another surface is that number
-    // the name has to do.
+    // A number is the simplest option for a shell; the name is used only if another surface has
+    // that number as its name.
     subject.surfaceOption =
         setup.find(number) == surface
             ? QString::fromStdString(number)
@@ -160,7 +160,7 @@ DressingSubjectPtr dressingOf(const Setup& setup) {
         return nullptr;
     }
     DressingOptions options;
-    options.most = 2000; // a report shall not take long
+    options.most = 2000; // keeps the report quick
     return std::make_shared<DressingSubject>(
         DressingSubject{setup, dressingInterval(setup, options)});
 }

@@ -15,7 +15,7 @@
 #include <optional>
 #include <span>
 
-/// The kinds of reports, each described once: command line and menus go by this table.
+/// The kinds of reports, each described once in a table for command line and menus.
 namespace sparkout::report {
 
 enum class Kind { card, passport, handout, operationCard, sketch };
@@ -26,58 +26,58 @@ struct SetupSubject {
     SetupRun run;
 };
 
-/// A set-up whose wheel wears, and how many parts it grinds.
+/// A set-up whose wheel wears, and its number of parts between dressings.
 struct DressingSubject {
     Setup setup;
     DressingInterval interval;
 };
 using DressingSubjectPtr = std::shared_ptr<const DressingSubject>;
 
-/// What is reported.
+/// The subject of a report.
 struct Subject {
-    OutcomePtr outcome;    ///< of a run that ran
-    BatchOutcomePtr batch; ///< of the same inputs, run whole, for a kind that takes one; or null
+    OutcomePtr outcome;    ///< outcome of a valid run
+    BatchOutcomePtr batch; ///< completed, of the same inputs, if the kind uses one; may be null
     BatchOutcomePtr
-        predicting;   ///< run whole, of what was measured of the outcome's project; or null
-    OutcomePtr worst; ///< run of the batch's worst part, beside a batch
-    QString file;     ///< path of the project, or empty
-    /// Of a part of several surfaces: the one of the outcome; empty: there is no other.
+        predicting;   ///< completed, for the measurements of the outcome's project; may be null
+    OutcomePtr worst; ///< run of the batch's worst part, if there is a batch
+    QString file;     ///< path of the project; may be empty
+    /// The surface of the outcome in a part with several; otherwise empty.
     QString surface;
-    /// That surface, as the option --surface names it.
+    /// That surface as the value of --surface.
     QString surfaceOption;
     QDate date;
     std::shared_ptr<const SetupSubject> setup; ///< null: the outcome alone
-    DressingSubjectPtr dressing; ///< of the set-up, for a kind that takes a batch; or null
-    Company company;             ///< of the heads
-    HandoutOptions handout;      ///< what the course hand-out is to have
-    std::function<void()> breathe = [] {}; ///< called between figures, so that a window may live
+    DressingSubjectPtr dressing;           ///< of the set-up, if the kind uses a batch; may be null
+    Company company;                       ///< for the heads
+    HandoutOptions handout;                ///< options of the course hand-out
+    std::function<void()> breathe = [] {}; ///< called between figures, to keep a window responsive
 };
 
 struct KindRow {
     Kind kind;
-    const char* key;  ///< on the command line, whose manual says what it is
-    const char* menu; ///< its menu, to be translated in the context ReportKind
-    bool judgesBatch; ///< it says how the cycle stands for the batch, where there is one
-    bool takesBatch;  ///< it is about batches and wheels, where there are such
-    bool takesSetup;  ///< it is about all surfaces of a set-up
+    const char* key;  ///< key on the command line, described in the manual
+    const char* menu; ///< menu text, translated in the context ReportKind
+    bool judgesBatch; ///< includes the verdict for the batch, if there is one
+    bool takesBatch;  ///< covers batches and wheels, if there are any
+    bool takesSetup;  ///< covers all surfaces of a set-up
     Report (*make)(const Subject& subject);
 };
 
 [[nodiscard]] std::span<const KindRow> kinds(); ///< in the order of the menus
 [[nodiscard]] const KindRow& rowOf(Kind kind);
 [[nodiscard]] std::optional<Kind> kindOf(const QString& key);
-[[nodiscard]] QString menuText(Kind kind); ///< with its mnemonic
+[[nodiscard]] QString menuText(Kind kind); ///< text with its mnemonic
 
-/// States which of the surfaces of a set-up is reported, where there are several.
+/// Names the reported surface of a set-up with several.
 void nameSurface(Subject& subject, const Setup& setup, std::size_t surface);
 
-/// An outcome as the set-up of its one surface.
+/// An outcome as a set-up with one surface.
 [[nodiscard]] SetupSubject setupOf(const Outcome& outcome);
 
-/// Runs the parts between dressings of a set-up, as they stand; null: its wheel does not wear.
+/// Computes the parts between dressings for the current set-up; null if its wheel does not wear.
 [[nodiscard]] DressingSubjectPtr dressingOf(const Setup& setup);
 
-/// Runs the part of the batch with the least margin as a cycle of its own.
+/// Runs the part of the batch with the least margin as a single cycle.
 [[nodiscard]] OutcomePtr runWorstPart(const BatchOutcome& batch);
 
 } // namespace sparkout::report

@@ -85,7 +85,7 @@ void FormSheet::paintLines(QPainter& painter, SheetDrawing::Range range) const {
     for (std::size_t i = range.from; i < range.to; ++i) {
         const SheetLine& line = lines[i];
         QPen pen(formInk, line.width_mm * unitsPerMm, Qt::SolidLine, Qt::SquareCap);
-        if (line.style == Qt::DashDotLine) { // of pen widths: a centre line
+        if (line.style == Qt::DashDotLine) { // in pen widths: a centre line
             constexpr double dash_mm = 8, gap_mm = 1.2, dot_mm = 0.6;
             pen.setCapStyle(Qt::FlatCap);
             pen.setDashPattern({dash_mm / line.width_mm, gap_mm / line.width_mm,

@@ -16,37 +16,36 @@
 
 class QPainter;
 
-/// A sheet of a form as values: everything at its place on the paper, in millimetres.
+/// A sheet of a form as values: everything with its position on the paper, in millimetres.
 namespace sparkout::report {
 
-inline constexpr double unitsPerMm = 720 / 25.4; ///< of the page
+inline constexpr double unitsPerMm = 720 / 25.4; ///< units of the page
 
-/// The narrow type of a form, so many points high.
+/// The narrow font of a form with a size in points.
 [[nodiscard]] QFont sheetFont(double points);
 
-/// Of a cell in the table of a sheet; row 0 is the head.
+/// The position of a cell in the table of a sheet; row 0 is the head.
 struct TablePlace {
     int row = 0, column = 0;
-    int span = 1; ///< columns that it takes
+    int span = 1; ///< number of columns
 };
 
-/// A text within its cell, in the middle of its height.
+/// A text within its cell, vertically centred.
 struct SheetText {
     QRectF cell;
     QString text;
     double points = 9;
     Qt::Alignment align = Qt::AlignLeft;
-    /// What it is to who hears it read: a text by itself unless it is said to be a cell of the
-    /// sheet's table, or its heading.
+    /// Its role for a screen reader: a text by itself, a cell of the sheet's table, or its heading.
     std::optional<TablePlace> place = {};
     bool isHeading = false;
 
-    [[nodiscard]] TextBox box() const; ///< as wrapped to the cell
+    [[nodiscard]] TextBox box() const; ///< wrapped to the cell
     void paint(QPainter& painter) const;
 };
 
-/// The text in the largest type up to that many points in which it fits into the cell, wrapped if
-/// need be; what does not fit in the smallest ends in an ellipsis.
+/// The text in the largest font up to this size in which it fits into the cell, wrapped if needed;
+/// a text too long for the smallest size ends in an ellipsis.
 [[nodiscard]] SheetText fitted(const QRectF& cell, const QString& text, double points,
                                Qt::Alignment align = Qt::AlignLeft);
 
@@ -58,7 +57,7 @@ struct SheetLine {
 
 struct SheetShape {
     QPainterPath path;
-    double width_mm = 0.3; ///< of its outline
+    double width_mm = 0.3; ///< width of its outline
     bool isFilled = false;
 };
 
@@ -68,7 +67,7 @@ struct SheetPicture {
     QString description; ///< in words
 };
 
-/// The drawing on a sheet: which of its lines, shapes and texts, from one up to another.
+/// The drawing on a sheet: ranges of its lines, shapes and texts.
 struct SheetDrawing {
     struct Range {
         std::size_t from = 0, to = 0;
@@ -78,16 +77,16 @@ struct SheetDrawing {
 };
 
 struct FormSheet {
-    QString title; ///< of its entry in the outline
+    QString title; ///< title in the outline
     std::vector<SheetText> texts;
     std::vector<SheetLine> lines;
     std::vector<SheetShape> shapes;
     std::vector<SheetPicture> pictures;
-    SheetDrawing drawing; ///< empty where there is none
-    int columns = 0;      ///< of the table, where there is one
+    SheetDrawing drawing; ///< may be empty
+    int columns = 0;      ///< columns of the table, if there is one
 
     void frame(const QRectF& box, double width_mm);
-    // At 720 units an inch, from the paper's corner.
+    // At 720 units per inch, from the paper's corner.
     void paint(QPainter& painter) const;
     static void paintPicture(QPainter& painter, const SheetPicture& picture);
     void paintLines(QPainter& painter, SheetDrawing::Range range) const;

@@ -16,10 +16,10 @@ namespace {
 
 using BoxKind = FormulaNode::Kind;
 
-constexpr double scriptShare = 0.7;  ///< of indices and exponents
-constexpr double nestedShare = 0.85; ///< of fractions
+constexpr double scriptShare = 0.7;  ///< size of indices and exponents
+constexpr double nestedShare = 0.85; ///< size of fractions
 constexpr double leastPoints = 5.5;
-constexpr double barShare = 0.06; ///< thickness of lines, of the font's size
+constexpr double barShare = 0.06; ///< thickness of lines, relative to the font's size
 constexpr double fontUnits = 10;
 
 double smaller(double points, double share) {
@@ -61,7 +61,7 @@ FormulaBox beside(std::vector<FormulaBox> boxes) {
     return row;
 }
 
-/// "k_s" with its index below the line.
+/// "k_s" with a lowered index.
 FormulaBox symbolBox(const QString& text, double points) {
     static const QRegularExpression index(QStringLiteral("_(\\w+)"),
                                           QRegularExpression::UseUnicodePropertiesOption);
@@ -140,7 +140,7 @@ FormulaBox powerBox(const FormulaNode& node, double points) {
     return beside({base, moved(exponent, -lift)});
 }
 
-/// Parentheses as high as what they hold.
+/// Parentheses as high as their contents.
 FormulaBox fencedBox(const FormulaNode& node, double points) {
     const FormulaBox inside = formulaBox(node.parts.front(), points);
     const FormulaBox plain = textPart(QStringLiteral("("), points);

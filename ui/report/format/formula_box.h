@@ -9,7 +9,7 @@ class QPainter;
 
 namespace sparkout::report {
 
-/// An expression laid out about its base line [units of the page].
+/// A typeset expression relative to its base line [units of the page].
 struct FormulaBox {
     double width = 0;
     double ascent = 0; ///< above the base line
@@ -17,7 +17,7 @@ struct FormulaBox {
     std::function<void(QPainter&, double x, double base)> paint;
 };
 
-/// With a font so many points high: fractions with a bar, roots with a roof, indices below.
+/// In a font of this size in points: fractions with a bar, roots with a roof, lowered indices.
 [[nodiscard]] FormulaBox formulaBox(const FormulaNode& node, double points);
 
 } // namespace sparkout::report

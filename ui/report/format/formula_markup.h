@@ -8,7 +8,7 @@ namespace sparkout::report {
 /// An equation as MathML, which browsers typeset and read aloud.
 [[nodiscard]] QString mathMarkup(const Formula& formula);
 
-/// In one line: "a = 2·h/C = 2·3/4 = 1.5 mm"; what is between indices and powers is plain.
+/// On one line: "a = 2·h/C = 2·3/4 = 1.5 mm"; only indices and powers are marked up.
 [[nodiscard]] QString inOneLine(const Formula& formula);
 
 } // namespace sparkout::report

@@ -37,7 +37,7 @@ FormulaNode rootOf(FormulaNode inside, int degree, double value) {
     return made;
 }
 
-/// Adds parts to a row, or makes one of a node.
+/// Adds parts to a row, or makes a row of a node.
 FormulaNode joined(FormulaNode left, const QString& sign, FormulaNode right, double value) {
     if (left.kind != NodeKind::row) {
         left = makeNode(NodeKind::row, left.value, {std::move(left)});
@@ -56,7 +56,7 @@ FormulaNode unfenced(FormulaNode of) {
     return inside;
 }
 
-/// Whether an exponent may stand at it as it is.
+/// Whether it needs no brackets below an exponent.
 bool isAtom(const FormulaNode& of) {
     return of.kind == NodeKind::fenced
            || (of.kind == NodeKind::text && !of.text.contains(u'·') && !of.text.startsWith(u'−'));
@@ -68,7 +68,7 @@ bool isSum(const FormulaNode& of) {
            });
 }
 
-/// Recursive descent over sums, products and powers, in the language of the engine's texts.
+/// Recursive descent parser for sums, products and powers, in the notation of the engine's texts.
 class FormulaParser {
 public:
     FormulaParser(const FormulaStep& step, const LeafWriter& leaf)
@@ -242,7 +242,7 @@ private:
     QString m_text;
 };
 
-/// In a line what stands below, or is raised, is held together.
+/// Encloses an expression for use on one line as an index or exponent.
 QString together(const FormulaNode& of) {
     const QString text = inOneLine(of);
     const bool atom = of.kind == NodeKind::text

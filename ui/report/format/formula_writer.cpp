@@ -16,7 +16,7 @@ constexpr int mostDigits = 13;
 constexpr int leastResultDigits = 2;
 constexpr double noLength_mm = 5e-10; ///< less than that is rounding of radii
 
-/// Without the last roundings of a difference of radii.
+/// Removes the rounding errors of a difference of radii.
 FormulaTerm settled(FormulaTerm term) {
     const bool length = term.unit && QLatin1StringView(term.unit) == QLatin1StringView("mm");
     if (length && std::abs(term.value) < noLength_mm) {
@@ -41,12 +41,12 @@ FormulaLeaf symbolLeaf(const FormulaTerm& term) {
             term.value};
 }
 
-/// So many digits that what is put in gives the result, and those of the result.
+/// The digits of the inserted numbers that reproduce the result, and those of the result.
 struct NeededDigits {
     int putIn, result;
 };
 
-/// As few digits as give the result; that loses some only where no number of digits does, as its
+/// The least number of digits that reproduces the result; the result loses digits only where its
 /// terms cancel.
 NeededDigits neededDigits(const FormulaStep& step) {
     const FormulaTerm result = settled(step.result);
@@ -67,7 +67,7 @@ FormulaNode words(const QString& text) {
     return {FormulaNode::Kind::text, text, 2, 0, {}};
 }
 
-/// The number of a term and its unit, with the powers of that raised.
+/// The number of a term and its unit, with raised powers.
 FormulaNode quantityNode(const QString& number, const FormulaTerm& term) {
     static const QRegularExpression power(QStringLiteral("(\\p{L}+)\\^([0-9]+(?:[.,][0-9]+)?)"));
     FormulaNode node{FormulaNode::Kind::row, {}, 2, term.value, {words(number)}};

@@ -11,11 +11,10 @@
 
 namespace sparkout::report {
 
-/// Significant digits of a result; what is put in carries as many as it takes to get them.
+/// Significant digits of a result; the inserted numbers have as many as needed.
 inline constexpr int resultDigits = 4;
 
-/// What equations leave for their reader to find: their results, and the numbers of these symbols
-/// where they are put in.
+/// The parts of equations left out for the reader: their results, and the numbers of these symbols.
 struct LeftOut {
     QSet<QString> symbols;
 };
@@ -24,8 +23,8 @@ struct LeftOut {
 /// A place to write a number.
 [[nodiscard]] QString blankNumber();
 
-/// Writes the engine's formulas as equations that are numbered on. What has been written once, with
-/// the same numbers, is not written again.
+/// Writes the engine's formulas as numbered equations. A formula with the same numbers is written
+/// only once.
 class FormulaWriter {
 public:
     explicit FormulaWriter(std::optional<LeftOut> leftOut = {}) : m_leftOut(std::move(leftOut)) {}
@@ -38,10 +37,10 @@ private:
     int m_count = 0;
 };
 
-/// One step: symbols = numbers = result. The numbers, worked out as they are printed, give the
-/// result as it is printed.
+/// One step: symbols = numbers = result. The printed numbers reproduce the printed result.
 [[nodiscard]] Formula equation(const FormulaStep& step);
-/// The same with places to write what is left out. What has no right side is given, and stands.
+/// An equation with places to write what is left out. A given value without a right side is written
+/// in full.
 [[nodiscard]] Formula equation(const FormulaStep& step, const LeftOut& leftOut);
 
 } // namespace sparkout::report

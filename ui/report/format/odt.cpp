@@ -20,12 +20,12 @@ namespace sparkout::report {
 
 namespace {
 
-/// Between the margins of the page.
+/// Text widths between the margins.
 constexpr double upright_mm = 180, landscape_mm = 272, standard_mm = 165;
-constexpr double mostFormFigure_mm = 118; ///< high, for it to stand below the head of a form
+constexpr double mostFormFigure_mm = 118; ///< greatest height below the head of a form
 constexpr QColor paperColour(255, 255, 255);
-constexpr int pixelsPerUnit = 2;                        ///< of a figure
-constexpr qsizetype leastLetters = 4, mostLetters = 40; ///< that a column is as wide as
+constexpr int pixelsPerUnit = 2;                        ///< pixels per unit of a figure
+constexpr qsizetype leastLetters = 4, mostLetters = 40; ///< limits of the width of a column
 constexpr const char* mimeType = "application/vnd.oasis.opendocument.text";
 
 using Attributes = OdtXml::Attributes;
@@ -61,7 +61,7 @@ std::vector<double> sharesOf(const Table& table) {
     return shares;
 }
 
-/// Writes the blocks; the styles of columns are put aside, for they stand before.
+/// Writes the blocks; the styles of columns are collected, since they precede the blocks.
 class Body {
 public:
     Body(OdtXml& xml, const Report& report, double width_mm, const OdtForms& forms)
@@ -170,7 +170,7 @@ private:
         return QString::fromLatin1(name);
     }
 
-    /// How many columns the text of one goes over.
+    /// The number of columns that a text spans.
     [[nodiscard]] std::size_t spreadOf(const QStringList& cells, const Table& table,
                                        std::size_t column) const {
         const auto [from, to] = table.spread;
@@ -233,7 +233,7 @@ private:
     OdtXml& m_xml;
     const Report& m_report;
     double m_width_mm;
-    const OdtForms& m_forms; ///< in one, cells without a value are empty instead of struck out
+    const OdtForms& m_forms; ///< in a form, cells without a value are empty instead of struck out
     std::size_t m_heads = 0, m_headings = 0;
     int m_tables = 0;
     std::vector<Picture> m_pictures;
@@ -383,7 +383,7 @@ QByteArray stylesOf(const Report& report, const OdtForms& forms, bool landscape)
                 landscape ? QStringLiteral("5mm") : QStringLiteral("12mm")},
                {QStringLiteral("fo:margin-top"), QStringLiteral("10mm")},
                {QStringLiteral("fo:margin-bottom"), QStringLiteral("10mm")}});
-    // A footer is as high as symbol and name of a form with the line below them: it does not grow.
+    // A footer has a fixed height: symbol and name of a form with the line below them.
     for (const auto& [style, height] :
          {std::pair("style:header-style", "5mm"), std::pair("style:footer-style", "9mm")}) {
         xml.begin(style);

@@ -7,8 +7,8 @@
 
 namespace sparkout::report {
 
-/// An OpenDocument text of the blocks, to be edited: tables are tables, figures are pictures with
-/// their descriptions, equations are lines. A form is A4 landscape, other reports are upright.
+/// An editable OpenDocument text of the blocks: tables are tables, figures are pictures with
+/// descriptions, equations are lines. A form is A4 landscape, other reports are portrait.
 [[nodiscard]] QByteArray odt(const Report& report);
 
 } // namespace sparkout::report

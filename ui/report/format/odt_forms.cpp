@@ -32,7 +32,7 @@ void writeTableStyle(OdtXml& xml, const char* name, const char* family, const ch
     xml.end();
 }
 
-/// How a form's tables and cells look, wherever they stand.
+/// The styles of a form's tables and cells.
 void writeFormStyles(OdtXml& xml) {
     writeTableStyle(xml, "FormTable", "table", "style:table-properties",
                     {{QStringLiteral("table:align"), QStringLiteral("margins")},
@@ -99,7 +99,7 @@ void OdtForms::writeCell(OdtXml& xml, const FormCell& cell, const KeepPicture& k
         xml.paragraph("FormCaption", cell.caption);
         if (cell.value.isEmpty() && cell.picture.isNull() && cell.count == FormCell::Count::none
             && cell.rows == 1 && cell.columns == 1) {
-            return; // a name alone, as of those who sign
+            return; // only a name, for instance of a signatory
         }
     }
     xml.begin("text:p");
@@ -139,7 +139,7 @@ void OdtForms::writeGrid(OdtXml& xml, const QString& table, const FormGrid& grid
         xml.empty("table:table-column",
                   {{QStringLiteral("table:style-name"), table + QStringLiteral(".%1").arg(c + 1)}});
     }
-    std::vector<int> taken(columns, 0); ///< rows that a cell above goes on over, by column
+    std::vector<int> taken(columns, 0); ///< remaining rows of a spanning cell above, by column
     for (const std::vector<FormCell>& row : grid.rows) {
         xml.begin("table:table-row");
         auto next = row.begin();

@@ -15,21 +15,21 @@ namespace sparkout::report {
 
 struct Report;
 
-/// The forms of a report in an OpenDocument text: each has its head as tables, and pages of its own
-/// whose further sheets repeat the head in brief.
+/// The forms of a report in an OpenDocument text: each has its head as tables, and pages of its
+/// own, of which the later ones have a short head.
 class OdtForms {
 public:
-    /// Takes a picture into the document; returns its name there.
+    /// Adds a picture to the document; returns its name there.
     using KeepPicture = std::function<QString(const QImage& image)>;
 
     explicit OdtForms(const Report& report);
 
     [[nodiscard]] bool isEmpty() const { return m_heads.empty(); }
-    /// The styles that the heads need in the text's file.
+    /// Writes the styles of the heads for the file of the text.
     void writeStyles(OdtXml& xml) const;
-    /// The head of a form; what follows stands on its sheets.
+    /// Writes the head of a form; the following blocks are on its sheets.
     void writeHead(OdtXml& xml, std::size_t form, const KeepPicture& keep) const;
-    /// In the file of styles: those of headers and footers, then the pages.
+    /// For the file of styles: those of headers and footers, then the pages.
     void writePageStyles(OdtXml& xml) const;
     void writePages(OdtXml& xml, const QString& layout, const QString& origin) const;
 

@@ -90,7 +90,7 @@ void OdtStandard::writeStyles(OdtXml& xml, const QString& language) {
     xml.end();
     xml.end();
     xml.end();
-    // Its first paragraph brings the page without a number with it.
+    // Its first paragraph starts the page without a number.
     xml.begin("style:style");
     xml.attribute("style:name", QStringLiteral("TitleFirst"));
     xml.attribute("style:family", QStringLiteral("paragraph"));

@@ -10,13 +10,13 @@
 
 namespace sparkout::report {
 
-/// What a report by ГОСТ 7.32 has in an OpenDocument text beside what every text has: its styles
-/// and pages, the title page, contents whose pages are looked up by who opens it.
+/// The additional parts of a report by ГОСТ 7.32 in an OpenDocument text: styles and pages, the
+/// title page, and contents whose page numbers are updated on opening.
 class OdtStandard {
 public:
-    static void writeStyles(OdtXml& xml, const QString& language); ///< those of paragraphs
-    static void writeIndexStyle(OdtXml& xml); ///< of what stands below the line
-    /// Layouts of the pages among the automatic styles, which are open; then the pages.
+    static void writeStyles(OdtXml& xml, const QString& language); ///< of paragraphs
+    static void writeIndexStyle(OdtXml& xml);                      ///< of indices
+    /// Writes the layouts of the pages into the open automatic styles; then the pages.
     static void writePages(OdtXml& xml);
 
     static void writeHeading(OdtXml& xml, const Heading& heading, std::size_t number);

@@ -21,12 +21,12 @@ public:
     void end();
     void text(const QString& text);
     void empty(const char* name, const Attributes& attributes);
-    /// A paragraph or heading; its lines stay lines.
+    /// A paragraph or heading; line breaks are kept.
     void paragraph(const char* style, const QString& text, const char* element = "text:p");
-    /// The same where it has symbols: an index of "k_s" stands below the line.
+    /// A text with symbols: the index of "k_s" is lowered.
     void symbols(const char* style, const QString& text);
     void paragraphStyle(const char* name, const Attributes& paragraph, const Attributes& text);
-    /// Ends what is open.
+    /// Ends all open elements.
     [[nodiscard]] QByteArray finish();
 
     [[nodiscard]] static QString millimetres(double value);

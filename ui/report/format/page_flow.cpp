@@ -23,19 +23,19 @@ namespace sparkout::report {
 namespace {
 
 // Sizes in tenths of a point, fonts in points.
-constexpr double tenths = 10; ///< of a point in a point
+constexpr double tenths = 10; ///< parts of a point
 constexpr double gap = 60, cellPad = 30, rowPad = 14, ruleWidth = 5;
-constexpr double cellRoom = 2 * cellPad + 2; ///< beside its text, and for rounding
+constexpr double cellRoom = 2 * cellPad + 2; ///< beside the text, with an allowance for rounding
 constexpr QColor rule(150, 150, 150), shade(236, 236, 236), printInk(0, 0, 0),
     printFaint(90, 90, 90);
 constexpr double formulaIndent = 120, labelRoom = 260;
 constexpr double blankLine = 280;                                   ///< between ruled lines
-constexpr double smallerBy = 0.5, leastSize = 6.5, leastHead = 5.5; ///< of a table's type
-constexpr double leastOneLine = 7.5; ///< so small to keep every row in one line
-constexpr int leastLines = 3;        ///< of a text or a row that follow a heading on its page
-constexpr std::size_t leastRows = 3; ///< of a table that is parted, on each of its pages
-constexpr double wholeShare = 0.5;   ///< of a page: what is smaller is never parted
-constexpr int introLines = 6;        ///< a text so short belongs to what follows or precedes it
+constexpr double smallerBy = 0.5, leastSize = 6.5, leastHead = 5.5; ///< font sizes of a table
+constexpr double leastOneLine = 7.5; ///< least size to keep every row on one line
+constexpr int leastLines = 3;        ///< least lines of a text or a row on the page of its heading
+constexpr std::size_t leastRows = 3; ///< least rows of a divided table on each of its pages
+constexpr double wholeShare = 0.5;   ///< smaller blocks, as a share of a page, are not divided
+constexpr int introLines = 6;        ///< so short a text belongs to the next or previous block
 
 struct PageText {
     Q_DECLARE_TR_FUNCTIONS(PageText)
@@ -43,14 +43,14 @@ public:
     static QString number(int page, int count) { return tr("page %1 of %2").arg(page).arg(count); }
 };
 
-/// What the columns of a table need.
+/// The widths that the columns of a table need.
 struct ColumnNeeds {
-    std::vector<double> least;  ///< the longest word, or the longest number with what belongs to it
-    std::vector<double> wanted; ///< the longest line of the rows
-    std::vector<double> head;   ///< the same with the head
+    std::vector<double> least;  ///< longest word, or longest number with its unit
+    std::vector<double> wanted; ///< longest line of the rows
+    std::vector<double> head;   ///< including the head
 };
 
-/// `goesOn` is asked row by row, here and below; what comes of a stop is not used.
+/// `goesOn` is called for each row, here and below; results after a stop are discarded.
 using GoesOn = std::function<bool()>;
 
 ColumnNeeds needsOf(const Table& table, double body, double head, bool wholeNumbers,
@@ -87,7 +87,7 @@ double sumOf(const std::vector<double>& widths) {
     return std::accumulate(widths.begin(), widths.end(), 0.0);
 }
 
-/// The cells of a column as words, to tell how many lines they take at a width.
+/// The words of a column's cells, for the number of lines at a width.
 class ColumnWords {
 public:
     ColumnWords(const Table& table, std::size_t column, double body, const GoesOn& goesOn) {
@@ -129,7 +129,7 @@ private:
     std::vector<std::vector<std::vector<double>>> m_cells; ///< by row, line and word
 };
 
-/// Widens columns to what they want, the least first, as far as there is room.
+/// Widens columns to their wanted widths, the smallest first, as far as possible.
 void widen(std::vector<double>& widths, const std::vector<double>& wanted, double width,
            std::size_t spared = 0) {
     std::vector<std::size_t> order(widths.size());
@@ -144,8 +144,8 @@ void widen(std::vector<double>& widths, const std::vector<double>& wanted, doubl
     }
 }
 
-/// Shares the room among the columns so that the rows take as few lines as can be: the three that
-/// want most are tried in steps, the others get what they want.
+/// Shares the width among the columns for the fewest lines: the three widest ones are tried in
+/// steps, the others get their wanted widths.
 void share(std::vector<double>& widths, const std::vector<double>& wanted, double width,
            const Table& table, double body, const GoesOn& goesOn) {
     constexpr std::size_t tried = 3;
@@ -182,7 +182,7 @@ void share(std::vector<double>& widths, const std::vector<double>& wanted, doubl
                 }
                 cost.first += row;
             }
-            for (std::size_t i = 0; i < tried; ++i) { // of equals the one that misses least
+            for (std::size_t i = 0; i < tried; ++i) { // of equal ones that with the least shortage
                 const double missing = wanted[most[i]] - widths[most[i]] - spare * given[i] / steps;
                 cost.second += missing * missing / wanted[most[i]];
             }
@@ -199,8 +199,8 @@ void share(std::vector<double>& widths, const std::vector<double>& wanted, doubl
 
 } // namespace
 
-/// Columns that fill the page: rows in one line each where that can be, in slightly smaller type if
-/// need be, then short heads.
+/// Columns that fill the page: preferably rows on one line each, in a slightly smaller font if
+/// needed, then short heads.
 PageFlow::Columns PageFlow::columnsOf(const Table& table) const {
     const double width = m_area.width();
     const PageMetrics& m = m_metrics;
@@ -229,7 +229,7 @@ PageFlow::Columns PageFlow::columnsOf(const Table& table) const {
     columns.widths = needs.least;
     share(columns.widths, needs.wanted, width, table, columns.body, goesOn);
     widen(columns.widths, needs.head, width);
-    const double scale = width / sumOf(columns.widths); // spread what is over, or press together
+    const double scale = width / sumOf(columns.widths); // distributes the surplus or the shortage
     std::ranges::for_each(columns.widths, [scale](double& w) { w *= scale; });
     return columns;
 }
@@ -381,7 +381,7 @@ void PageFlow::operator()(const Paragraph& paragraph) {
         const int left = box.lines() - first;
         int fitting = std::max(1, static_cast<int>(room() / lineHeight));
         if (fitting < left && left - fitting < leastLines - 1 && fitting > leastLines) {
-            fitting = left - leastLines + 1; // no line alone on the next page
+            fitting = left - leastLines + 1; // no single line on the next page
         }
         const TextBox part = box.part(first, std::min(fitting, left));
         mark(Pages::Box::Kind::text, part.height(), {part});
@@ -439,7 +439,7 @@ std::size_t PageFlow::rowsThatFit(const std::vector<Row>& rows, std::size_t firs
     return end;
 }
 
-/// Two pairs abreast, framed as a card's head is.
+/// Lays out two pairs side by side, framed like the head of a card.
 void PageFlow::operator()(const Facts& facts) {
     const double half = m_area.width() / 2;
     const std::vector<Row> rows = rowsOf(facts);
@@ -516,7 +516,7 @@ void PageFlow::addRow(const Row& row, const Columns& columns, const QColor& grou
     m_y += row.height;
 }
 
-/// A row that no page can hold goes on over the next ones, line by line.
+/// A row higher than a page continues on the next ones, line by line.
 void PageFlow::addLongRow(const Row& row, const LaidOutTable& table, const QColor& ground,
                           const std::vector<Element>& cells) {
     const int lines = std::ranges::max_element(row.boxes, {}, &TextBox::lines)->lines();
@@ -593,7 +593,7 @@ void PageFlow::operator()(const Table& table) {
 
 namespace {
 
-/// Of rows: all of them where that is little, else as many as a parted table shows.
+/// The height of rows kept together: all if they are few, otherwise the least of a divided table.
 double rowsTogether(const std::vector<double>& heights, double above, double below, double page) {
     const double whole = above + std::accumulate(heights.begin(), heights.end(), below);
     if (whole <= wholeShare * page) {
@@ -654,7 +654,7 @@ double PageFlow::together(std::size_t block) const {
 
 double PageFlow::scaleOf(const Figure& figure) const {
     const TextBox caption(figure.caption, reportFont(m_metrics.small), m_area.width());
-    const double heading = 2 * (m_metrics.heading * tenths + gap); // the one above stays with it
+    const double heading = 2 * (m_metrics.heading * tenths + gap); // keeps the previous one with it
     return std::min(m_area.width() / figure.size.width(),
                     (m_bottom - m_top - m_metrics.apart - caption.height() - heading)
                         / figure.size.height());
@@ -718,7 +718,7 @@ std::vector<std::vector<FormulaBox>> formulaLines(const Formula& formula, double
 
 namespace {
 
-/// A line of an equation with its size, pressed together where it is too wide.
+/// A line of an equation with its size, compressed if it is too wide.
 struct FormulaLine {
     FormulaLine(const std::vector<FormulaBox>& boxes, double room) {
         double wide = 0, below = 0, above = 0;
@@ -859,7 +859,7 @@ void PageFlow::addContents() {
     }
 }
 
-/// In the middle below the text; the title page is counted, but has none.
+/// Centred below the text; the title page is counted but not numbered.
 void PageFlow::addNumbers() {
     const QFont font = reportFont(m_metrics.body);
     for (std::size_t i = m_hasTitlePage ? 1 : 0; i < m_pages.size(); ++i) {

@@ -39,13 +39,13 @@ public:
 private:
     using Paint = std::function<void(QPainter&)>;
     using Element = PdfStructure::Id;
-    /// Widths of a table's columns, and the size of its type [points]: smaller where a number would
-    /// not fit into its cell else.
+    /// Widths of a table's columns, and the size of its font [points], reduced if a number would
+    /// not fit into its cell.
     struct Columns {
         std::vector<double> widths;
         double body, head;
     };
-    /// A row as it is laid out.
+    /// A row with its layout.
     struct Row {
         std::vector<TextBox> boxes;
         double height;
@@ -54,10 +54,10 @@ private:
         const Table* table = nullptr;
         Columns columns;
         Row head;
-        std::vector<Row> rows; ///< not all of them where it was stopped
+        std::vector<Row> rows; ///< incomplete after a stop
     };
     [[nodiscard]] Columns columnsOf(const Table& table) const;
-    /// The last one asked for is kept: what stands above a table asks for it, too.
+    /// Caches the last layout, which a preceding text needs, too.
     [[nodiscard]] const LaidOutTable& laidOut(const Table& table) const;
     [[nodiscard]] static Row rowOf(const QStringList& cells, const Columns& columns,
                                    const Table& table, const QFont& font);
@@ -65,29 +65,29 @@ private:
     [[nodiscard]] std::vector<Row> rowsOf(const Table& table, const Columns& columns) const;
     /// Pairs of facts, two abreast.
     [[nodiscard]] std::vector<Row> rowsOf(const Facts& facts) const;
-    /// How much of a block, and of what is never parted from it, stands on one page at least.
+    /// The least height of a block, with what is kept with it, on one page.
     [[nodiscard]] double together(std::size_t block) const;
     [[nodiscard]] double scaleOf(const Figure& figure) const;
     [[nodiscard]] double heightOf(const Figure& figure) const; ///< with its caption
     [[nodiscard]] double heightOf(const Formula& formula) const;
     [[nodiscard]] TextBox boxOf(const Paragraph& paragraph) const;
     [[nodiscard]] TextBox boxOf(const Heading& heading) const;
-    /// Whether it stands at the top of a page.
+    /// Whether a heading starts a page.
     [[nodiscard]] bool beginsPage(const Heading& heading) const;
     [[nodiscard]] TextBox
-    captionBox(const QString& caption) const; ///< without lines: there is none
+    captionBox(const QString& caption) const; ///< without lines if there is none
     void addCaption(const TextBox& caption, Element table);
-    /// Asked row by row, for a table may fill hundreds of pages.
+    /// Called for each row, since a table may fill hundreds of pages.
     [[nodiscard]] bool goesOn() const;
     void newPage();
-    /// Begins a page unless so much fits below what is there.
+    /// Starts a page unless this height is left.
     void need(double height);
     [[nodiscard]] double room() const { return m_bottom - m_y; }
-    /// The end of the rows from the first that fit on this page: where few are over, more go with
-    /// them to the next page, and the last ones keep the room for the note below.
+    /// The end of the rows from the first that fit on this page: if few remain, more rows move to
+    /// the next page, and the last ones leave space for the note below.
     [[nodiscard]] std::size_t rowsThatFit(const std::vector<Row>& rows, std::size_t first,
                                           double note) const;
-    /// Whether a short text belongs to what follows it.
+    /// Whether a short text belongs to the next block.
     [[nodiscard]] bool introduces(std::size_t block, const TextBox& box) const;
     /// Height of the note below a table.
     [[nodiscard]] double noteBelow(std::size_t table) const;
@@ -98,20 +98,20 @@ private:
     void addTitle();
     /// A row of a table as elements: its cells.
     [[nodiscard]] std::vector<Element> addCells(Element table, const Row& row, const char* type);
-    /// The head is of the table where it first stands, repeated it is none of its elements.
+    /// The first head is an element of the table; its repetitions are not.
     void addHead(const LaidOutTable& table, std::vector<Element>& cells);
     void addRow(const Row& row, const Columns& columns, const QColor& ground, Pages::Box::Kind kind,
                 const std::vector<Element>& cells);
     void addLongRow(const Row& row, const LaidOutTable& table, const QColor& ground,
                     const std::vector<Element>& cells);
     void addMargins();  ///< head and foot of every page
-    void addNumbers();  ///< of the pages, where that is all there is
-    void addContents(); ///< once the pages of the headings are known
+    void addNumbers();  ///< page numbers, if nothing else is in the margins
+    void addContents(); ///< when the pages of the headings are known
 
     /// A heading among the contents.
     struct Entry {
         TextBox text;
-        std::size_t page; ///< it stands on
+        std::size_t page; ///< its page
         double x, y;
         Element element;
     };
@@ -124,7 +124,7 @@ private:
     const PageMetrics& m_metrics;
     double m_top, m_bottom;
     double m_y = 0;
-    std::size_t m_block = 0; ///< which is laid out
+    std::size_t m_block = 0; ///< the current block
     std::vector<std::vector<Pages::Piece>> m_pages;
     std::vector<Pages::Mark> m_marks;
     std::vector<Pages::Box> m_boxes;

@@ -18,7 +18,7 @@ const PageMetrics& metricsOf(PageStyle style) {
                                    .head = 180,
                                    .foot = 180,
                                    .margins_mm = {18, 12, 12, 12}};
-    // Of the 20 mm below the text the number of the page has 10.
+    // The page number takes 10 of the 20 mm below the text.
     static const PageMetrics standard{.body = 12,
                                       .small = 12,
                                       .heading = 14,

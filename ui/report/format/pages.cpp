@@ -24,13 +24,13 @@ namespace {
 constexpr int pdfResolution = 1200;
 constexpr double pointsPerInch = 72;
 
-/// The title as a list of documents shows it.
+/// The title as shown in a list of documents.
 QString fullTitle(const Report& report) {
     return report.subject.isEmpty() ? report.title
                                     : report.title + QStringLiteral(" – ") + report.subject;
 }
 
-/// The properties once more, as newer readers want them.
+/// The properties as XMP, required by newer readers.
 QByteArray xmp(const Report& report) {
     return QStringLiteral("<?xpacket begin=\"\uFEFF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
                           "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF "
@@ -47,7 +47,7 @@ QByteArray xmp(const Report& report) {
         .toUtf8();
 }
 
-constexpr double layoutShare = 0.3; ///< of the time a PDF takes, about
+constexpr double layoutShare = 0.3; ///< approximate share of the time for a PDF
 
 bool paintRange(const Pages& pages, QPagedPaintDevice& device, int first, int last,
                 bool marks = false, const KeepGoing& keepGoing = {}) {
@@ -123,7 +123,7 @@ bool printPages(const Pages& pages, QPrinter& printer) {
 
 namespace {
 
-/// The project, so that the paper can be opened again.
+/// The project, from which the paper can be opened again.
 std::optional<PdfAttachment> attachmentOf(const Report& report) {
     const QString ending = QStringLiteral(".sparkout");
     if (report.inputs.isEmpty()) {

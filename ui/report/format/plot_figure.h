@@ -6,16 +6,16 @@
 
 class QCustomPlot;
 
-/// Plots of the views as figures of a report. In the thread of the window.
+/// Plots of the views as figures of a report. In the window's thread.
 namespace sparkout::report {
 
 /// Width of a figure in its own units.
 inline constexpr int figureWidth = 820;
 
-/// A plot as it stands on white paper, the same on every device; before it is given its data.
+/// Sets up a plot for white paper, the same on every device; call before setting its data.
 void setUpForPaper(QCustomPlot& plot, int height);
 
-/// The plot in vectors, its legend above it.
+/// The plot as vector graphics, with its legend above.
 [[nodiscard]] Figure plotFigure(QCustomPlot& plot, const LegendEntries& legend,
                                 const QString& caption, const QString& description);
 

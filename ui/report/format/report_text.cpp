@@ -48,7 +48,7 @@ QByteArray drawn(const Figure& figure) {
     return device.document();
 }
 
-/// A drawing as an element of its page; the names in it are its own.
+/// A drawing as an element of its page; its identifiers are unique to it.
 QString svgOf(const Figure& figure, int number) {
     QString svg = QString::fromUtf8(drawn(figure));
     svg.remove(0, svg.indexOf(QStringLiteral("<svg")));
@@ -221,7 +221,7 @@ public:
         m_pictures += QStringLiteral("[%1]: data:image/svg+xml;base64,").arg(name)
                       + QString::fromLatin1(drawn(figure).toBase64()) + u'\n';
     }
-    /// In one line, with indices and powers as HTML has them, which Markdown takes.
+    /// On one line, with indices and powers as in HTML, which Markdown accepts.
     void operator()(const Formula& formula) {
         static const QRegularExpression power(QStringLiteral("\\^\\(([0-9.,/]+)\\)"));
         m_text += indexed(inOneLine(formula)).replace(power, QStringLiteral("<sup>\\1</sup>"))
@@ -255,9 +255,9 @@ public:
         m_text += u'\n';
     }
     [[nodiscard]] const QString& text() const { return m_text; }
-    /// The drawings, for the end of the file: the text above them stays one to read.
+    /// The drawings, placed at the end of the file to keep the text above readable.
     [[nodiscard]] const QString& pictures() const { return m_pictures; }
-    /// Signs that mean something to Markdown or HTML stand for themselves.
+    /// Escapes characters with a meaning in Markdown or HTML.
     static QString plain(const QString& text) {
         static const QRegularExpression signs(QStringLiteral("([\\\\`*_{}\\[\\]#|~$])"));
         QString out = text;
@@ -272,7 +272,7 @@ private:
     static QString inLine(const QString& text) {
         return plain(text).replace(u'\n', QStringLiteral("<br>"));
     }
-    /// "k_s" as HTML writes it, which Markdown takes.
+    /// "k_s" in HTML, which Markdown accepts.
     static QString indexed(const QString& text) {
         static const QRegularExpression index(QStringLiteral("\\\\_(\\w+)"),
                                               QRegularExpression::UseUnicodePropertiesOption);
@@ -287,7 +287,7 @@ private:
         return text + u'\n';
     }
 
-    static constexpr int blankSigns = 60; ///< of a line to write on
+    static constexpr int blankSigns = 60; ///< underscores of a line for handwriting
 
     QStringList m_headings;
     QString m_text, m_pictures;

@@ -10,17 +10,17 @@
 
 namespace sparkout::report {
 
-/// One file that needs no other: figures are SVG inside it. Well-formed XML too.
+/// A single file with embedded SVG figures. Also well-formed XML.
 [[nodiscard]] QByteArray html(const Report& report);
 
-/// Tables and texts; a figure is described in words, and its drawing is SVG in the file itself.
+/// Tables and texts; a figure has a description and an SVG drawing in the file itself.
 [[nodiscard]] QByteArray markdown(const Report& report);
 
-/// The formats of an exported report, by the ending of the file.
+/// The formats of an exported report, by file suffix.
 enum class Format { pdf, html, markdown, odt };
 [[nodiscard]] std::optional<Format> formatOf(const QString& path);
 
-/// Empty when it could not be made, or was stopped: pages are, the other formats are quick.
+/// Empty on failure or after a stop; only PDF can be stopped, the other formats are quick.
 [[nodiscard]] QByteArray bytesOf(const Report& report, Format format,
                                  const KeepGoing& keepGoing = {});
 

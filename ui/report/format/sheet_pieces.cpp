@@ -15,8 +15,7 @@ namespace {
 
 using Id = PdfStructure::Id;
 
-/// The elements of a sheet's table: every row has a cell in each of its columns, or one over
-/// several of them.
+/// The elements of a sheet's table: every row has a cell for each column, or one spanning several.
 class SheetTable {
 public:
     SheetTable(const FormSheet& sheet, PdfStructure& structure, Id parent) {
@@ -50,7 +49,7 @@ private:
     std::map<std::pair<int, int>, Id> m_cells;
 };
 
-/// What the lines of the drawing take [units of the page].
+/// The area of the drawing's lines [units of the page].
 QRectF boxOf(const FormSheet& sheet) {
     QRectF box;
     for (std::size_t i = sheet.drawing.lines.from; i < sheet.drawing.lines.to; ++i) {

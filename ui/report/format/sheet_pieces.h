@@ -9,8 +9,8 @@
 
 namespace sparkout::report {
 
-/// A sheet of a form as what is painted of it, by the elements of the structure: its heading, its
-/// texts, the table and the drawing; frames are of none.
+/// A sheet of a form as painted pieces, by the elements of the structure: its heading, its texts,
+/// the table and the drawing; frames belong to none.
 [[nodiscard]] std::vector<Pages::Piece> sheetPieces(const FormSheet& sheet,
                                                     PdfStructure& structure);
 

@@ -30,7 +30,7 @@ QString kept(QString paragraph) {
 void TextBox::wrap(const QString& text, double indent) {
     for (const QString& given : text.split(u'\n')) {
         double start = indent;
-        if (given.isEmpty()) { // of which Qt 6.4 makes no line, and later ones an empty one
+        if (given.isEmpty()) { // Qt 6.4 makes no line of it, and an empty one later
             m_lines += QString();
             m_goesOn += true;
             m_starts += start;
@@ -86,13 +86,13 @@ void TextBox::paint(QPainter& painter, double x, double y) const {
                                                           : m_starts[i];
         const QPointF at(x + std::max(0.0, shift), y + m_ascent + double(i) * m_lineHeight);
         if (m_indices) {
-            const bool isWords = m_lines[i].contains(u' '); // a root goes over a symbol alone
+            const bool isWords = m_lines[i].contains(u' '); // a radical sign covers a symbol alone
             const FormulaNode line =
                 isWords ? FormulaNode{FormulaNode::Kind::text, m_lines[i], 2, 0, {}}
                         : leafNode(m_lines[i], 0);
             formulaBox(line, m_font.pixelSize() / unitsPerPoint).paint(painter, at.x(), at.y());
         } else {
-            // With the space between its words: who hears it read hears two of them.
+            // Includes the space between words, so that a screen reader separates them.
             painter.drawText(at, m_goesOn[i] ? m_lines[i] + u' ' : m_lines[i]);
         }
     }

@@ -10,14 +10,14 @@ class QPainter;
 
 namespace sparkout::report {
 
-/// A text wrapped to a width: between words, within one only where it is wider than that.
-/// Independent of any device: the font's size is in units of the page.
+/// A text wrapped to a width: between words, or within a word that is wider. Independent of any
+/// device: the font's size is in units of the page.
 class TextBox {
 public:
-    /// How its lines are set.
+    /// The setting of its lines.
     struct Setting {
-        double indent = 0;  ///< of the first line of a paragraph
-        double spacing = 1; ///< in heights of a line
+        double indent = 0;  ///< indent of the first line of a paragraph
+        double spacing = 1; ///< in line heights
     };
 
     TextBox(QString text, QFont font, double width, Qt::Alignment align = Qt::AlignLeft);
@@ -28,9 +28,9 @@ public:
     [[nodiscard]] double width() const { return m_width; }
     [[nodiscard]] const QFont& font() const { return m_font; }
     [[nodiscard]] const QStringList& texts() const { return m_lines; } ///< line by line
-    /// The lines from one on, as many as given.
+    /// The lines from one on, with this count.
     [[nodiscard]] TextBox part(int first, int count) const;
-    /// "k_s" is painted with its index below the line.
+    /// Paints "k_s" with a lowered index.
     void showIndices() { m_indices = true; }
     void paint(QPainter& painter, double x, double y) const;
 
@@ -46,12 +46,12 @@ private:
     double m_lineHeight;
     double m_ascent;
     QStringList m_lines;
-    QList<bool> m_goesOn;   ///< by line: a word ends with it, and the text has more
-    QList<double> m_starts; ///< of the lines
+    QList<bool> m_goesOn;   ///< by line: it ends with a word, and the text continues
+    QList<double> m_starts; ///< left ends of the lines
     bool m_indices = false;
 };
 
-/// The font of the report, so many points high on paper.
+/// The font of the report with a size in points on paper.
 [[nodiscard]] QFont reportFont(double points, bool bold = false);
 
 } // namespace sparkout::report

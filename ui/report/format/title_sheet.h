@@ -17,8 +17,8 @@ public:
         TextBox box;
         double x, y;
     };
-    /// Who it is made for above, what it is in the middle, who takes part at the right, place and
-    /// year at the foot.
+    /// The institution at the top, the kind and title in the middle, the people at the right, place
+    /// and year at the foot.
     [[nodiscard]] static std::vector<Line> lines(const TitlePage& title, QSizeF area);
 };
 

@@ -21,7 +21,6 @@ namespace sparkout::report {
 
 namespace {
 
-/// Writes the hand-out section by section.
 class HandoutWriter {
     Q_DECLARE_TR_FUNCTIONS(CourseHandout)
 public:
@@ -34,7 +33,7 @@ public:
         m_report = begunReport(tr("Course hand-out"), project, file, date);
         std::optional<HandoutStep> step = findStep(m_outcome->trajectory, m_options.step);
         if (!step) {
-            step = findStep(m_outcome->trajectory); // roughing was over before it began
+            step = findStep(m_outcome->trajectory); // roughing ended before it began
         }
         const std::vector<Exercise> exercises = makeExercises(*m_outcome, step, m_breathe);
         add(HandoutTask::header(project, file, date));

@@ -11,16 +11,16 @@
 
 namespace sparkout::report {
 
-/// What a teacher chooses.
+/// The options for a teacher.
 struct HandoutOptions {
-    StepWish step = usualStep(); ///< of those that fit the deepest cut
+    StepWish step = usualStep(); ///< of the matching steps the one with the deepest cut
     std::set<HandoutView> views{HandoutView::feeds, HandoutView::cycle, HandoutView::profiles};
-    bool answers = true; ///< the key, on a last page of its own
+    bool answers = true; ///< the key, on a separate last page
 };
 
 /// The course hand-out: a step of the cycle worked out formula by formula with its numbers,
-/// figures, and questions whose answers the engine has computed. Of an outcome that ran.
-/// `breathe` is called between figures and runs, so that a window may live.
+/// figures, and questions with answers computed by the engine. Requires a valid run. `breathe` is
+/// called between figures and runs, so that a window stays responsive.
 [[nodiscard]] Report courseHandout(
     const OutcomePtr& outcome, const QString& file, const QDate& date,
     const HandoutOptions& options, const std::function<void()>& breathe = [] {});

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int percent = 100;
 
-/// By how many percent, as far as the printed numbers tell.
+/// The change in per cent, as far as the printed numbers determine it.
 QString change(const ExerciseAnswer& answer) {
     const QString before = askedNumber(answer.asked, answer.before);
     if (before == askedNumber(answer.asked, answer.after)) {

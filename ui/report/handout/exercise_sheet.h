@@ -8,7 +8,7 @@
 
 namespace sparkout::report {
 
-/// The exercises of the hand-out as its readers get them: the questions, and the key.
+/// The exercises of the hand-out: the questions, and the key.
 class ExerciseSheet {
     Q_DECLARE_TR_FUNCTIONS(ExerciseSheet)
 public:

@@ -25,24 +25,24 @@ namespace {
 
 constexpr double digitsKept = 1e6;
 
-constexpr double leastTime_min = 5e-4; ///< of a stage
+constexpr double leastTime_min = 5e-4; ///< least time of a stage
 
 struct ExerciseText {
     Q_DECLARE_TR_FUNCTIONS(Exercises)
 };
 
-/// Why an answer moves in this direction; said only where it does.
+/// The reason why an answer changes in this direction; used only then.
 struct Why {
     Asked asked;
     bool rises;
     QString text;
 };
 
-/// What is said of a change.
+/// The texts about a change.
 struct ChangeWords {
     QString statement;
     std::vector<Why> why;
-    bool moreLag = false; ///< the system lags further behind its feed
+    bool moreLag = false; ///< the lag of the system behind its feed increases
 };
 
 const char* unitOf(Asked asked) {
@@ -53,7 +53,7 @@ const char* unitOf(Asked asked) {
     case Asked::stepForce_n:
     case Asked::peakForce_n: return "N";
     case Asked::peakPower_kw: return "kW";
-    case Asked::time_min: // its numbers have their own
+    case Asked::time_min: // the reason of the time is composed separately
     case Asked::count: break;
     }
     return "";
@@ -145,7 +145,7 @@ ChangeWords wordsOf(const Project& project, const ExerciseRun& run) {
     return {};
 }
 
-/// In which double stroke, where it is not that of the step.
+/// The double stroke, if it is not that of the step.
 QString asksAt(const Place& at, const Place& wanted, const Outcome& outcome) {
     if (at.cycleCount == wanted.cycleCount) {
         return ExerciseText::tr("The step is at the place and the radius worked out above.");
@@ -158,7 +158,7 @@ QString asksAt(const Place& at, const Place& wanted, const Outcome& outcome) {
         .arg(at.cycleCount);
 }
 
-/// "Find how these change, and why: …" for what can be read.
+/// "Find how these change, and why: …" for the readable values.
 QString asks(const std::vector<ExerciseAnswer>& answers, Operation operation) {
     QStringList names;
     for (const ExerciseAnswer& answer : answers) {
@@ -169,7 +169,7 @@ QString asks(const std::vector<ExerciseAnswer>& answers, Operation operation) {
         .arg(names.join(QStringLiteral("; ")));
 }
 
-/// Where the time goes: stage by stage, and what a longer lag does to it.
+/// The parts of the time: stage by stage, and the effect of a longer lag.
 QString whyTime(const std::vector<double>& was_s, const std::vector<double>& is_s, bool moreLag) {
     QStringList stages;
     bool firstLonger = false, laterShorter = false;
@@ -195,7 +195,7 @@ QString whyTime(const std::vector<double>& was_s, const std::vector<double>& is_
     return text.join(QStringLiteral("; "));
 }
 
-/// How each answer moves, and why.
+/// The change of each answer, and its reason.
 QString reasonOf(const ChangeWords& words, const ExerciseRun& run, const SimulationResult& was) {
     QStringList sentences;
     for (const ExerciseAnswer& answer : run.answers) {

@@ -14,10 +14,10 @@ namespace sparkout::report {
 
 struct Exercise : ExerciseRun {
     QString question;
-    QString reason; ///< how each answer moves, and why
+    QString reason; ///< the change of each answer, and its reason
 };
 
-/// Those of runExercises().
+/// Makes the exercises of runExercises().
 [[nodiscard]] std::vector<Exercise> makeExercises(
     const Outcome& outcome, const std::optional<RecordedStep>& step,
     const std::function<void()>& breathe = [] {});

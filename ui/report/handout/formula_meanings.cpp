@@ -13,7 +13,7 @@ namespace sparkout::report {
 
 namespace {
 
-// Sheets are known by the names that the engine gives them.
+// Sheets are identified by the engine's names.
 constexpr const char *balanceName = "Elastic balance of one radius", *normalName = "Normal force",
                      *tangentialName = "Tangential force",
                      *burnName = "Limiting depth of cut, burn",
@@ -23,7 +23,7 @@ constexpr const char *balanceName = "Elastic balance of one radius", *normalName
 struct Meaning {
     const char* symbol;
     const char* text;            ///< to be translated in the context "Symbol"
-    const char* sheet = nullptr; ///< name of the one it holds for; null: all others
+    const char* sheet = nullptr; ///< name of the sheet it applies to; null: all others
 };
 
 constexpr Meaning meanings[] = {

@@ -10,14 +10,14 @@
 
 namespace sparkout::report {
 
-/// Where a formula is from: keys of core/SOURCES.md with the equations there.
+/// The source of a formula: keys of core/SOURCES.md with the equations there.
 struct FormulaSource {
     const char* key;
-    const char* equations; ///< "25"; empty: no number
+    const char* equations; ///< "25"; may be empty
 };
 [[nodiscard]] std::vector<FormulaSource> sourcesOf(const FormulaSheet& sheet, const Place& at);
 
-/// What a symbol that is no input stands for in a formula; empty: it is not known.
+/// The meaning of a symbol in a formula that is not an input; empty if it is not known.
 [[nodiscard]] QString symbolMeaning(const FormulaSheet& sheet, const char* symbol);
 
 } // namespace sparkout::report

@@ -10,7 +10,7 @@ namespace sparkout::report {
 
 namespace {
 
-constexpr int revolutionsAround = 3; ///< a plunge's step is shown with so many at each side
+constexpr int revolutionsAround = 3; ///< number of steps shown on each side of a plunge's step
 
 } // namespace
 

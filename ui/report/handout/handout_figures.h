@@ -14,7 +14,7 @@
 
 namespace sparkout::report {
 
-/// The figures of the hand-out, made in the window's thread.
+/// The figures of the hand-out, drawn in the window's thread.
 class HandoutFigures {
     Q_DECLARE_TR_FUNCTIONS(HandoutFigures)
 public:

@@ -11,7 +11,7 @@ namespace sparkout::report {
 namespace {
 
 struct WishMark {
-    const char* letter; ///< before its number
+    const char* letter; ///< prefix of its number
     std::optional<int> StepWish::*member;
 };
 constexpr WishMark wishMarks[] = {{"", &StepWish::count},   {"z", &StepWish::stage},

@@ -9,16 +9,16 @@
 
 namespace sparkout::report {
 
-/// What the hand-out works out.
+/// The step that the hand-out works out.
 using HandoutStep = RecordedStep;
 
-/// Which step is wanted; what is not given may be any.
+/// The requested step; unspecified members match any.
 struct StepWish {
     std::optional<Zone> zone;
     std::optional<int> section, stage, count, step, revolution, radius;
 };
 
-/// The deepest cut of the roughing stage: what is worked out unless another step is wanted.
+/// The deepest cut of the roughing stage: the default step.
 [[nodiscard]] inline StepWish usualStep() {
     StepWish wish;
     wish.stage = 1;
@@ -27,11 +27,11 @@ struct StepWish {
 
 /// "27,nz,e1,r1,k9": the double stroke (plunge: the revolution), then in any order a zone or
 /// section (rz1, nz, rz2, s0), a stage (z1), a step (e1), a revolution within it (r1), a radius
-/// (k9). Nothing for what cannot be read.
+/// (k9). Empty if the text is invalid.
 [[nodiscard]] std::optional<StepWish> readStepWish(const QString& text);
 
-/// Of the visits that fit the one with the deepest cut, the first of equals. Nothing when none fits
-/// or none was recorded.
+/// The matching visit with the deepest cut, the first of equal ones. Empty if none matches or none
+/// was recorded.
 [[nodiscard]] std::optional<HandoutStep> findStep(const Trajectory& trajectory,
                                                   const StepWish& wish = {});
 

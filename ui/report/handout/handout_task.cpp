@@ -25,7 +25,7 @@ namespace sparkout::report {
 
 namespace {
 
-/// What the step's feed, width and stock come from without standing in a formula.
+/// Inputs behind the step's feed, width and stock that are not in a formula.
 constexpr const char* behindFormulas[] = {"/part/upper_deviation_um", "/part/lower_deviation_um",
                                           "/part/length_mm",          "/part/stock_mm",
                                           "/part/initial_runout_mm",  "/wheel/width_mm"};

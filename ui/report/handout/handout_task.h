@@ -15,14 +15,14 @@
 
 namespace sparkout::report {
 
-/// What the hand-out sets its readers to do, and the inputs they do it with.
+/// The task of the hand-out, and the inputs for it.
 class HandoutTask {
     Q_DECLARE_TR_FUNCTIONS(HandoutTask)
 public:
     static Facts header(const Project& project, const QString& file, const QDate& date);
-    static QString task(const Outcome& outcome); ///< with the time the cycle takes
-    static QString part(const Project& project); ///< what is ground
-    /// Those that stand in the formulas, and what the step's feed and stock come from.
+    static QString task(const Outcome& outcome); ///< with the cycle time
+    static QString part(const Project& project); ///< the ground part
+    /// The inputs in the formulas, and those behind the step's feed and stock.
     static Table inputs(const Outcome& outcome, const std::optional<HandoutStep>& step,
                         const std::set<QString>& symbols, Citations& citations,
                         const std::function<bool(std::string_view path)>& hides = {});

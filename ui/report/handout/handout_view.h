@@ -9,12 +9,12 @@
 
 namespace sparkout::report {
 
-/// Figures that the hand-out can have.
+/// The possible figures of the hand-out.
 enum class HandoutView {
     feeds,    ///< feeds around the step, with E1…E5
     cycle,    ///< feeds over the whole cycle
     profiles, ///< cross-sections at the end
-    limits,   ///< actual feed under its limits
+    limits,   ///< actual feed below its limits
     grid,     ///< of dynamic programming
 };
 struct HandoutViewRow {
@@ -23,7 +23,7 @@ struct HandoutViewRow {
     const char* name; ///< to be translated in the context HandoutView
 };
 [[nodiscard]] std::span<const HandoutViewRow> handoutViews();
-/// "feeds,limits"; nothing when one is not known. An empty text is none of them.
+/// Reads "feeds,limits"; empty if one is unknown. An empty text means none of them.
 [[nodiscard]] std::optional<std::set<HandoutView>> readHandoutViews(const QString& text);
 [[nodiscard]] QString handoutViewText(const std::set<HandoutView>& views);
 

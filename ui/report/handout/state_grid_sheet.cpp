@@ -29,7 +29,7 @@ StateGridOutcomePtr filledGrid(const Project& project, const std::function<void(
     auto outcome = std::make_shared<StateGridOutcome>();
     outcome->project = project;
     auto grid = fillStateGrid(project, usualStateGrid(project), {}, [&breathe](int) { breathe(); });
-    outcome->grid = std::move(*grid); // nothing stops it
+    outcome->grid = std::move(*grid); // not stopped
     std::stop_source stop;
     QElapsedTimer timer;
     timer.start();

@@ -12,12 +12,12 @@
 namespace sparkout::report {
 
 /// The grid of dynamic programming in the hand-out: the rule, the grid, both answers, the way back
-/// state by state. Of a project without a search that of a usual one.
+/// state by state. A project without a search uses a usual one.
 class StateGridSheet {
     Q_DECLARE_TR_FUNCTIONS(StateGridSheet)
 public:
-    /// In the thread of the window; `breathe` is called while the answer is being proved, which is
-    /// given up after some seconds.
+    /// In the window's thread; `breathe` is called during the proof, which is abandoned after some
+    /// seconds.
     static std::vector<Block> blocks(const OutcomePtr& outcome,
                                      const std::function<void()>& breathe);
 

@@ -14,7 +14,7 @@
 
 namespace sparkout::report {
 
-/// The formulas of a step, and the symbols that stand in them.
+/// The formulas of a step, and their symbols.
 struct StepBlocks {
     std::vector<Block> blocks;
     std::set<QString> symbols;
@@ -38,7 +38,7 @@ private:
     Citations& m_citations;
     FormulaWriter m_writer;
     std::set<QString> m_explained; ///< inputs, and symbols with their meanings
-    std::set<QString> m_symbols;   ///< that were written
+    std::set<QString> m_symbols;   ///< already explained symbols
     std::vector<Block> m_blocks;
 };
 

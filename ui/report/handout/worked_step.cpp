@@ -31,7 +31,7 @@ constexpr double milliwattsPerKilowatt = 1e6;
 constexpr double fullTurn_deg = 360;
 constexpr int percentOf = 100;
 
-/// What the formulas of a step are worked out for.
+/// The numbers for the formulas of a step.
 struct StepNumbers {
     const Pass& pass;
     const Visit& visit;
@@ -113,7 +113,7 @@ StepBlocks WorkedStep::formulas(const Outcome& outcome, const HandoutStep& step,
     const FormulaSheet balance =
         visitSheet(outcome.result, outcome.trajectory, step.pass, step.radius);
     std::vector<FormulaSheet> forces;
-    if (a > 0 || !hasThreshold(project)) { // else the balance alone tells the force
+    if (a > 0 || !hasThreshold(project)) { // otherwise the balance alone gives the force
         forces = {normalForceSheet(project, b, a), tangentialForceSheet(project, b, a)};
     }
     forces.push_back(balance);

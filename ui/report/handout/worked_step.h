@@ -14,16 +14,16 @@
 
 namespace sparkout::report {
 
-/// The step that the hand-out works out: where it is, its formulas and its limits.
+/// The step that the hand-out works out: its place, its formulas and its limits.
 class WorkedStep {
     Q_DECLARE_TR_FUNCTIONS(WorkedStep)
 public:
-    /// What a worksheet leaves out: with results alone nothing else, and these symbols.
+    /// The parts that a worksheet leaves out: the results, and the numbers of these symbols.
     using Hidden = std::optional<QSet<QString>>;
 
     static Facts facts(const Outcome& outcome, const HandoutStep& step, bool results = true);
-    /// Force law, balance and limits of the step. With `hidden` its results are left to be found,
-    /// and the numbers of those symbols are not put in.
+    /// Force law, balance and limits of the step. With `hidden` its results and the numbers of
+    /// those symbols are left out.
     static StepBlocks formulas(const Outcome& outcome, const HandoutStep& step,
                                Citations& citations, const Hidden& hidden = {});
     static Table limits(const Outcome& outcome, const HandoutStep& step, bool results = true);

@@ -26,7 +26,7 @@ Report begunReport(const QString& title, const Project& project, const QString& 
     report.program = QStringLiteral("Sparkout %1").arg(QString::fromUtf8(version));
     report.language = QLocale().bcp47Name().section(u'-', 0, 0);
     report.date = date;
-    Project inputs = project; // kept runs are no inputs of this paper
+    Project inputs = project; // kept runs are not inputs of this paper
     inputs.runs = {};
     report.inputs = QByteArray::fromStdString(writeProject(inputs));
     return report;

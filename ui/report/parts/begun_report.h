@@ -6,7 +6,7 @@
 
 namespace sparkout::report {
 
-/// A report of a project, still without blocks: who made what of which file when.
+/// A report of a project, still without blocks: author, subject, file and date.
 [[nodiscard]] Report begunReport(const QString& title, const Project& project, const QString& file,
                                  const QDate& date);
 

@@ -13,7 +13,7 @@ class CalibratedTable {
     Q_DECLARE_TR_FUNCTIONS(CalibratedTable)
 public:
     /// Input, value found, interval, unit, data, number, date, whether the project still has the
-    /// value; no rows where nothing was calibrated.
+    /// value; no rows without calibrations.
     static Table of(const Project& project);
 };
 

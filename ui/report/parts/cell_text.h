@@ -7,19 +7,19 @@
 
 #include <string>
 
-/// Texts and numbers as the cells of every document write them.
+/// Texts and numbers for the cells of every document.
 namespace sparkout::report {
 
-/// A text of the user in one line, without signs that no document may hold.
+/// A text of the user on one line, without characters that are invalid in documents.
 [[nodiscard]] QString oneLine(const std::string& text);
-/// The same over several lines.
+/// A text over several lines.
 [[nodiscard]] QString manyLines(QString text);
 /// For a cell: never empty.
 [[nodiscard]] QString cell(const QString& text);
 
 /// A value and the unit of a table, not to be parted.
 [[nodiscard]] QString withUnit(const QString& value, const char* unit);
-/// The unit of a requirement in a table: a radial feed's is that of the stages' table beside it.
+/// The unit of a requirement in a table: that of a radial feed is the one in the stages' table.
 [[nodiscard]] QString requirementUnit(ConstraintKind kind);
 
 } // namespace sparkout::report

@@ -8,11 +8,11 @@
 
 namespace sparkout::report {
 
-/// The cross-sections as the cycle leaves them, magnified.
+/// The cross-sections at the end of the cycle, magnified.
 [[nodiscard]] Figure profilesFigure(const OutcomePtr& outcome);
 
-/// The actual feed over the stock left under its limits, where a place of the cycle is; nothing
-/// when there are no cuts.
+/// The actual feed over the stock left below its limits, at a place of the cycle; empty without
+/// cuts.
 [[nodiscard]] std::optional<Figure> limitsFigure(const OutcomePtr& outcome, const Place& at);
 
 } // namespace sparkout::report

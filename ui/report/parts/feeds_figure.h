@@ -8,9 +8,9 @@
 
 namespace sparkout::report {
 
-/// The feeds of the whole cycle by zone or section; nothing when it was too long to be recorded.
+/// The feeds of the whole cycle by zone or section; empty if it was too long to record.
 [[nodiscard]] std::optional<Figure> feedsFigure(const OutcomePtr& outcome);
-/// The same of a span of time, with a line at a moment of it.
+/// The feeds within a span of time, with a line at a moment.
 [[nodiscard]] std::optional<Figure> feedsFigure(const OutcomePtr& outcome, double from_s,
                                                 double to_s, std::optional<double> moment_s,
                                                 const QString& caption);

@@ -19,7 +19,7 @@
 namespace sparkout::report {
 
 namespace {
-constexpr double nanometres = 1e3; ///< in a micrometre
+constexpr double nanometres = 1e3; ///< per micrometre
 }
 
 QString drawnSize(const Part& part) {
@@ -67,8 +67,7 @@ std::pair<QString, QString> inputFact(const Project& project, const char* path) 
     if (!value) {
         return {name, cell({})};
     }
-    constexpr int digits =
-        6; // what the surfaces before have left of the wheel has all of a double's
+    constexpr int digits = 6; // wear by the earlier surfaces gives all digits of a double
     const QString printed = printedNumber(*value, digits);
     return {name, *field.unit ? withUnit(printed, field.unit) : printed};
 }

@@ -7,13 +7,13 @@
 
 #include <utility>
 
-/// Inputs with their names, as every document writes them.
+/// Inputs with their names, for every document.
 namespace sparkout::report {
 
-/// The ground size as a drawing writes it, in millimetres: "⌀30h6(−0.016)". The field is the one
-/// whose limits these are, else the one in the part's name; a deviation of 0 is not written.
+/// The ground size as on a drawing, in millimetres: "⌀30h6(−0.016)". The tolerance field is the one
+/// with these limits, otherwise the one in the part's name; a deviation of 0 is not written.
 [[nodiscard]] QString drawnSize(const Part& part);
-/// An input by its path: its name as in its form, with the symbol, and its value with the unit.
+/// An input by its path: its name in the form, with the symbol, and its value with the unit.
 [[nodiscard]] std::pair<QString, QString> inputFact(const Project& project, const char* path);
 
 } // namespace sparkout::report

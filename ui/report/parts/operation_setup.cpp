@@ -149,7 +149,7 @@ Table OperationSetup::stages(const Outcome& outcome, bool results) {
         if (continuous) {
             row << printedNumber(stage.continuousFeed_mm_min());
         }
-        row << printedNumber(stage.stock_mm); // a spark-out removes its stock, too
+        row << printedNumber(stage.stock_mm); // a spark-out removes stock, too
         stock += stage.stock_mm;
         rest(row, outcome.shop.stages.at(z),
              stage.feeds() ? cell({})

@@ -8,14 +8,14 @@
 
 namespace sparkout::report {
 
-/// What an operation is set to, as every document writes it: part, tooling, settings and stages.
+/// The set-up of an operation as in every document: part, tooling, settings and stages.
 class OperationSetup {
     Q_DECLARE_TR_FUNCTIONS(OperationSetup)
 public:
     static QString operation(const Project& project); ///< its full name
     static Facts header(const Project& project, const QDate& date);
     static Facts settings(const Outcome& outcome); ///< speeds, dwells, overruns, tooling, gauge
-    /// With the counts, times, powers and forces that come out, or with places to write them.
+    /// With the resulting counts, times, powers and forces, or with places to write them.
     static Table stages(const Outcome& outcome, bool results = true);
 };
 

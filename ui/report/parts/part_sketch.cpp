@@ -25,9 +25,9 @@ constexpr QSizeF sketchSize(820, 236);
 constexpr double left = 80, right = 740, axis = 106, mostHalf = 46, leastHalf = 14;
 constexpr double zoneLine = 34, lengthLine = 206, wholeLine = 230;
 constexpr double arrow = 7, centre = 26, wallWidth = 10;
-constexpr double supportName = axis + mostHalf + 22; ///< under the body
+constexpr double supportName = axis + mostHalf + 22; ///< below the body
 constexpr int fontPixels = 12;
-constexpr double betweenNames = 8; ///< of a row
+constexpr double betweenNames = 8; ///< distance between the names of a row
 constexpr QColor ink(0, 0, 0), faint(110, 110, 110), paper(255, 255, 255), body(225, 230, 236),
     ground(190, 205, 222);
 
@@ -98,7 +98,7 @@ private:
     }
     /// Returns where it ends.
     double text(const QPointF& middle, const QString& text);
-    /// As near to its place as the room between two names of the same row lets it.
+    /// Places a text as near to its position as two names in the same row allow.
     void textBetween(double from, double to, const QPointF& middle, const QString& text);
     void dimension(double from, double to, double y, const QString& name);
     void drawBody();
@@ -111,7 +111,7 @@ private:
     QPainter& m_painter;
     const Outcome& m_outcome;
     const Part& m_part;
-    double m_from_mm = 0; ///< where the ground length begins
+    double m_from_mm = 0; ///< beginning of the ground length
     double m_whole_mm;
     double m_largest_mm;
     double m_headstockTo = 0, m_tailstockFrom = sketchSize.width(); ///< their names
@@ -174,7 +174,7 @@ void Drawing::drawBody() {
                               QPointF(x(m_from_mm + m_part.length_mm), axis + h)));
 }
 
-/// A bore in section: its outer form is not among the inputs.
+/// A bore in section: its outer form is not an input.
 void Drawing::drawBore() {
     const double inner = mostHalf - 14;
     for (const double side : {-1.0, 1.0}) {
@@ -223,7 +223,7 @@ void Drawing::drawSupports() {
 
 void Drawing::drawStretches() {
     const std::vector<Stretch> all = stretches(m_outcome);
-    double nameEnd = 0; // names that have no room are left out
+    double nameEnd = 0; // names that do not fit are left out
     for (std::size_t i = 0; i < all.size(); ++i) {
         const double from = x(m_from_mm + all[i].from_mm);
         const double to = x(m_from_mm + all[i].to_mm);
@@ -259,7 +259,7 @@ void Drawing::drawDimensions() {
     if (m_whole_mm > m_part.length_mm) {
         dimension(left, right, wholeLine, Sketch::length(m_whole_mm));
     }
-    text({(from + to) / 2, zoneLine - 12}, // with its deviations as a drawing writes them
+    text({(from + to) / 2, zoneLine - 12}, // with its deviations as on a drawing
          drawnSize(m_part));
 }
 

@@ -8,9 +8,8 @@
 
 namespace sparkout::report {
 
-/// Value, margin and verdict of a requirement as a document states them. A roughness that no
-/// measured one has been put in relation to is an estimate: a range, no margin, and it says so
-/// where its limit lies within.
+/// Value, margin and verdict of a requirement in documents. A roughness without a measured
+/// reference is an estimate: a range without a margin, marked if its limit is within it.
 class RequirementCells {
     Q_DECLARE_TR_FUNCTIONS(RequirementCells)
 public:
@@ -20,7 +19,7 @@ public:
     [[nodiscard]] QString margin() const;
     [[nodiscard]] QString verdict() const;
 
-    /// "Ra, µm" of a column, with what is to be known of its values.
+    /// "Ra, µm" as the heading of a column, with remarks on its values.
     static QString roughnessHead(const Project& project);
 
 private:

@@ -24,7 +24,7 @@ using Figures = CharacteristicFigures;
 
 const QString dash = QStringLiteral("–");
 
-/// Those that a view shows: of ±3s of a normal quantity, and the median.
+/// The displayed percentiles: those of ±3s of a normal quantity, and the median.
 struct ShownPercentile {
     const char* key;
     double order;
@@ -75,7 +75,6 @@ QString textOf(const Output<Figures>& row, const Figures& figures) {
     return share ? BatchText::share(*share) : dash;
 }
 
-/// A table while it is filled row by row.
 class Filler {
 public:
     Filler(ValueTable& table, const std::vector<Figures>& places)

@@ -10,16 +10,17 @@
 
 namespace sparkout {
 
-/// The figures of one characteristic of a batch: a column a zone or section, a row a figure.
-/// Without `tellsIndices` a dash stands for the interval of the mean, Pp and Ppk.
+/// The figures of one characteristic of a batch: a column for each zone or section, a row for each
+/// figure. Without `tellsIndices` the interval of the mean, Pp and Ppk are dashes.
 [[nodiscard]] ValueTable batchFigures(const BatchSummary& summary, const std::string& name,
                                       bool tellsIndices);
 
-/// One figure of a characteristic as it is shown, by the key of its output; a dash where there is
-/// none.
+/// One figure of a characteristic as displayed, by the key of its output; a dash if it has no
+/// value.
 [[nodiscard]] QString figureText(const CharacteristicFigures& figures, std::string_view key);
 
-/// All figures of all characteristics with all their digits: a row a characteristic of a place.
+/// All figures of all characteristics with all their digits: a row for each characteristic of a
+/// place.
 [[nodiscard]] CsvTable batchFiguresTable(const BatchSummary& summary);
 
 } // namespace sparkout

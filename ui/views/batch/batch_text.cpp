@@ -18,9 +18,9 @@ namespace sparkout {
 
 namespace {
 
-constexpr double doubtful = 0.05; ///< probability below which a shape is called not normal
+constexpr double doubtful = 0.05; ///< probability below which a distribution is called not normal
 
-/// Never nothing for a little, nor the whole for almost all.
+/// Never rounds to 0 or to 100 %.
 QString percent(double share) {
     const double hundredth = 100 * share;
     const double toEnd = std::min(hundredth, 100 - hundredth);

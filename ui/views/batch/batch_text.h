@@ -9,7 +9,7 @@
 
 namespace sparkout {
 
-/// What the view of the batch says of characteristics, factors and figures.
+/// Texts of the batch view about characteristics, factors and figures.
 class BatchText {
     Q_DECLARE_TR_FUNCTIONS(BatchText)
 public:
@@ -20,13 +20,13 @@ public:
     static QString factor(const GivenFactor& factor);           ///< "Stock per side"
     static QString factorAxis(const GivenFactor& factor);       ///< "Stock per side, mm"
 
-    /// Without unit; an estimate with one digit, and nothing but 0 as 0.
+    /// Without unit; an estimate with one digit; only 0 reads as 0.
     static QString value(double value, const Characteristic& characteristic);
     static QString scatter(double deviation, const Characteristic& characteristic);
-    /// The same with as many decimals as every mark of its axis has.
+    /// With the same number of decimals for all ticks of an axis.
     static QString mark(double value, const Characteristic& characteristic);
     static QString range(const Interval& interval, const Characteristic& characteristic);
-    /// A dash where the values are too few to tell it from the smallest or the largest.
+    /// A dash if there are too few values to distinguish it from the extremes.
     static QString percentile(const Percentile& percentile, const CharacteristicSummary& of);
     static QString capability(const std::optional<Estimate>& capability); ///< "1.42 (1.2…1.6)"
     static QString brief(const Estimate& capability);                     ///< "1.42"
@@ -35,16 +35,16 @@ public:
 
     /// "50 parts, Latin hypercube, seed 1."
     static QString run(const BatchOutcome& outcome);
-    /// Usual causes of scatter that the project's batch leaves out: "compliance; gauge drift", a
-    /// dash where there are none; and the same as a sentence, empty then.
+    /// The usual causes of scatter that the project's batch leaves out: "compliance; gauge drift",
+    /// or a dash; and a sentence on them, empty if there are none.
     static QString notCounted(const Project& project);
     static QString notCountedSentence(const Project& project);
-    static QString
-    counts(const BatchSummary& summary); ///< how many are not good, did not reach size
-    /// The counts, the verdict and what decided it.
+    static QString counts(const BatchSummary& summary); ///< numbers of rejected parts and of those
+                                                        ///< that did not reach size
+    /// The counts, the verdict and its reason.
     static QString verdict(const BatchOutcome& outcome);
     static QString fitness(Fitness fitness);                   ///< "conforms to the drawing"
-    static QString decision(const BatchOutcome& outcome);      ///< what decided the verdict
+    static QString decision(const BatchOutcome& outcome);      ///< the reason of the verdict
     static QString test(NormalityTest test);                   ///< "Shapiro–Wilk"
     static QString normalityName(const BatchSummary& summary); ///< "Normality, p (Shapiro–Wilk)"
     static QString shortNormalityName(const BatchSummary& summary); ///< "Shapiro–Wilk, p"

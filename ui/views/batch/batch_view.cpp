@@ -38,12 +38,12 @@ namespace sparkout {
 
 namespace {
 
-constexpr int histogramShare = 200, figuresShare = 220; ///< of the height at first
-constexpr int stateLetters = 60; ///< wide, the text on the run beside the buttons
-constexpr int mostStretched = 4; ///< columns of figures that have room beside each other
-constexpr int indexPoints = 256; ///< a power of two, as the Sobol sequence wants it
+constexpr int histogramShare = 200, figuresShare = 220; ///< initial shares of the height
+constexpr int stateLetters = 60; ///< least width of the text on the run, in letters
+constexpr int mostStretched = 4; ///< greatest number of columns that fit side by side
+constexpr int indexPoints = 256; ///< a power of two, as required by the Sobol sequence
 
-/// No column is narrower than a word of it, which could not be wrapped.
+/// Makes every column at least as wide as its longest word.
 void fitColumns(QTableView& table) {
     const QAbstractItemModel& model = *table.model();
     const QFontMetrics text = table.fontMetrics();
@@ -122,12 +122,12 @@ CopyTable* BatchView::buildFigures() {
     return m_table;
 }
 
-/// A menu of the two kinds of CSV.
+/// A menu with the two CSV formats.
 void BatchView::buildRows() {
     auto* menu = new QMenu(m_rows);
     for (const TableFormat format : {TableFormat::csvRussian, TableFormat::csvEnglish}) {
         connect(menu->addAction(QString()), &QAction::triggered, this, [this, format] {
-            const BatchOutcomePtr of = batch(); // may be another one by the end
+            const BatchOutcomePtr of = batch(); // may be replaced before the end
             (void)savePartRows(window(), settings(), of->result.project, format);
         });
     }
@@ -148,7 +148,7 @@ void BatchView::connectParts() {
     connect(&studies().indexJob(), &Job::answered, this, &BatchView::takeIndices);
     connect(m_worst, &QPushButton::clicked, this, &BatchView::takeWorst);
     connect(m_add, &QPushButton::clicked, this, [this] {
-        // The view is of the inputs that were accepted last; those of now may have a batch.
+        // The view shows the last accepted inputs; the current ones may have a batch.
         emit editWanted(
             [](Project project) {
                 return project.batch ? project : withUsualBatch(std::move(project));
@@ -288,7 +288,7 @@ void BatchView::takeWorst() {
 
 // --- showing ------------------------------------------------------------------------------------
 
-/// The characteristics of the batch, each name once, in the order of the summary.
+/// Lists the characteristics of the batch, each name once, in the order of the summary.
 void BatchView::fillNames() {
     const QSignalBlocker blocker(m_name);
     m_name->clear();
@@ -304,8 +304,8 @@ void BatchView::fillNames() {
     m_name->setCurrentIndex(std::max(m_name->findData(QString::fromStdString(m_wanted)), 0));
 }
 
-/// Factors and characteristics by place; what was chosen stays, at first the factor that the
-/// batch has first against the diameter.
+/// Lists factors and characteristics by place; keeps the choice, initially the batch's first factor
+/// against the diameter.
 void BatchView::fillQuantities() {
     const int quantities = batch() ? static_cast<int>(batch()->quantityCount()) : 0;
     const int usual = batch() ? static_cast<int>(batch()->factors.size()) : 0;
@@ -371,7 +371,7 @@ void BatchView::showState() {
     PlotView::showState();
     const bool has = good() && good()->result.project.batch;
     m_add->setVisible(good() && !has);
-    m_choice->setVisible(has || batch()); // else there is nothing to choose
+    m_choice->setVisible(has || batch()); // otherwise there is no choice
     m_bar->setVisible(has);
     m_bar->showRunning(busy(), has && !refused());
     const auto found = [this] {

@@ -20,10 +20,10 @@ class HistogramPlot;
 class RunBar;
 class SensitivityPlot;
 
-/// The view "Batch": parts that differ by the factors of the project, run one after another. How
-/// they scatter against the tolerance band, zone beside zone, with the figures of each; which
-/// factor matters most; any two quantities against each other. A quick batch runs by itself when
-/// the inputs change, another one on demand; results of other inputs are drawn faint.
+/// The view "Batch": parts that differ by the factors of the project. It shows their scatter
+/// against the tolerance, zone by zone with the figures of each, the influence of the factors, and
+/// any two quantities against each other. A short batch runs by itself after a change of the
+/// inputs, a long one on demand; outdated results are drawn faint.
 class BatchView : public StudyView {
     Q_OBJECT
 public:
@@ -36,16 +36,16 @@ public:
     [[nodiscard]] const BatchOutcomePtr& batch() const { return studies().batch.result(); }
     [[nodiscard]] const SobolIndicesPtr& indices() const { return studies().indices(); }
     [[nodiscard]] bool busy() const override; ///< runs a batch, or its Sobol indices
-    /// What is shown is of other inputs.
+    /// Whether the result belongs to other inputs.
     [[nodiscard]] bool stale() const { return studies().batch.stale(); }
 
-    /// Whether the interval of the mean, Pp, Ppk and the verdict they decide may be read.
+    /// Whether the interval of the mean, Pp, Ppk and the verdict based on them are shown.
     void tellIndices(bool tells);
 
     [[nodiscard]] QString title() const override;
 
 signals:
-    /// A run of such inputs is to be kept beside the project, under a name.
+    /// A run of such inputs is to be kept with the project, under a name.
     void runWanted(const std::function<std::optional<sparkout::Project>(sparkout::Project)>& inputs,
                    const QString& name);
 
@@ -77,7 +77,7 @@ private:
     void takeBatch();
     void takeWorst();
     [[nodiscard]] bool showsIndices() const; ///< Sobol's are chosen
-    [[nodiscard]] bool wantsIndices() const; ///< they are, but not there yet
+    [[nodiscard]] bool wantsIndices() const; ///< they are needed, but not computed yet
     void runIndices();
     void takeIndices();
 
@@ -85,7 +85,7 @@ private:
     void fillQuantities();
     void showBatch();
     void showFigures();
-    [[nodiscard]] QString contentNotice() const; ///< why what was chosen shows nothing
+    [[nodiscard]] QString contentNotice() const; ///< why the chosen content is empty
     [[nodiscard]] std::string chosenName() const;
 
     HistogramPlot* m_histograms;
@@ -102,10 +102,10 @@ private:
     QComboBox* m_up;
     RunBar* m_bar;
     QPushButton* m_worst;
-    QPushButton* m_rows; ///< of all parts, into a file
+    QPushButton* m_rows; ///< writes all parts to a file
     QPushButton* m_add;
     std::string m_wanted = "diameter"; ///< characteristic the user chose
-    BatchOutcomePtr m_shown;           ///< drawn
+    BatchOutcomePtr m_shown;           ///< the drawn one
     bool m_tellsIndices = true;
 };
 

@@ -154,7 +154,7 @@ QString ComplianceCurves::valuesAt(double x_mm) const {
              parts.join(QStringLiteral(" + ")));
 }
 
-/// In traverse grinding γ of the zone a place lies in; sections are points.
+/// In traverse grinding γ of the zone that contains a place; sections are points.
 std::optional<double> ComplianceCurves::groundWith(double x_mm) const {
     std::size_t zone = 0;
     for (const CompliantPoint& point : compliantPoints(m_outcome->result.project)) {

@@ -21,7 +21,7 @@ inline constexpr double nmPerMm = 1e6; ///< γ is drawn in nm/N
 class ComplianceCurves {
     Q_DECLARE_TR_FUNCTIONS(ComplianceCurves)
 public:
-    static constexpr int sumKey = 100, usedKey = 101; ///< of the legend; below: a CompliancePart
+    static constexpr int sumKey = 100, usedKey = 101; ///< legend keys; below: a CompliancePart
 
     explicit ComplianceCurves(OutcomePtr outcome = nullptr) : m_outcome(std::move(outcome)) {}
 

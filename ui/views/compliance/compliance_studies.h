@@ -10,8 +10,8 @@
 
 namespace sparkout {
 
-/// Computes aside what the view "Compliance" shows in place of γ: the cycle for each place of the
-/// gauge, or with coupled and independent sections. The newest question wins.
+/// Computes in the background what the view "Compliance" shows besides γ: the cycle for each place
+/// of the gauge, or with coupled and independent sections. A newer request replaces an older one.
 class ComplianceStudies : public QObject {
     Q_OBJECT
 
@@ -19,11 +19,11 @@ public:
     using QObject::QObject;
 
     void placeGauge(const OutcomePtr& outcome);
-    void compareCoupling(const OutcomePtr& outcome); ///< of a project that can be coupled
+    void compareCoupling(const OutcomePtr& outcome); ///< requires a project that can be coupled
     void stop();
     [[nodiscard]] bool running() const { return m_running; }
 
-    static constexpr int places = 41; ///< of the gauge in plunge
+    static constexpr int places = 41; ///< places of the gauge in plunge
 
 signals:
     void progressed(int done, int total);

@@ -222,7 +222,7 @@ QString ComplianceView::gaugeSummary() const {
              Names::micrometres(gauge.farthestNow_um()));
 }
 
-/// The order that decides which zone stays larger.
+/// Explains which zone stays larger.
 QString ComplianceView::complianceSummary() const {
     const auto& sections = good()->result.sections;
     const auto [low, high] =

@@ -11,8 +11,8 @@ namespace sparkout {
 class CompliancePlot;
 class ComplianceStudies;
 
-/// The view "Compliance": the part on its supports, to scale, and how far the system yields along
-/// it, by what yields; or where to put the gauge, or what coupled sections change.
+/// The view "Compliance": the part on its supports, to scale, and the compliance along it by its
+/// parts; or the best place of the gauge, or the effect of coupled sections.
 class ComplianceView : public PlotView {
     Q_OBJECT
 public:
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] QString title() const override;
 
 signals:
-    void gaugeWanted(double position_mm); ///< there, from the headstock end of the ground length
+    void gaugeWanted(double position_mm); ///< position from the headstock end of the ground length
 
 protected:
     [[nodiscard]] QString hint() const override;
@@ -38,12 +38,12 @@ private:
     void buildTools(QWidget* bar);
     void buildStudies();
     void chooseContent();
-    void ask(); ///< for what the content shows beyond the run
+    void ask(); ///< requests what the content needs besides the run
     void showStudy(const OutcomePtr& of);
     [[nodiscard]] QString summary() const;
     [[nodiscard]] QString complianceSummary() const;
     [[nodiscard]] QString gaugeSummary() const;
-    [[nodiscard]] bool studied() const; ///< what is shown belongs to the run shown
+    [[nodiscard]] bool studied() const; ///< whether the studies belong to the shown run
     [[nodiscard]] bool canPutGauge() const;
 
     CompliancePlot* m_plot;
@@ -51,9 +51,9 @@ private:
     QComboBox* m_content;
     QPushButton* m_put;
     ComplianceStudies* m_studies;
-    OutcomePtr m_studied; ///< what the diameters shown belong to
+    OutcomePtr m_studied; ///< run of the shown diameters
     int m_done = 0, m_total = 0;
-    bool m_fitNext = false; ///< with the next answer
+    bool m_fitNext = false; ///< fit the view at the next result
 };
 
 } // namespace sparkout

@@ -29,7 +29,7 @@ public:
 
     [[nodiscard]] const GaugePlacement* placement() const { return m_placement.get(); }
     [[nodiscard]] const GaugePosition* best() const;
-    /// Of all diameters the greatest distance from the middle of the field [µm].
+    /// The greatest distance of a diameter from the middle of the tolerance [µm].
     [[nodiscard]] double farthest_um(const GaugePosition& position) const;
     [[nodiscard]] double farthestNow_um() const; ///< in the run shown
     [[nodiscard]] LineChart chart() const;

@@ -17,19 +17,19 @@
 namespace sparkout {
 
 namespace {
-constexpr double above = 2.1;      ///< room for the wheel, of the largest radius
-constexpr double below = 1.9;      ///< room for rests and names
-constexpr double holder = 0.08;    ///< length of a centre or chuck, of the shaft's
+constexpr double above = 2.1;      ///< height for the wheel, in largest radii
+constexpr double below = 1.9;      ///< height for rests and names
+constexpr double holder = 0.08;    ///< length of a centre or chuck, relative to the shaft's
 constexpr int wheelShade = 70;     ///< opacity of 255
-constexpr double restHalf = 0.2;   ///< half the width of a rest, of the largest radius
-constexpr double noteGap = 6;      ///< between a thing and its name, in pixels
-constexpr double gaugeHalf = 1.25; ///< half the line of the gauge, of the largest radius
+constexpr double restHalf = 0.2;   ///< half width of a rest, in largest radii
+constexpr double noteGap = 6;      ///< between an object and its name, in pixels
+constexpr double gaugeHalf = 1.25; ///< half length of the gauge's line, in largest radii
 
 QString stiffnessText(double value_n_um) {
     return printedNumber(value_n_um, 4);
 }
 
-/// From the middle of a name to what it is clear of.
+/// Half the height of a name with spacing.
 double halfLine(const QCPPainter* painter) {
     return painter->fontMetrics().height() / 2.0 + 1;
 }
@@ -120,7 +120,7 @@ void ShaftScene::drawSupport(QCPPainter* painter, bool tailstock) {
     const QString text = tailstock ? stiffness(&Stiffness::tailstock, tr("tailstock"))
                                    : stiffness(&Stiffness::headstock, tr("headstock"));
     QPointF beside = at(end + out, 0) + QPointF(tailstock ? noteGap : -noteGap, 0);
-    if (bore) { // the wheel may stand before the chuck
+    if (bore) { // the wheel may cover the chuck
         beside.setX(std::min(beside.x(), m_wheelBox.left() - noteGap));
     }
     const QRectF all = m_rect->rect();
@@ -128,7 +128,7 @@ void ShaftScene::drawSupport(QCPPainter* painter, bool tailstock) {
     if (painter->fontMetrics().horizontalAdvance(text) < room - 2) {
         note(painter, beside, tailstock ? Qt::AlignLeft : Qt::AlignRight, text);
     } else {
-        QPointF under = at(end + out, y); // a slender part has little room beside it
+        QPointF under = at(end + out, y); // a slender part leaves little space
         under.setY(std::max(under.y(), at(0, -m_high_mm).y() + halfLine(painter)));
         note(painter, under, tailstock ? Qt::AlignRight : Qt::AlignLeft, text);
     }
@@ -157,7 +157,7 @@ void ShaftScene::drawRests(QCPPainter* painter) {
     }
 }
 
-/// At the entry reversal where it travels, else over the middle.
+/// Places the wheel at the entry reversal if it travels, otherwise at the middle.
 void ShaftScene::placeWheel() {
     const Part& part = *m_project.part;
     const double width = m_project.wheel->width_mm, radius = part.diameter_mm / 2;
@@ -187,7 +187,7 @@ void ShaftScene::drawWheel(QCPPainter* painter) {
             quill.length_mm * m_rect->width() / m_rect->axis(QCPAxis::atBottom)->range().size();
         const double middle = m_wheelBox.center().y();
         painter->drawRect(QRectF(m_wheelBox.right(), middle - half, along, 2 * half));
-        const double end = at(0, m_high_mm * gaugeHalf).y(); // of the gauge's line
+        const double end = at(0, m_high_mm * gaugeHalf).y(); // end of the gauge's line
         where.setY(end - painter->fontMetrics().height());
     }
     const QString text = stiffness(&Stiffness::wheel_head, tr("wheel head"));
@@ -205,7 +205,7 @@ void ShaftScene::drawGauge(QCPPainter* painter) {
     const double high = painter->fontMetrics().height();
     QPointF end = at(m_gauge_mm, -m_high_mm * gaugeHalf);
     end.setY(std::max(end.y(), at(0, -m_high_mm).y() + high)); // the name is below the part
-    QPainterPath clear;                                        // of the texts
+    QPainterPath clear;                                        // areas of the texts
     clear.addRect(m_rect->rect());
     for (const auto& [rect, words] : m_notes) {
         QPainterPath text;

@@ -12,19 +12,19 @@ namespace sparkout {
 
 struct Stiffness;
 
-/// What holds and what cuts the part, around the body that ShaftLayer draws, to the same scale:
-/// centres or chuck, steady rests, the wheel, a quill; each with its stiffness, and the gauge.
+/// Draws the objects around the body that ShaftLayer draws, to the same scale: centres or chuck,
+/// steady rests, the wheel, a quill, each with its stiffness, and the gauge.
 class ShaftScene : public PaintedLayer {
     Q_OBJECT
 public:
     explicit ShaftScene(QCPAxisRect* rect);
 
-    /// @param body bounds of what ShaftLayer draws
+    /// @param body bounds of the body drawn by ShaftLayer
     /// @param gauge_mm place of the gauge from the headstock end of the ground length
     void setProject(const Project& project, const QRectF& body, double gauge_mm);
     [[nodiscard]] QRectF bounds() const { return m_bounds; } ///< [mm], y upwards
 
-    /// Words beside a thing, in pixels.
+    /// A text beside an object, in pixels.
     struct Note {
         QRectF place;
         QString text;
@@ -43,7 +43,7 @@ private:
     void drawWheel(QCPPainter* painter);
     void drawGauge(QCPPainter* painter);
     void placeWheel();
-    /// Writes beside a thing, clear of the notes written before.
+    /// Writes a note beside an object, clear of the earlier notes.
     void note(QCPPainter* painter, const QPointF& where, int flags, const QString& text,
               const QColor& colour);
     void note(QCPPainter* painter, const QPointF& where, int flags, const QString& text);
@@ -52,7 +52,7 @@ private:
     Project m_project;
     double m_gauge_mm = 0;
     double m_from_mm = 0, m_to_mm = 0; ///< ends of the shaft
-    double m_high_mm = 0;              ///< its largest radius
+    double m_high_mm = 0;              ///< largest radius of the shaft
     QRectF m_bounds;
     std::vector<Note> m_notes;
     QRectF m_wheelBox;

@@ -21,15 +21,15 @@ namespace {
 using style::Drawn;
 using units::umPerMm;
 
-constexpr double lowest_um = 1e-6;    ///< drawn in place of 0, which has no logarithm
-constexpr double feedHeadroom = 1.15; ///< above the highest value
+constexpr double lowest_um = 1e-6;    ///< replaces 0 on a logarithmic axis
+constexpr double feedHeadroom = 1.15; ///< headroom above the highest value
 constexpr double visibleLimits = 3;   ///< times the deepest cut, of limits that rise beyond
-constexpr double decades = 1e-4;      ///< of the deepest cut, in visible at most
+constexpr double decades = 1e-4;      ///< least visible share of the deepest cut
 constexpr double forbidden_um = 1e6;  ///< far above all plots
 constexpr int forbiddenAlpha = 34;
-constexpr int markPadding = 4;              ///< about its text
+constexpr int markPadding = 4;              ///< around its text
 constexpr int namePadding = 2, nameGap = 4; ///< beside the name of a limit, and below it
-constexpr double pieceWidth = 9;            ///< of the band along what binds [px]
+constexpr double pieceWidth = 9;            ///< width of the band along the binding limit [px]
 constexpr int pieceAlpha = 120;
 constexpr double markSize = 13, cutSize = 3.5, exceededSize = 6;
 
@@ -46,7 +46,7 @@ QString inTwoLines(QString text) {
     return text.replace(QStringLiteral(": "), QStringLiteral(":\n"));
 }
 
-/// The unit in a line of its own: the plot may be low.
+/// Puts the unit on a line of its own, since the plot may be low.
 QString axisLabel(QString text) {
     return text.replace(QStringLiteral(", "), QStringLiteral(",\n"));
 }
@@ -100,12 +100,12 @@ void ConstraintsPlot::build() {
         end->setType(QCPItemPosition::ptAbsolute);
     }
     connect(feedAxis(), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
-            &ConstraintsPlot::contentChanged); // the legend names what is out of visible
+            &ConstraintsPlot::contentChanged); // the legend lists what is out of view
     connect(feedAxis(), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
             &ConstraintsPlot::followFeeds);
 }
 
-/// The right axis has the same feeds in mm/min; where a cut is a stroke's there is none.
+/// Ties the right axis to the left, with feeds in mm/min; hidden where a cut belongs to a stroke.
 void ConstraintsPlot::followFeeds() {
     const std::optional<double> perMinute = m_chart.perMinute();
     minuteAxis()->setTicks(perMinute.has_value());
@@ -204,7 +204,7 @@ void ConstraintsPlot::fillEnvelope() {
     restyleEnvelope();
 }
 
-/// On a piece as far as it is in sight, where it is wider than its name: of some places along it,
+/// Places a name on the visible part of a piece that is wider than it: of some positions along it,
 /// above and below, the one that covers the least, the middle first.
 void ConstraintsPlot::placeNames(FreePlace& places) {
     const QCPRange stocks = stockAxis()->range();
@@ -269,7 +269,7 @@ void ConstraintsPlot::fillMark() {
     m_markText->setVisible(cut.has_value());
 }
 
-/// What is drawn of a curve, in pixels of the plot.
+/// The drawn points of a curve, in pixels of the plot.
 template <typename Drawn>
 QPolygonF ConstraintsPlot::pixelsOf(const Drawn& drawn) const {
     QPolygonF points;
@@ -282,7 +282,7 @@ QPolygonF ConstraintsPlot::pixelsOf(const Drawn& drawn) const {
     return points;
 }
 
-/// The text stands beside the mark where it covers no curve, in two lines where one is too long.
+/// Places the text beside the mark where it covers no curve, in two lines if one is too long.
 void ConstraintsPlot::placeMark() {
     style::fitValueAxes(*m_rect, font());
     m_markLine->setVisible(false);
@@ -342,7 +342,7 @@ double ConstraintsPlot::highestCut() const {
     return highest;
 }
 
-/// What is to be seen of the feeds: the cuts, and always some of the limit.
+/// The greatest feed to be visible: the cuts, and always part of the limit.
 double ConstraintsPlot::highestFeed() const {
     const double cut = highestCut();
     bool found = false;
@@ -360,8 +360,8 @@ void ConstraintsPlot::fit() {
     fitFeeds();
 }
 
-/// Each axis nobody has zoomed, so that one run has one picture, whether an edit or its undo led
-/// to it; and the stock's where nothing of the cycle would be left of it.
+/// Refits each axis that the user has not zoomed, so that a run looks the same after an edit and
+/// after its undo; also the stock axis if nothing of the cycle would remain visible.
 void ConstraintsPlot::refit() {
     const QCPRange stock = stockAxis()->range();
     const QCPRange cycle = stocks_um();
@@ -463,7 +463,7 @@ LegendEntries ConstraintsPlot::legendEntries() const {
             addLimit(static_cast<int>(kind), *graph, LimitNames::limit(kind));
         }
     }
-    // Short, so that two lines do; what is read at the mouse has the whole names.
+    // Short names that fit two lines; the read-out has the full ones.
     addLimit(accuracyKey, *m_accuracy, tr("accuracy"));
     addLimit(estimateKey, *m_estimate, tr("accuracy, estimate"));
     addLimit(publishedKey, *m_published, tr("runout (22)"));
@@ -476,7 +476,7 @@ LegendEntries ConstraintsPlot::legendEntries() const {
     return entries;
 }
 
-/// That of the line it lies on.
+/// The colour of the limit it belongs to.
 QColor ConstraintsPlot::colourOf(const BoundCurve& piece) const {
     const int key = piece.bound == LimitBound::feed       ? machineKey
                     : piece.bound == LimitBound::accuracy ? accuracyKey
@@ -543,7 +543,7 @@ void ConstraintsPlot::setTexts() {
 
 // --- numbers ------------------------------------------------------------------------------------
 
-/// Of the cut nearest to the mouse, as it is seen.
+/// The values of the cut nearest to the mouse on the screen.
 QString ConstraintsPlot::valuesAt(const QPointF& at) const {
     const LimitGroup* group = m_chart.cuts();
     if (!group || group->cuts.empty() || !m_rect->rect().contains(at.toPoint())) {

@@ -38,14 +38,14 @@ namespace sparkout {
 
 namespace {
 
-constexpr int plotShare = 340, lowerShare = 200; ///< of the height at first
+constexpr int plotShare = 340, lowerShare = 200; ///< initial shares of the height
 constexpr int tableShare = 480, sheetShare = 190;
-// Of the margins, at the usual size of type.
+// Least widths of the margins' table, at the usual font size.
 constexpr int leastColumn = 60, wideTable = 400, leastTable = 110, leastSheet = 66;
 constexpr int bothBeside = 440; ///< table and formulas side by side
-constexpr int leastPlot = 150;  ///< high, at the usual size of type
+constexpr int leastPlot = 150;  ///< least height at the usual font size
 
-/// Indices below the line; numbers and result of a formula each on a line of their own.
+/// Formats indices; puts numbers and result of a formula on lines of their own.
 QString sheetHtml(const QString& text) {
     const QString equals = QStringLiteral(" = ");
     QStringList lines;
@@ -97,7 +97,7 @@ void ConstraintsView::build() {
     m_lower->setChildrenCollapsible(false);
     m_lower->setSizes({tableShare, sheetShare});
     share(*m_splitter, {{upper, plotShare}, {m_lower, lowerShare}});
-    auto* content = new QWidget(this); // scrolled where curves and table have no room
+    auto* content = new QWidget(this); // scrolls if curves and table do not fit
     auto* column = rowIn<QVBoxLayout>(content);
     column->addWidget(legend());
     column->addWidget(m_splitter, 1);
@@ -149,14 +149,14 @@ QWidget* ConstraintsView::buildMargins() {
     QHeaderView* header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(MarginModel::requirement, QHeaderView::Stretch);
-    // In a narrower column names wrap; asked for when all columns have their widths.
+    // Names wrap in a narrower column; requested when all columns have their widths.
     connect(
         header, &QHeaderView::sectionResized, m_table, [this] { m_table->resizeRowsToContents(); },
         Qt::QueuedConnection);
     return m_table;
 }
 
-/// Side by side the table and the formulas would both be too narrow to be read.
+/// Side by side, the table and the formulas would both be too narrow.
 void ConstraintsView::resizeEvent(QResizeEvent* event) {
     PlotView::resizeEvent(event);
     const bool isNarrow = width() < atFontSize(bothBeside);
@@ -168,7 +168,7 @@ QWidget* ConstraintsView::buildSheet() {
     auto* column = rowIn<QVBoxLayout>(box);
     setTextMinimumHeight(*m_sheet, leastSheet);
     m_sheet->setReadOnly(true);
-    m_sheet->document()->setDocumentMargin(metrics::hair); // no bar for the height of a margin
+    m_sheet->document()->setDocumentMargin(metrics::hair); // avoids a scroll bar for the margin
     m_sheet->setTabChangesFocus(true);
     auto* row = new ToolRow;
     row->addWidget(m_goTo);
@@ -191,7 +191,7 @@ void ConstraintsView::connectParts() {
     connect(m_logarithmic, &QCheckBox::toggled, this, [this](bool on) {
         m_plot->setLogarithmic(on);
         m_plot->replot();
-        tools()->navigation().forgetViews(); // ranges of the other scale
+        tools()->navigation().forgetViews(); // they are ranges of the other scale
     });
     connect(m_places, &QCheckBox::toggled, this, [this](bool all) {
         m_model->setAllPlaces(all);
@@ -237,7 +237,7 @@ void ConstraintsView::takeOutcome(const OutcomePtr& before) {
     showSheet();
 }
 
-/// Without rows and zones nothing of it can be chosen any more.
+/// Without rows and zones nothing can be selected.
 void ConstraintsView::dropOutcome() {
     m_group.reset();
     m_chosen.reset();
@@ -270,7 +270,7 @@ ConstraintsView::GroupKey ConstraintsView::keyOf(const LimitGroup& group) {
     return {group.zone, group.section, group.standing};
 }
 
-/// The one the user chose, else the one that comes nearest to its limit.
+/// The group chosen by the user, otherwise the one nearest to its limit.
 int ConstraintsView::wantedGroup() const {
     const auto& groups = good()->limits.groups;
     const auto same = [this](const LimitGroup& group) { return keyOf(group) == m_group; };
@@ -301,7 +301,7 @@ void ConstraintsView::showGroup(int group) {
 
 // --- requirements -------------------------------------------------------------------------------
 
-/// The chosen requirement with the numbers of this run.
+/// The selected requirement with the values of this run.
 std::optional<ConstraintResult> ConstraintsView::chosen() const {
     const int row = m_chosen ? m_model->rowOf(*m_chosen) : -1;
     return row >= 0 ? std::optional(m_model->at(row)) : std::nullopt;
@@ -385,8 +385,8 @@ QString ConstraintsView::remark() const {
                   "sections help; the requirements below are of the whole cycle.");
     }
     if (!limitsFeed(good()->limits)) {
-        return tr("No limit of the feed is on, so any feed is allowed: enter what burns the "
-                  "material, or the power of a drive. The links below lead to the fields.");
+        return tr("No limit of the feed is on, so any feed is allowed: enter the burn limit "
+                  "of the material, or the power of a drive. The links below lead to the fields.");
     }
     if (good()->result.status != RunStatus::completed) {
         return Names::status(good()->result.status);
@@ -399,7 +399,7 @@ QString ConstraintsView::remark() const {
 
 void ConstraintsView::showState() {
     PlotView::showState();
-    m_off->clear(); // links take the palette's colour when the text is another
+    m_off->clear(); // links keep an old palette until the text changes
     m_off->setText(good() ? LimitNames::missingLinks(good()->result.project) : QString());
     m_off->setVisible(good() && !m_off->text().isEmpty());
     m_splitter->setVisible(good() != nullptr);

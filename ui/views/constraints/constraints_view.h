@@ -22,8 +22,8 @@ class ConstraintsPlot;
 class CopyTable;
 class MarginModel;
 
-/// The view "Constraints": the actual feed over the stock left under all limits, the requirements
-/// by how much of their limit they use up, and how the chosen one's number came about.
+/// The view "Constraints": the actual feed over the stock left below all limits, the requirements
+/// by their usage of the limit, and the calculation of the selected one.
 class ConstraintsView : public PlotView {
     Q_OBJECT
 public:
@@ -34,11 +34,11 @@ public:
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool showsMoment() const override { return true; }
-    /// Chooses it at its place, as by a click on its row.
+    /// Selects it at its place, like a click on its row.
     void showRequirement(const ConstraintResult& requirement);
 
 signals:
-    /// Chosen: other views may follow; entered: it wants to be seen where it came about.
+    /// `chosen`: other views may follow; `entered`: its place is to be shown.
     void requirementChosen(const sparkout::ConstraintResult& requirement);
     void requirementEntered(const sparkout::ConstraintResult& requirement);
     void pathAsked(const std::string& path); ///< the input that turns a limit on
@@ -58,7 +58,7 @@ protected:
 
 private:
     void dropStudies() override;
-    using GroupKey = std::tuple<Zone, int, bool>; ///< zone, section, whether the wheel stands
+    using GroupKey = std::tuple<Zone, int, bool>; ///< zone, section, whether the wheel dwells
     [[nodiscard]] static GroupKey keyOf(const LimitGroup& group);
 
     void build();
@@ -87,7 +87,7 @@ private:
     QPushButton* m_goTo;
     QLabel* m_off;                            ///< the limits that are
     std::optional<GroupKey> m_group;          ///< the user chose
-    std::optional<ConstraintResult> m_chosen; ///< by the user, maybe of an earlier run
+    std::optional<ConstraintResult> m_chosen; ///< by the user, possibly for an earlier run
 };
 
 } // namespace sparkout

@@ -173,7 +173,7 @@ std::optional<double> LimitChart::perMinute() const {
     return m_outcome->result.project.machine->work_speed_rpm / umPerMm;
 }
 
-/// A cut is a revolution's where the wheel plunges or stands, else a stroke's.
+/// A cut belongs to a revolution where the wheel plunges or dwells, otherwise to a stroke.
 QString LimitChart::feedLabel() const {
     const LimitGroup* group = cuts();
     const bool stroke =

@@ -14,38 +14,39 @@
 
 namespace sparkout {
 
-/// The cuts of one zone or section of a run under the limits that are on, and the one of them that
-/// is marked: as it is drawn, read and tabulated.
+/// The cuts of one zone or section of a run below the limits that are on, with one of them marked:
+/// the data for drawing, reading and tables.
 class LimitChart {
     Q_DECLARE_TR_FUNCTIONS(LimitChart)
 public:
-    LimitChart() = default; ///< of nothing
-    /// With the mark of a requirement, as setMarked() has it.
+    LimitChart() = default; ///< an empty chart
+    /// Marks a requirement as setMarked() does.
     LimitChart(OutcomePtr outcome, int group, std::optional<ConstraintResult> requirement);
 
-    /// Marks where a requirement was worst; nothing: where the group comes nearest to its limit.
+    /// Marks the worst place of a requirement; empty: the place where the group is nearest to its
+    /// limit.
     void setMarked(std::optional<ConstraintResult> requirement);
 
-    [[nodiscard]] bool isEmpty() const { return !m_outcome; } ///< of no run
+    [[nodiscard]] bool isEmpty() const { return !m_outcome; } ///< whether it has no run
     [[nodiscard]] int group() const { return m_group; }
-    [[nodiscard]] const LimitGroup* cuts() const;                      ///< null: there are none
+    [[nodiscard]] const LimitGroup* cuts() const;                      ///< null if there are none
     [[nodiscard]] const LimitPoints& limit(ConstraintKind kind) const; ///< empty: off
-    /// The least of them; empty: none binds every cut.
+    /// The least of the limits; empty if none binds every cut.
     [[nodiscard]] const LimitPoints& stepless() const { return m_stepless; }
-    /// The limit by accuracy; empty: none follows from drawing and compliance.
+    /// The limit by accuracy; empty if none follows from drawing and compliance.
     [[nodiscard]] const LimitPoints& accuracy(AccuracyProof proof) const;
-    /// The machine's greatest infeed; empty: it bounds no cut, or is not known.
+    /// The machine's greatest infeed; empty if it bounds no cut, or is not known.
     [[nodiscard]] const LimitPoints& machineFeed() const { return m_machineFeed; }
-    /// Which of the limits that are proved for every cut binds where, by rising stock.
+    /// The binding one of the limits proved for every cut, by rising stock.
     [[nodiscard]] const std::vector<BoundCurve>& envelope() const { return m_envelope; }
     [[nodiscard]] static QString boundName(const BoundCurve& piece); ///< "burn", "machine's feed"
-    /// What binds a cut that leaves so much; empty: nothing.
+    /// The limit that binds at this stock; empty if there is none.
     [[nodiscard]] QString boundAt(double stock_mm) const;
-    /// As the source has it, pass by pass.
+    /// The limit as published, pass by pass.
     [[nodiscard]] const LimitPoints& published() const { return m_published; }
-    /// What the programme feeds in a step of each stage.
+    /// The programmed feed per step of each stage.
     [[nodiscard]] const LimitPoints& programmed() const { return m_programmed; }
-    /// What a feed of 1 µm a cut is in mm/min; nothing where a cut is a stroke's.
+    /// A feed of 1 µm per cut in mm/min; empty where a cut belongs to a stroke.
     [[nodiscard]] std::optional<double> perMinute() const;
     [[nodiscard]] const std::optional<ConstraintResult>& requirement() const {
         return m_requirement;
@@ -54,15 +55,15 @@ public:
     [[nodiscard]] QString markText() const;
     [[nodiscard]] QString valuesAt(const LimitedCut& cut) const;
     [[nodiscard]] QString feedLabel() const;
-    /// Stocks of the cycle, from the least to the deepest [mm].
+    /// Range of the stock in the cycle, from the least to the deepest [mm].
     [[nodiscard]] std::pair<double, double> stocks_mm() const;
-    /// A row a cut within the stocks, with the limits that are wanted.
+    /// A row for each cut within the stocks, with the requested limits.
     [[nodiscard]] CsvTable table(const std::function<bool(double stock_mm)>& inSight,
                                  const std::function<bool(ConstraintKind)>& wanted) const;
 
 private:
     void findEnvelope();
-    /// Limits of a cut as the engine gives them, not read off the curves.
+    /// Limits of a cut by the engine, not read off the curves.
     [[nodiscard]] std::vector<DepthLimit> limitsOf(const LimitedCut& cut) const;
 
     OutcomePtr m_outcome;

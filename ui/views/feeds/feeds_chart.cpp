@@ -12,7 +12,7 @@ namespace sparkout {
 
 namespace {
 
-// How many double strokes are in sight when the curves change their meaning.
+// Number of visible double strokes below which the curves show radii.
 constexpr double mostStrokesByRadius = 1.5;
 constexpr double mostStrokesByPass = 10;
 constexpr double mostStrokesWithSteps = 4.5;

@@ -19,17 +19,17 @@ constexpr int gap = 5;      ///< beside each plot, between the columns
 constexpr int labelGap = 4; ///< between the tick labels of two columns
 constexpr int tickPad = 3;
 constexpr int labelPad = 2;
-constexpr int smallestPlot = 40;         ///< of a picture that is smaller than leastSize()
-constexpr QSize legiblePlot(120, 80);    ///< at the least, in leastSize()
-constexpr double leastNameType = 0.6;    ///< names of axes, as a multiple of the usual size
+constexpr int smallestPlot = 40;         ///< in a picture smaller than leastSize()
+constexpr QSize legiblePlot(120, 80);    ///< least size for leastSize()
+constexpr double leastNameType = 0.6;    ///< least size of axis names, relative to the usual
 constexpr double leastNumberType = 0.75; ///< numbers beside value axes
-constexpr int sidePad = 2;               ///< beyond the names of the value axes
+constexpr int sidePad = 2;               ///< beside the names of the value axes
 constexpr int rowGap = 4;                ///< above and below each plot
 constexpr int rowSpacing = 2;
 constexpr int bottomPad = 2; ///< below the tick labels
 constexpr int usualTicks = 4;
 
-/// Leaves the last label out where it would run into the first one of the plot to the right.
+/// Omits the last label where it would run into the first one of the plot to the right.
 class InnerTicker : public NumberTicker {
 public:
     explicit InnerTicker(const QCPAxis& axis) : m_axis(axis) {}
@@ -56,7 +56,7 @@ private:
     const QCPAxis& m_axis;
 };
 
-/// Width of the widest tick label an axis will draw.
+/// Width of the widest tick label of an axis.
 int tickWidth(const QCPAxis& axis, const QLocale& locale, const QFontMetrics& metrics) {
     QVector<double> ticks;
     QVector<QString> labels;
@@ -196,7 +196,7 @@ void FeedsGrid::nameValueAxes(Naming naming) {
     right[2]->axis(QCPAxis::atRight)->setLabel(m_chart.hasAxialFeed() ? force : QString());
 }
 
-/// Height that the longest line of the value axes' names needs.
+/// Height of the longest line of the value axes' names.
 int FeedsGrid::longestAxisName() const {
     const QFontMetrics metrics(m_plot.font());
     int longest = 0;
@@ -212,8 +212,8 @@ int FeedsGrid::longestAxisName() const {
     return longest;
 }
 
-/// Where even brief names are longer than a plot is high, smaller type; at last none, the legend
-/// has them. And no more numbers than have room.
+/// If even short names are longer than the plot's height, reduces the font, and finally omits them,
+/// since the legend has them. Also limits the number of ticks to those that fit.
 void FeedsGrid::fitValueAxes(int high, double largest) {
     const QFont usual = m_plot.font();
     const double times = std::min(double(high + rowGap) / std::max(longestAxisName(), 1), largest);
@@ -233,7 +233,7 @@ void FeedsGrid::fitValueAxes(int high, double largest) {
 
 // --- room ---------------------------------------------------------------------------------------
 
-/// Lines the labels of an outer column's axes up; the room that ticks and numbers take.
+/// Aligns the labels of an outer column's axes; returns the width of ticks and numbers.
 int FeedsGrid::alignLabels(QCPAxis::AxisType side, const Column& column) const {
     std::array<int, rowCount> widths{};
     for (std::size_t row = 0; row < rowCount; ++row) {
@@ -248,7 +248,7 @@ int FeedsGrid::alignLabels(QCPAxis::AxisType side, const Column& column) const {
     return widest + tickPad + labelPad + sidePad;
 }
 
-/// Room that the names of an outer column's axes take.
+/// Width of the names of an outer column's axes.
 int FeedsGrid::nameWidth(QCPAxis::AxisType side, const Column& column) {
     int width = 0;
     for (const QCPAxisRect* rect : column.rects) {
@@ -271,7 +271,8 @@ void FeedsGrid::setNumberType(double times) {
     }
 }
 
-/// The longest names of the value axes, and the largest numbers, that leave the plots legible.
+/// Chooses the longest names of the value axes, and the largest numbers, that leave the plots
+/// legible.
 void FeedsGrid::fit() {
     if (m_columns.empty()) {
         return;
@@ -305,8 +306,8 @@ void FeedsGrid::fit() {
     showHeaders(plot, left, right);
 }
 
-/// With the units beside the numbers only, all in the smallest type. It does not shrink with the
-/// numbers while the plots are resized: what they are laid out in follows it.
+/// Computes the least width: only units beside the numbers, in the smallest font. It does not
+/// depend on the current numbers, since the layout of the plots follows it.
 void FeedsGrid::noteLeastWidth(int numbers) {
     const auto count = static_cast<int>(m_columns.size());
     const int units = 2 * QFontMetrics(enlarged(m_plot.font(), leastNameType)).height();
@@ -322,7 +323,7 @@ QSize FeedsGrid::leastSize() const {
     return m_columns.empty() ? QSize(320, 240) : QSize(m_leastWidth, heightBesidePlots() + rows);
 }
 
-/// Equal plots, though the first and the last column also hold labels.
+/// Makes the plots equally wide, though the first and the last column also contain labels.
 int FeedsGrid::fitWidths(int left, int right) {
     const auto count = static_cast<int>(m_columns.size());
     const int plot =
@@ -341,7 +342,7 @@ int FeedsGrid::fitWidths(int left, int right) {
     return plot;
 }
 
-/// What names, labels and gaps take of each row.
+/// The height of names, labels and gaps in each row.
 std::array<int, FeedsGrid::rowCount> FeedsGrid::rowMargins() const {
     const int line = QFontMetrics(m_plot.font()).height();
     return {BandLayer::nameMargin(m_plot.font()) + rowGap, 2 * rowGap,
@@ -355,7 +356,7 @@ int FeedsGrid::heightBesidePlots() const {
                                + static_cast<int>(rowCount) * rowSpacing);
 }
 
-/// Equally high plots too, though the first and the last row hold names and labels.
+/// Makes the plots equally high, though the first and the last row contain names and labels.
 int FeedsGrid::fitHeights() {
     const auto margins = rowMargins();
     const int high = std::max((m_plot.height() - heightBesidePlots()) / static_cast<int>(rowCount),
@@ -366,7 +367,7 @@ int FeedsGrid::fitHeights() {
     return high;
 }
 
-/// The full names of the zones, or of all of them the short ones.
+/// Shows the full names of the zones, or short ones for all.
 void FeedsGrid::showHeaders(int plotWidth, int left, int right) {
     const QFontMetrics metrics(m_plot.font());
     QStringList full, brief;

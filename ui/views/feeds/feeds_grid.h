@@ -12,9 +12,9 @@ namespace sparkout {
 class BandLayer;
 class FeedsChart;
 
-/// The cells that the feeds are drawn in: a column a zone or section, under its name; rows of feed,
-/// accumulated feed with radii, and axial feed with normal force. All of them are equally wide and
-/// high, their numbers and names as long as has room.
+/// The cells of the feeds: a column for each zone or section, under its name; rows for feed,
+/// accumulated feed with radii, and axial feed with normal force. All cells have the same size,
+/// with the longest numbers and names that fit.
 class FeedsGrid {
     Q_DECLARE_TR_FUNCTIONS(FeedsGrid)
 public:
@@ -27,11 +27,11 @@ public:
 
     FeedsGrid(QCustomPlot& plot, const FeedsChart& chart) : m_plot(plot), m_chart(chart) {}
 
-    void build(); ///< anew, for the columns of the chart; all curves are gone
-    void label(); ///< in the present language
+    void build(); ///< rebuilds for the columns of the chart; removes all curves
+    void label(); ///< sets translated texts
     void fit();
     void restyle();
-    [[nodiscard]] QSize leastSize() const; ///< in which all plots are legible
+    [[nodiscard]] QSize leastSize() const; ///< size at which all plots are legible
     [[nodiscard]] const std::vector<Column>& columns() const { return m_columns; }
     [[nodiscard]] const Column& column(int index) const {
         return m_columns.at(static_cast<std::size_t>(index));
@@ -41,18 +41,18 @@ private:
     void clear();
     void buildCell(std::size_t column, std::size_t row);
     void setUpAxes(QCPAxisRect& rect, std::size_t column, std::size_t row) const;
-    /// In two lines, in brief, only the unit, or that and the numbers in small type.
+    /// Names in two lines, short, only the unit, or that and the numbers in a small font.
     enum class Naming { full, brief, unit, smallest };
     void nameValueAxes(Naming naming);
     [[nodiscard]] int longestAxisName() const;
-    void fitValueAxes(int high, double largest); ///< type of the names
-    void setNumberType(double times);            ///< of the usual size
+    void fitValueAxes(int high, double largest); ///< font size of the names
+    void setNumberType(double times);            ///< relative to the usual size
     [[nodiscard]] int alignLabels(QCPAxis::AxisType side, const Column& column) const;
     [[nodiscard]] static int nameWidth(QCPAxis::AxisType side, const Column& column);
-    void noteLeastWidth(int numbers); ///< of both value axes
+    void noteLeastWidth(int numbers); ///< width of both value axes
     [[nodiscard]] std::array<int, rowCount> rowMargins() const;
     [[nodiscard]] int heightBesidePlots() const;
-    [[nodiscard]] int fitWidths(int left, int right); ///< of the plots
+    [[nodiscard]] int fitWidths(int left, int right); ///< width of the plots
     [[nodiscard]] int fitHeights();
     void showHeaders(int plotWidth, int left, int right);
 

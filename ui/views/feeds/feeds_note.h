@@ -12,8 +12,7 @@ class QPushButton;
 
 namespace sparkout {
 
-/// What the steps E1…E5 are in each zone, in the colours of the bands, and how the curves are to be
-/// read.
+/// Explains the steps E1…E5 in each zone, in the colours of the bands, and how to read the curves.
 class FeedsNote : public QDialog {
     Q_OBJECT
 public:

@@ -19,12 +19,12 @@
 namespace sparkout {
 
 namespace {
-constexpr int windowEdge = 5;  ///< how near the mouse must be to an edge [px]
-constexpr int handleWidth = 4; ///< of the drawn handles
-constexpr double least = 1e-5; ///< smallest window, of the cycle
+constexpr int windowEdge = 5;  ///< reach of the mouse at an edge [px]
+constexpr int handleWidth = 4; ///< width of the drawn handles
+constexpr double least = 1e-5; ///< smallest window, as a share of the cycle
 constexpr double wheelZoom = 0.85;
 constexpr double notchOfWheel = 120;
-constexpr double keyShare = 0.1; ///< of the window, for one key press
+constexpr double keyShare = 0.1; ///< step of a key press, as a share of the window
 constexpr double headroom = 0.1;
 } // namespace
 
@@ -156,7 +156,7 @@ void FeedsOverview::ask(double from, double to) {
 
 FeedsOverview::Part FeedsOverview::partAt(double x) const {
     const QRectF inside = window();
-    // In a narrow window the middle stays in reach, its edges are taken from outside.
+    // In a narrow window the middle remains reachable; its edges are dragged from outside.
     const double inner = std::min<double>(windowEdge, inside.width() / 4);
     if (x >= inside.left() - windowEdge && x <= inside.left() + inner) {
         return Part::begin;
@@ -221,7 +221,7 @@ void FeedsOverview::wheelEvent(QWheelEvent* event) {
     const double factor = std::pow(wheelZoom, steps);
     const double from = m_plot.scale().at(m_plot.visibleFrom_s());
     const double to = m_plot.scale().at(m_plot.visibleTo_s());
-    // About the mouse if it is within the window, else about the window's middle.
+    // Zooms about the mouse if it is within the window, otherwise about the window's middle.
     const double fixed = at > from && at < to ? at : (from + to) / 2;
     ask(fixed - (fixed - from) * factor, fixed + (to - fixed) * factor);
     emit dragged();

@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double valuesPad = 0.06; ///< of the values in sight
+constexpr double valuesPad = 0.06; ///< margin, as a share of the visible values
 constexpr float spreadAlpha = 0.25F;
 
 } // namespace
@@ -434,7 +434,7 @@ LegendEntries FeedsPlot::legendEntries() const {
     entries.push_back({grey, Qt::NoPen, tr("spread over the radii"), FeedsChart::spreadKey,
                        shows(FeedsChart::spreadKey)});
     for (const auto& [zone, step] : m_chart.steps()) {
-        // With the codes above the bands, by which these are told apart on paper without colours.
+        // The codes above the bands identify them in print without colours.
         const QString name = strokeStepName(strokeStep(zone, step));
         entries.push_back({stepColour(zone, step, palette()), Qt::NoPen,
                            name.isEmpty() ? Names::stepMeaning(zone, step) : name});

@@ -16,8 +16,8 @@ namespace sparkout {
 
 class HairLine;
 
-/// The plot of the view "Feeds by stage": the curves of a run in a grid of cells. All columns are
-/// linked in x, each row in y.
+/// The plot of the view "Feeds by stage": the curves of a run in a grid of cells. All columns share
+/// x, each row shares y.
 class FeedsPlot : public ViewPlot {
     Q_OBJECT
 public:
@@ -26,10 +26,10 @@ public:
 
     explicit FeedsPlot(QWidget* parent = nullptr);
 
-    /// Shows columns of a run; the visible range is kept unless it lies outside. No replot.
+    /// Shows columns of a run; keeps the visible range unless it is outside. No replot.
     void setRun(OutcomePtr outcome, const std::vector<int>& shown);
     void setAxis(CycleAxis axis);
-    void setMoment(std::optional<double> time_s); ///< where the cycle stands; nothing: at its end
+    void setMoment(std::optional<double> time_s); ///< moment of the cycle; empty: its end
     void showTimes(double from_s, double to_s);   ///< no replot
     void fitValues() { m_values = {}; }           ///< from the next showTimes() on
     void showAll() { showTimes(0, series().end_s); }
@@ -40,7 +40,7 @@ public:
     void restyle() override;
     [[nodiscard]] PlotHistory::State visibleRange() const override;
     void setVisibleRange(const PlotHistory::State& state) override;
-    /// Within a plot, wheel and drag move the time only.
+    /// Within a plot, wheel and drag move only the time.
     [[nodiscard]] QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const override;
 
     [[nodiscard]] const FeedSeries& series() const { return m_chart.series(); }
@@ -58,7 +58,7 @@ public:
     [[nodiscard]] CsvTable table() const override { return m_chart.table(choice()); }
     [[nodiscard]] ReadCurves readCurves() const override; ///< without their spread
     [[nodiscard]] CursorSubject cursorSubject() override;
-    /// Curves over the same times that another plot draws: the cursors read them, too.
+    /// Adds the curves of another plot over the same times to the cursors.
     void readBeside(std::function<ReadCurves()> curves) { m_beside = std::move(curves); }
     [[nodiscard]] BandLayer* bands(int column, int row) const {
         return m_grid.column(column).bands.at(static_cast<std::size_t>(row));
@@ -72,15 +72,15 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return m_grid.leastSize(); }
 
 signals:
-    void timesChanged(); ///< other times are in sight
-    void gridBuilt();    ///< all axes are new
+    void timesChanged(); ///< the visible range has changed
+    void gridBuilt();    ///< all axes were replaced
     void timeClicked(double time_s);
     void pointedBand(const QString& text); ///< full name of the band under the mouse
 
 protected:
     void setTexts() override;
     void takeLook(bool font) override;
-    void showChoice() override; ///< what is hidden is neither drawn nor scaled to
+    void showChoice() override; ///< hidden curves are neither drawn nor used for scaling
     void onMouse(QMouseEvent* event) override;
     void pointAway() override;
     void resizeEvent(QResizeEvent* event) override;
@@ -92,7 +92,7 @@ private:
         Edge edge;
         QCPGraph* graph;
     };
-    /// The user's own ranges of a row's values.
+    /// The user's ranges for a row's values.
     struct RowValues {
         bool own = false;
         QCPRange left, right;
@@ -101,7 +101,7 @@ private:
     void addCurves(std::size_t column);
     void addCurve(std::size_t column, Quantity quantity, QCPAxis* value);
     void linkAxes();
-    void showScale(); ///< after another axis or unit
+    void showScale(); ///< after a change of axis or unit
     void onTimesChanged(const QCPRange& range);
     void onValuesChanged(QCPAxis* axis, const QCPRange& range);
     void fill();

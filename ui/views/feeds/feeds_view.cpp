@@ -36,7 +36,7 @@ namespace sparkout {
 namespace {
 constexpr int strokeGesture = 2001, overviewGesture = 2002,
               traceGesture = 2003;              ///< for PlotNavigation::gestureOf()
-constexpr int wideView = 900, narrowView = 430; ///< at the usual size of type
+constexpr int wideView = 900, narrowView = 430; ///< at the usual font size
 } // namespace
 
 FeedsView::FeedsView(QWidget* parent, Settings* settings)
@@ -70,7 +70,7 @@ FeedsView::FeedsView(QWidget* parent, Settings* settings)
 QWidget* FeedsView::buildTools() {
     auto* bar = new QWidget(this);
     auto* row = rowIn<ToolRow>(bar);
-    row->setSpacing(metrics::row); // many stand in it
+    row->setSpacing(metrics::row); // it has many widgets
     m_span = new QComboBox(bar);
     m_previous = new QToolButton(bar);
     m_stroke = new QSpinBox(bar);
@@ -176,7 +176,7 @@ void FeedsView::buildTraces() {
             [this](double time_s) { cycle().toTime(time_s); });
 }
 
-/// Both plots show the two cursors, which are those of the strip.
+/// Both plots show the two cursors of the strip.
 void FeedsView::linkCursors() {
     PlotCursors& own = m_traces->addCursors();
     PlotCursors& shared = *m_plot->cursors();
@@ -209,7 +209,7 @@ bool FeedsView::busy() const {
     return m_comparer->running();
 }
 
-/// In sight are the times of the feeds, below them too.
+/// Shows the visible times of the feeds in the traces below them.
 void FeedsView::showTraceTimes() {
     if (!m_traces->isEmpty()) {
         m_traces->setEnd(m_plot->series().end_s);
@@ -306,7 +306,7 @@ QString FeedsView::remark() const {
 
 void FeedsView::showState() {
     PlotView::showState();
-    values()->setVisible(drawn() && !cursors()->toggle->isChecked()); // their table tells them
+    values()->setVisible(drawn() && !cursors()->toggle->isChecked()); // their table has the values
     m_section->setVisible(m_section->count() > 0);
     m_traces->setVisible(drawn() && !m_traces->isEmpty());
     m_traceExport->setVisible(!m_traces->isEmpty());
@@ -345,7 +345,7 @@ void FeedsView::fillSpans() {
     showSpan();
 }
 
-/// The tools say what is in sight.
+/// Shows the visible range in the tools.
 void FeedsView::showSpan() {
     const QSignalBlocker blocker(m_span);
     const int wanted = m_what == Span::whole ? 0 : m_what == Span::stage ? m_stage : -1;
@@ -376,7 +376,7 @@ void FeedsView::applySpan() {
 
 // --- the moment ---------------------------------------------------------------------------------
 
-/// None while all of the cycle is done.
+/// Shows no moment at the end of the cycle.
 void FeedsView::showMoment() {
     const CycleCursor* const at = cycleIn(good());
     const auto moment_s = at && !at->atEnd() ? std::optional(at->time_s()) : std::nullopt;
@@ -392,7 +392,7 @@ void FeedsView::followCycle() {
     }
 }
 
-/// What is in sight moves on as a page is turned: to the stage or double stroke, or by its width.
+/// Moves the visible range like a page: to the stage or double stroke, or by its width.
 void FeedsView::bringIntoSight(double time_s) {
     const double from_s = m_plot->visibleFrom_s(), to_s = m_plot->visibleTo_s();
     const double near_s = 1e-9 * m_plot->series().end_s;
@@ -431,7 +431,7 @@ void FeedsView::onStrokeChosen(int) {
     m_what = Span::stroke;
     applySpan();
     m_plot->replot();
-    // Stepping from stroke to stroke is one gesture: Back leads out of it.
+    // Stepping from stroke to stroke is one gesture, which Back reverts as a whole.
     tools()->navigation().noteView(tools()->navigation().gestureOf(strokeGesture));
 }
 
@@ -570,7 +570,7 @@ QString FeedsView::hint() const {
     return tr("Point at a curve to read its values.");
 }
 
-/// The narrower the view for its type, the more lines the values need.
+/// The narrower the view relative to its font, the more lines the values need.
 void FeedsView::makeRoomForValues() {
     const int wide = width() * usualFontSize / appliedFontSize();
     setTextLines(*values(), wide >= wideView ? 2 : wide >= narrowView ? 4 : 5, 0);

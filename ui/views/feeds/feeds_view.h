@@ -32,10 +32,10 @@ public:
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool showsMoment() const override { return true; }
-    [[nodiscard]] bool busy() const override; ///< with the traces
+    [[nodiscard]] bool busy() const override; ///< including the traces
     [[nodiscard]] QString brief() const override;
     void showPlace(const Place& place); ///< the double stroke or revolution, and its section
-    void showStage(int stage);          ///< from 1; nothing of one that never began
+    void showStage(int stage);          ///< from 1; no effect for a stage that did not begin
 
 protected:
     [[nodiscard]] bool draws(const Outcome& outcome) const override;
@@ -72,13 +72,13 @@ private:
     void onStrokeChosen(int number);
     void onSectionChosen(int index);
     void applySpan();
-    void readSpan(); ///< which part of the cycle the times in sight are
+    void readSpan(); ///< updates the tools to the visible range
     void showSpan();
     void showMoment();
     void bringIntoSight(double time_s);
     void showNote();
     void makeRoomForValues();
-    [[nodiscard]] bool isUnrecorded() const; ///< the newest run: too long
+    [[nodiscard]] bool isUnrecorded() const; ///< the newest run was too long to record
     [[nodiscard]] bool countsStrokes() const;
     [[nodiscard]] std::vector<int> shownColumns() const;
 

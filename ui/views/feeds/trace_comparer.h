@@ -14,8 +14,8 @@ namespace sparkout {
 
 using TraceComparisonsPtr = std::shared_ptr<const std::vector<TraceComparison>>;
 
-/// Compares the traces of a project with its run off the window's thread; a newer run replaces the
-/// older one.
+/// Compares the traces of a project with its run on another thread; a newer run replaces the older
+/// one.
 class TraceComparer : public QObject {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ public:
     explicit TraceComparer(QObject* parent = nullptr);
 
     void compare(const OutcomePtr& outcome);
-    void drop(); ///< what runs, without an answer
+    void drop(); ///< discards a running comparison
     [[nodiscard]] bool running() const { return m_running; }
 
 signals:
@@ -31,7 +31,7 @@ signals:
 
 private:
     bool m_running = false;
-    NewestJob m_job; ///< last: stopped before what it reports to is gone
+    NewestJob m_job; ///< last member: stopped before the objects it reports to are destroyed
 };
 
 } // namespace sparkout

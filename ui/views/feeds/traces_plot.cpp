@@ -24,9 +24,9 @@ using style::Drawn;
 
 constexpr int mostTraceCells = 3;
 constexpr QSize legibleTrace(120, 80);
-constexpr double tracePad = 0.06; ///< of the values in sight
+constexpr double tracePad = 0.06; ///< margin, as a share of the visible values
 constexpr int besideTrace = 16;   ///< beside the numbers and the name of an axis
-constexpr int aroundTrace = 10;   ///< above and below a plot, beside its lines of text
+constexpr int aroundTrace = 10;   ///< above and below a plot, besides its lines of text
 
 QString quantityOf(FitSource source) {
     return QCoreApplication::translate("Measured", wordsOf(source).text);
@@ -41,7 +41,7 @@ QString differenceUnit(FitSource source) {
     return unitText(source == FitSource::size ? "µm" : unitOf(source));
 }
 
-/// Of a line between samples; nothing outside of them.
+/// Interpolates between samples; empty outside them.
 std::optional<double> betweenSamples(const std::vector<double>& times,
                                      const std::vector<double>& values, double time_s) {
     if (times.empty() || time_s < times.front() || time_s > times.back()) {
@@ -240,7 +240,7 @@ void TracesPlot::scaleValues() {
             if (low > high) {
                 continue;
             }
-            if (side == QCPAxis::atRight) { // about zero, so that a bias is seen
+            if (side == QCPAxis::atRight) { // centred on zero, to show a bias
                 high = std::max({std::abs(low), std::abs(high), 1e-9});
                 low = -high;
             }

@@ -15,27 +15,27 @@ namespace sparkout {
 
 class HairLine;
 
-/// The fourth row of the view "Feeds by stage": what was measured over the time of a cycle, a cell
-/// a quantity, with the simulated curve and, over the axis on the right, their difference. Its
-/// times are those of the feeds above it.
+/// The fourth row of the view "Feeds by stage": measurements over the time of a cycle, a cell for
+/// each quantity, with the simulated curve and, on the right axis, their difference. Its times
+/// follow the feeds above it.
 class TracesPlot : public ViewPlot {
     Q_OBJECT
 public:
-    enum Key { measuredKey = 300, simulatedKey, differenceKey }; ///< of the legend
+    enum Key { measuredKey = 300, simulatedKey, differenceKey }; ///< keys of the legend
 
     explicit TracesPlot(QWidget* parent = nullptr);
 
     void setTraces(TraceComparisonsPtr traces, const Project& project); ///< null: none; no replot
     [[nodiscard]] bool isEmpty() const { return m_cells.empty(); }
-    /// What is in sight, as the feeds have it; no replot.
+    /// Sets the visible range, that of the feeds; no replot.
     void showTimes(const CycleScale& scale, double from_s, double to_s, const QString& timeLabel);
-    void setEnd(double end_s) { m_end_s = end_s; } ///< of the cycle
-    void setMoment(std::optional<double> time_s);  ///< where the cycle stands
+    void setEnd(double end_s) { m_end_s = end_s; } ///< end of the cycle
+    void setMoment(std::optional<double> time_s);  ///< moment of the cycle
 
     [[nodiscard]] std::size_t cellCount() const { return m_cells.size(); }
     [[nodiscard]] QCPAxisRect* cell(std::size_t index) const { return m_cells.at(index).rect; }
-    [[nodiscard]] QString heading(std::size_t index) const;         ///< of a cell, with its RMS
-    [[nodiscard]] QCPGraph* curve(std::size_t cell, Key key) const; ///< of its first trace
+    [[nodiscard]] QString heading(std::size_t index) const; ///< heading of a cell, with its RMS
+    [[nodiscard]] QCPGraph* curve(std::size_t cell, Key key) const; ///< curve of its first trace
 
     void fit() override { emit fitWanted(); }
     void restyle() override;
@@ -64,7 +64,7 @@ private:
         const TraceComparison* trace;
         std::array<QCPGraph*, 3> graphs; ///< measured, simulated, difference
     };
-    /// All traces of one quantity and place.
+    /// All traces of one quantity at one place.
     struct Cell {
         FitSource source;
         std::optional<int> place;

@@ -31,7 +31,7 @@ void LayerStack::draw(QCPPainter* painter) {
     m_plot.drawPartAxis(*painter);
 }
 
-/// The finished part, and the stock that is still to come off.
+/// Draws the finished part, and the stock still to be removed.
 void LayerStack::drawMetal(QCPPainter& painter) const {
     const LayerSeries& series = m_plot.series();
     const QPalette palette = mParentPlot->palette();

@@ -7,7 +7,7 @@ namespace sparkout {
 
 class LayersPlot;
 
-/// Paints the layers of a LayersPlot, the metal they come off, and the axis of rotation.
+/// Paints the layers of a LayersPlot, the metal below them, and the axis of rotation.
 class LayerStack : public PaintedLayer {
     Q_OBJECT
 public:

@@ -15,14 +15,14 @@ namespace sparkout {
 class LayersLook {
     Q_DECLARE_TR_FUNCTIONS(LayersLook)
 public:
-    [[nodiscard]] static QColor stage(int stage, const QPalette& palette); ///< from 1
-    /// The same, lighter in every other layer, so that neighbours differ.
+    [[nodiscard]] static QColor stage(int stage, const QPalette& palette); ///< counted from 1
+    /// The colour of a layer, lighter for every other one, so that neighbours differ.
     [[nodiscard]] static QColor layer(const LayerSeries& series, std::size_t span,
                                       const QPalette& palette);
     /// The zones or sections along the length, by rising length.
     [[nodiscard]] static std::vector<Band> zoneBands(const LayerSeries& series,
                                                      const QPalette& palette);
-    [[nodiscard]] static QColor uncut(const QPalette& palette); ///< what is still to come
+    [[nodiscard]] static QColor uncut(const QPalette& palette); ///< stock still to be removed
     /// A swatch for each stage; the key is its number.
     [[nodiscard]] static LegendEntries stages(const LayerSeries& series, const CurveChoice& choice,
                                               const QPalette& palette);

@@ -15,7 +15,7 @@ namespace {
 using style::Drawn;
 using units::umPerMm;
 
-constexpr double roomAbove = 0.06, roomBelow = 0.08; ///< of the heights
+constexpr double roomAbove = 0.06, roomBelow = 0.08; ///< margins, as shares of the heights
 constexpr int fieldAlpha = 60;
 
 /// A height held over each stretch, with a step to the next.

@@ -8,32 +8,32 @@
 namespace sparkout {
 
 /// The stock in a section along the part's axis, layer on layer, from the blank to the final
-/// radius, with the tolerance band; what the cycle has not cut yet is still metal.
+/// radius, with the tolerance; stock not cut yet is shown as metal.
 class LayersPlot : public PartPlot {
     Q_OBJECT
 public:
-    /// Keys of the legend beside the numbers of the stages.
+    /// Keys of the legend, in addition to the numbers of the stages.
     enum Key { fieldKey = 1000, targetKey, blankKey, finalKey };
 
     explicit LayersPlot(QWidget* parent = nullptr);
 
     void setSeries(LayerSeries series); ///< no replot
-    void setDone(LayersDone done);      ///< up to where the cycle stands; no replot
+    void setDone(LayersDone done);      ///< up to the moment of the cycle; no replot
     void fit() override;
     void restyle() override;
 
     [[nodiscard]] const LayerSeries& series() const { return m_series; }
-    [[nodiscard]] QCPGraph* graph(Key key) const; ///< of the field the upper limit
+    [[nodiscard]] QCPGraph* graph(Key key) const; ///< for the tolerance the upper limit
     [[nodiscard]] const LayersDone& done() const { return m_done; }
-    /// Radius of a column after so many of the layers done.
+    /// Radius of a column after this number of layers.
     [[nodiscard]] double radiusAfter_mm(std::size_t column, std::size_t count) const;
-    /// Where a layer is painted; empty when it is hidden or not cut yet.
+    /// The rectangle of a layer; empty if it is hidden or not cut yet.
     [[nodiscard]] QRectF layerRect(std::size_t column, std::size_t span) const;
     [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] CsvTable table() const override;
 
 signals:
-    void strokeClicked(int stroke); ///< the last of the layer
+    void strokeClicked(int stroke); ///< last stroke of the layer
 
 private:
     struct Hit {

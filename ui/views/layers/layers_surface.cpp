@@ -16,10 +16,10 @@ namespace sparkout {
 namespace {
 
 constexpr double firstAzimuth = -52, firstElevation = 28; ///< [°]
-constexpr double azimuthSize = 180, elevationSize = 120;  ///< [°] a drag across the plot turns by
+constexpr double azimuthSize = 180, elevationSize = 120;  ///< [°] angle of a drag across the plot
 constexpr double leastZoom = 0.5, mostZoom = 8;
-constexpr double shareOfWidth = 0.56, shareOfHeight = 0.66; ///< of the plot, an edge of the box
-constexpr double flatness = 0.62;                           ///< of the box, height over width
+constexpr double shareOfWidth = 0.56, shareOfHeight = 0.66; ///< edge of the box in the plot
+constexpr double flatness = 0.62;                           ///< height of the box over its width
 
 double radians(double degrees) {
     return degrees / 180 * std::numbers::pi;
@@ -71,8 +71,8 @@ void LayersSurface::setVisibleRange(const PlotHistory::State& range) {
     m_setting = false;
 }
 
-/// A range that only moved turns the box; the lower one that grew or shrank zooms it and turns
-/// nothing, and the other one follows its size. The eye stays above the ground.
+/// A range that only moved turns the box; a change of size of the lower one zooms it, and the other
+/// one follows. The eye stays above the ground.
 void LayersSurface::keepAngles(const QCPRange& range, const QCPRange& before, bool sideways) {
     if (m_setting) {
         return;
@@ -87,7 +87,7 @@ void LayersSurface::keepAngles(const QCPRange& range, const QCPRange& before, bo
                      up - elevationSize * share / 2, up + elevationSize * share / 2});
 }
 
-/// Against the axis, so that what is in front goes with the mouse.
+/// Opposite to the axis, so that the front of the box follows the mouse.
 double LayersSurface::azimuth() const {
     return -m_rect->axis(QCPAxis::atBottom)->range().center();
 }

@@ -9,14 +9,14 @@ namespace sparkout {
 
 /// The accumulated actual feed over the length and the number of the double stroke or revolution, a
 /// surface seen in parallel projection. It is turned by moving two hidden axes, whose middles are
-/// the angles of view, so the mouse, the keys and the history of all plots work here too.
+/// the angles of view, so that mouse, keys and history work as in all plots.
 class LayersSurface : public ViewPlot {
     Q_OBJECT
 public:
     explicit LayersSurface(QWidget* parent = nullptr);
 
     void setSeries(LayerSeries series); ///< no replot
-    void setDone(LayersDone done);      ///< up to where the cycle stands; no replot
+    void setDone(LayersDone done);      ///< up to the moment of the cycle; no replot
     void fit() override;                ///< back to the first angles
     void restyle() override;
 
@@ -25,25 +25,25 @@ public:
     [[nodiscard]] const LayersDone& done() const { return m_done; }
     [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
     [[nodiscard]] double azimuth() const;   ///< about the vertical axis [°]
-    [[nodiscard]] double elevation() const; ///< of the eye over the ground, 0…90 [°]
+    [[nodiscard]] double elevation() const; ///< elevation of the eye, 0…90 [°]
     [[nodiscard]] double zoom() const;      ///< 1: all in sight
-    /// Where a point of the box is drawn, from (0, 0, 0) to (1, 1, 1): along the length, over the
-    /// numbers, upwards.
+    /// The position of a point of the box on the plot, from (0, 0, 0) to (1, 1, 1): along the
+    /// length, over the numbers, upwards.
     [[nodiscard]] QPointF project(double x, double y, double z) const;
-    /// How far a point of the box is in front, in units of the box.
+    /// The depth of a point of the box towards the viewer, in units of the box.
     [[nodiscard]] double nearness(double x, double y, double z) const;
-    [[nodiscard]] SurfaceGrid grid() const; ///< what is drawn
+    [[nodiscard]] SurfaceGrid grid() const; ///< the drawn surface
 
     /// The ranges of the two axes.
     [[nodiscard]] PlotHistory::State visibleRange() const override;
     void setVisibleRange(const PlotHistory::State& range) override;
     [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] CsvTable
-    table() const override; ///< one row a number, one column a zone or section
+    table() const override; ///< one row for each number, one column for each zone or section
 
 private:
     void keepAngles(const QCPRange& range, const QCPRange& before, bool sideways);
-    [[nodiscard]] double edge() const; ///< of the box along the length, in pixels
+    [[nodiscard]] double edge() const; ///< edge of the box along the length, in pixels
 
     LayerSeries m_series;
     QCPAxisRect* m_rect = nullptr;

@@ -65,7 +65,7 @@ QString LayersView::title() const {
 
 void LayersView::chooseContent() {
     showPage(static_cast<std::size_t>(content()->currentIndex()));
-    m_radius->setVisible(&front() != m_side); // its radius is the one that faces the wheel
+    m_radius->setVisible(&front() != m_side); // it shows the radius that faces the wheel
     showState();
     replotFront();
 }
@@ -110,7 +110,7 @@ void LayersView::followCycle() {
     replotFront();
 }
 
-/// While the cycle stands in another run, all layers are shown.
+/// If the cycle's cursor is in another run, all layers are shown.
 void LayersView::showDone() {
     const LayerSeries& series = m_plot->series();
     const CycleCursor* const at = cycleIn(good());
@@ -165,7 +165,7 @@ QString LayersView::remark() const {
     return joined(lines, QStringLiteral("\n"));
 }
 
-/// How much has come off where, up to the cursor.
+/// The stock removed at each place up to the cursor.
 QString LayersView::summary() const {
     const LayerSeries& series = m_plot->series();
     if (series.columns.empty()) {

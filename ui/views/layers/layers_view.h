@@ -14,9 +14,9 @@ class LayersPlot;
 class LayersSurface;
 class SidePlot;
 
-/// The view "Layers": the stock as it comes off, double stroke by double stroke or revolution by
+/// The view "Layers": the removal of the stock, double stroke by double stroke or revolution by
 /// revolution, up to the cycle's moment; in a section along the axis, as a surface that can be
-/// turned, or with the wheel that takes it off. A click on a layer brings the cycle there.
+/// turned, or with the wheel. A click on a layer moves the cycle there.
 class LayersView : public PlotView {
     Q_OBJECT
 public:
@@ -43,7 +43,7 @@ protected:
 private:
     void connectTools();
     void chooseContent();
-    void setSeries(); ///< of the chosen radius
+    void setSeries(); ///< for the chosen radius
     void showDone();
     void fillRadii();
     [[nodiscard]] QString summary() const;
@@ -53,7 +53,7 @@ private:
     SidePlot* m_side;
     QComboBox* m_radius;
     QLabel* m_summary;
-    std::optional<int> m_wanted; ///< k of the radius the user chose
+    std::optional<int> m_wanted; ///< k of the radius chosen by the user
 };
 
 } // namespace sparkout

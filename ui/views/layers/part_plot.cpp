@@ -7,7 +7,7 @@
 namespace sparkout {
 
 namespace {
-constexpr double tooth = 4;      ///< of the break line
+constexpr double tooth = 4;      ///< size of the break line's teeth
 constexpr double besideName = 5; ///< beside the name of the axis [px]
 constexpr int breakAlpha = 150;
 constexpr int rightMargin = 14; ///< half of a number [px]
@@ -16,7 +16,7 @@ constexpr int tickOut = 4;      ///< [px]
 
 PartPlot::PartPlot(QWidget* parent)
     : ViewPlot(parent), m_cell(addCell()), m_bands(new BandLayer(m_cell, true)) {
-    m_cell->axis(QCPAxis::atBottom)->setTickLength(0, tickOut); // above them the axis is named
+    m_cell->axis(QCPAxis::atBottom)->setTickLength(0, tickOut); // the axis is named above them
     connect(this, &QCustomPlot::afterLayout, this, [this] {
         if (style::fitValueAxes(*m_cell, font())) {
             replot(rpQueuedReplot);

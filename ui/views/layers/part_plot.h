@@ -9,8 +9,8 @@ namespace sparkout {
 class BandLayer;
 
 /// A plot with one cell: the part's length over its axis of rotation, with its zones or sections as
-/// bands; radii from the target in micrometres, far above the axis, which stands in a strip below
-/// the cell behind a break line.
+/// bands; radii from the target in micrometres, far above the axis, which is drawn in a strip below
+/// the cell after a break line.
 class PartPlot : public ViewPlot {
     Q_OBJECT
 public:
@@ -24,7 +24,7 @@ public:
 protected:
     explicit PartPlot(QWidget* parent);
 
-    [[nodiscard]] virtual const LayerSeries& zones() const = 0; ///< whose bands are drawn
+    [[nodiscard]] virtual const LayerSeries& zones() const = 0; ///< series with the bands
     void fillBands();
     void setTexts() override;
 

@@ -16,8 +16,8 @@ namespace sparkout {
 namespace {
 using style::Drawn;
 using units::umPerMm;
-constexpr double wheelRoom = 0.3, metalRoom = 0.08; ///< of the heights; the wheel stands above
-constexpr double endRoom = 0.02;                    ///< of the length
+constexpr double wheelRoom = 0.3, metalRoom = 0.08; ///< shares of the heights; the wheel is above
+constexpr double endRoom = 0.02;                    ///< margin, as a share of the length
 } // namespace
 
 SidePlot::SidePlot(QWidget* parent) : PartPlot(parent) {
@@ -51,7 +51,7 @@ const LayerSeries& SidePlot::limits() const {
     return m_outcome ? m_outcome->layers : none;
 }
 
-/// The way of the wheel from end to end, and all radii of the stock.
+/// Shows the wheel's travel from end to end, and all radii of the stock.
 void SidePlot::fit() {
     if (limits().columns.empty()) {
         return;

@@ -7,12 +7,11 @@
 
 namespace sparkout {
 
-/// Wheel and part from the side at a moment of the cycle, heights exaggerated: the surface that the
-/// wheel meets, how far it gives way, the tolerance band and the gauge.
+/// Wheel and part from the side at a moment of the cycle, with exaggerated heights: the surface
+/// under the wheel, its deflection, the tolerance and the gauge.
 class SidePlot : public PartPlot {
     Q_OBJECT
 public:
-    /// Keys of the legend.
     enum Key { wheelKey, surfaceKey, unloadedKey, fieldKey };
 
     explicit SidePlot(QWidget* parent = nullptr);
@@ -22,17 +21,16 @@ public:
     void fit() override;
 
     [[nodiscard]] const GrindingScene& scene() const { return m_scene; }
-    [[nodiscard]] const LayerSeries& limits() const; ///< of the run: target and field
+    [[nodiscard]] const LayerSeries& limits() const; ///< target and tolerance of the run
     [[nodiscard]] bool shows(Key key) const { return ViewPlot::shows(key); }
     [[nodiscard]] QColor colourOf(Key key) const;
-    [[nodiscard]] double above_um(double radius_mm) const; ///< the target: as it is drawn
-    /// Radius at which a surface is seen, given way.
+    [[nodiscard]] double above_um(double radius_mm) const; ///< height above the target, as drawn
+    /// Drawn radius of a surface, including its deflection.
     [[nodiscard]] double seen_mm(const SceneSurface& surface) const;
-    /// Where the wheel is painted.
     [[nodiscard]] QRectF wheelRect() const;
     [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] QString values() const;          ///< the balance under the wheel in one sentence
-    [[nodiscard]] CsvTable table() const override; ///< one row a zone or section
+    [[nodiscard]] CsvTable table() const override; ///< one row for each zone or section
 
 private:
     [[nodiscard]] const LayerSeries& zones() const override { return limits(); }

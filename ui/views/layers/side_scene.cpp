@@ -47,7 +47,7 @@ void SideScene::draw(QCPPainter* painter) {
     drawYield(*painter);
 }
 
-/// Where the finished part shall lie without load.
+/// Draws the tolerance of the finished part without load.
 void SideScene::drawField(QCPPainter& painter) const {
     if (!m_plot.shows(SidePlot::fieldKey)) {
         return;
@@ -97,7 +97,7 @@ void SideScene::drawWheel(QCPPainter& painter) const {
     painter.drawRect(wheel);
 }
 
-/// An arrow from where the surface would be to where it is, under the middle of the wheel.
+/// Draws an arrow from the undeflected to the deflected surface, under the middle of the wheel.
 void SideScene::drawYield(QCPPainter& painter) const {
     const GrindingScene& scene = m_plot.scene();
     const SceneSurface& at = scene.surfaces[scene.leading];

@@ -7,7 +7,7 @@ namespace sparkout {
 
 class SidePlot;
 
-/// Paints the wheel, the part that gives way, its tolerance band and the gauge of a SidePlot.
+/// Paints the wheel, the deflected part, its tolerance and the gauge of a SidePlot.
 class SideScene : public PaintedLayer {
     Q_OBJECT
 public:

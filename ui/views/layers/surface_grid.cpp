@@ -13,10 +13,10 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::size_t mostRows = 120; ///< of facets over the numbers
+constexpr std::size_t mostRows = 120; ///< greatest number of facets over the numbers
 constexpr int boxAlpha = 110, wallAlpha = 40;
 constexpr int steepest = 135, flattest = 100; ///< lightness of facets, in percent
-constexpr int darkerLine = 130;               ///< of a facet's colour, in percent
+constexpr int darkerLine = 130;               ///< percentage for the lines of a facet
 constexpr double dimShare = 0.35;
 
 QColor mixed(const QColor& over, const QColor& under, double share) {
@@ -27,7 +27,6 @@ QColor mixed(const QColor& over, const QColor& under, double share) {
                             part(over.blueF(), under.blueF()));
 }
 
-/// Makes the sheets of a run, row after row.
 class SheetMaker {
 public:
     SheetMaker(const LayerSeries& series, const LayersDone& done, const QPalette& palette, bool dim)
@@ -41,7 +40,7 @@ public:
                           [&](std::size_t j) { return series.columns[j].stretch.from_mm; });
     }
 
-    /// Layers from `begin` to before `end`, of one stage, as one row of facets.
+    /// Adds the layers from `begin` to before `end`, of one stage, as one row of facets.
     void add(std::vector<SurfaceSheet>& sheets, std::size_t begin, std::size_t end) const {
         const int stage = m_series.spans[begin].stage;
         const bool newest = end == m_done.count && end < m_series.spans.size();
@@ -81,7 +80,7 @@ private:
         }
     }
 
-    /// The steeper the lighter; a step between two zones has the colour of the one before it.
+    /// Steeper facets are lighter; a step between two zones has the colour of the one before it.
     void addFacets(SurfaceSheet& sheet, std::size_t begin, std::size_t end) const {
         const double highest = std::max(m_series.largestSum_mm(), 1e-12);
         const double numbers = m_series.spans.back().last;
@@ -106,12 +105,12 @@ private:
     const LayersDone& m_done;
     const QPalette& m_palette;
     bool m_dim;
-    std::vector<std::size_t> m_order; ///< of the columns, by length
+    std::vector<std::size_t> m_order; ///< order of the columns along the length
 };
 
 } // namespace
 
-/// Over each zone or section the surface is level; between them it has a step.
+/// The surface is level over each zone or section, with steps between them.
 SurfaceGrid makeSurfaceGrid(const LayerSeries& series, const LayersDone& done,
                             const CurveChoice& choice, const QPalette& palette, bool dim) {
     SurfaceGrid grid;

@@ -10,23 +10,23 @@
 
 class QPalette;
 
-/// What the surface of the layers shows, as plain values.
+/// The surface of the layers as plain values.
 namespace sparkout {
 
 class CurveChoice;
 struct LayerSeries;
 struct LayersDone;
 
-/// A piece of the surface with lines of one colour: a stage, or the newest layer where the cycle
-/// stands. Its points lie in rows, one over each of `numbers`; a step up or down has two points at
-/// one length.
+/// A piece of the surface with lines of one colour: a stage, or the newest layer at the moment of
+/// the cycle. Its points lie in rows, one over each of `numbers`; a step up or down has two points
+/// at one length.
 struct SurfaceSheet {
     int stage = 1;
     bool newest = false;
-    std::vector<double> lengths_mm; ///< of the points of a row, never falling
-    std::vector<double> numbers;    ///< of the rows, rising
+    std::vector<double> lengths_mm; ///< lengths of the points of a row, never falling
+    std::vector<double> numbers;    ///< numbers of the rows, rising
     std::vector<double> feeds_um;   ///< accumulated actual feeds, row by row
-    std::vector<QColor> colours;    ///< of the facets between the points, row by row
+    std::vector<QColor> colours;    ///< colours of the facets between the points, row by row
     QColor line;                    ///< about the facets
 
     bool operator==(const SurfaceSheet&) const = default;
@@ -41,14 +41,14 @@ struct SurfaceSheet {
 
 struct SurfaceScale {
     QString title;
-    double most = 1; ///< from 0
+    double most = 1; ///< beginning at 0
     bool operator==(const SurfaceScale&) const = default;
 };
 
 struct SurfaceGrid {
     std::vector<SurfaceSheet> sheets;
     std::array<SurfaceScale, 3> scales; ///< length, number, feed
-    QColor wall, edge;                  ///< of the box; opaque
+    QColor wall, edge;                  ///< colours of the box; opaque
     bool operator==(const SurfaceGrid&) const = default;
 };
 

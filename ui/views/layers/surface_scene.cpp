@@ -14,11 +14,11 @@ namespace sparkout {
 
 namespace {
 
-constexpr double tickLength = 0.025; ///< of the box's edge
+constexpr double tickLength = 0.025; ///< length of ticks, in edges of the box
 constexpr double numberAway = 0.075, nameAway = 0.3;
 constexpr double mostTicks = 5;
 
-using Point = std::array<double, 3>; ///< of the box, 0…1 each
+using Point = std::array<double, 3>; ///< in the box, 0…1 each
 
 } // namespace
 
@@ -96,11 +96,11 @@ void SurfaceScene::drawBox(QCPPainter& painter, const SurfaceGrid& grid) const {
     face(1, m_surface.nearness(0.5, 0, 0.5) < m_surface.nearness(0.5, 1, 0.5) ? 0 : 1);
 }
 
-/// Numbers along an edge of the box that nothing covers, with the name beyond them.
+/// Draws numbers along an unobstructed edge of the box, with the name beyond them.
 void SurfaceScene::drawScale(QCPPainter& painter, const SurfaceScale& scale, int along) const {
     const double frontX = m_surface.nearness(0, 0.5, 0) > m_surface.nearness(1, 0.5, 0) ? 0 : 1;
     const double frontY = m_surface.nearness(0.5, 0, 0) > m_surface.nearness(0.5, 1, 0) ? 0 : 1;
-    // The upright edge is the one farthest to the left.
+    // The upright edge is the leftmost one.
     Point upright{0, 0, 0};
     for (const Point& corner : {Point{0, 1, 0}, Point{1, 0, 0}, Point{1, 1, 0}}) {
         if (m_surface.project(corner[0], corner[1], 0).x()
@@ -138,7 +138,7 @@ void SurfaceScene::drawScale(QCPPainter& painter, const SurfaceScale& scale, int
         write(at(value / size, along == 2 ? tickLength * 1.5 : numberAway), printedNumber(value, 6),
               along == 2);
     }
-    if (along == 2) { // over the edge, from its left end
+    if (along == 2) { // above the edge, from its left end
         const QPointF top = at(1, 0) - QPointF(0, metrics.height() * 1.2);
         const double width = metrics.horizontalAdvance(scale.title) + 2;
         const QPointF middle(std::max(top.x(), width / 2 + 4), top.y());

@@ -10,8 +10,7 @@ namespace sparkout {
 
 class LayersSurface;
 
-/// Draws the surface of the layers in its box from the back to the front, and the numbers along the
-/// box.
+/// Draws the surface of the layers in its box from back to front, with the scales of the box.
 class SurfaceScene : public PaintedLayer {
     Q_OBJECT
 public:
@@ -21,12 +20,11 @@ protected:
     void draw(QCPPainter* painter) override;
 
 private:
-    /// A piece of the surface.
     struct Facet {
         QPolygonF corners;
         double nearness = 0;
         QColor colour, line;
-        bool newest = false; ///< where the cursor stands
+        bool newest = false; ///< at the cursor
     };
     [[nodiscard]] std::vector<Facet> facets(const SurfaceGrid& grid) const;
     void drawFacets(QCPPainter& painter, const SurfaceGrid& grid) const;

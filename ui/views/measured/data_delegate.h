@@ -5,7 +5,7 @@
 
 namespace sparkout {
 
-/// Editors for the cells of a DataModel: a box where there is something to choose, else a line.
+/// Editors for the cells of a DataModel: a combo box for choices, otherwise a line.
 class DataDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:

@@ -26,7 +26,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int gaugePlace = -1; ///< where a trace names none
+constexpr int gaugePlace = -1; ///< default place of a trace
 
 const char* keyOf(DataModel::List list) {
     switch (list) {
@@ -41,7 +41,7 @@ bool isOneOf(const Field& field, std::initializer_list<std::string_view> keys) {
     return std::ranges::find(keys, std::string_view(field.key)) != keys.end();
 }
 
-/// On two lines, broken at the space nearest to the middle.
+/// Breaks a text into two lines at the space nearest to the middle.
 QString onTwoLines(QString text) {
     constexpr qsizetype longLabel = 14;
     if (text.size() <= longLabel) {
@@ -113,7 +113,7 @@ bool DataModel::isPlace(const Field& field) const {
     return isOneOf(field, {"place"});
 }
 
-/// Of a trace only what is said about it.
+/// Of a trace only the descriptive members are editable.
 bool DataModel::isEditable(const Field& field) const {
     return m_which != List::traces || isOneOf(field, {"place", "factor_kw_per_a", "idle", "note"});
 }

@@ -16,8 +16,8 @@ namespace sparkout {
 class Document;
 struct Measured;
 
-/// A list of the project's measured data as a table to edit in place: a row an item, a column a
-/// member. A text that was refused stands, with its reason, beside the value it did not replace.
+/// A list of the project's measured data as a table to edit in place: a row for each item, a column
+/// for each member. A refused text is kept, with its reason, beside the unchanged value.
 class DataModel : public TableModel {
     Q_OBJECT
 public:
@@ -25,9 +25,9 @@ public:
 
     DataModel(List list, Document& document, QObject* parent = nullptr);
 
-    void addRow(); ///< a copy of the last one, to be filled in
+    void addRow(); ///< adds a copy of the last row
     void takeAway(std::vector<int> rows);
-    /// What a cell may be chosen to be; empty: it is typed, or cannot be edited.
+    /// The choices of a cell; empty if it is typed, or cannot be edited.
     using Choices = std::vector<std::pair<QString, int>>;
     [[nodiscard]] Choices choices(const QModelIndex& cell) const;
     [[nodiscard]] CsvTable table() const;
@@ -47,7 +47,7 @@ private:
     [[nodiscard]] bool isPlace(const Field& field) const;
     [[nodiscard]] bool isEditable(const Field& field) const;
     [[nodiscard]] QString shown(int row, const Field& field) const;
-    /// Puts a text into an item; why not, where it does not go.
+    /// Puts a text into an item; returns the reason of a refusal.
     [[nodiscard]] QString take(void* item, const Field& field, const QString& text) const;
     [[nodiscard]] QString takeNumber(void* item, const Field& field, const QString& text) const;
     [[nodiscard]] const char* editName() const;

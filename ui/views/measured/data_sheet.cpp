@@ -25,7 +25,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int rowsMeasured = 50; ///< for the widths of columns: a list may have thousands
+constexpr int rowsMeasured = 50; ///< number used for column widths: a list may have thousands
 
 } // namespace
 

@@ -13,7 +13,7 @@ namespace sparkout {
 class CopyTable;
 class Settings;
 
-/// One list of the measured data: its table, with buttons to add and remove rows.
+/// One list of the measured data: a table with buttons to add and remove rows.
 class DataSheet : public QWidget {
     Q_OBJECT
 public:
@@ -26,7 +26,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    void fitRows(); ///< to the size of the type
+    void fitRows(); ///< adapts to the font size
     void addRow();
     void removeRows();
     void showButtons();

@@ -37,8 +37,8 @@ namespace sparkout {
 
 namespace {
 
-constexpr int boxesShare = 200, judgedShare = 200; ///< of the height at first
-constexpr int comparisonLetters = 40; ///< wide, the text on the comparison beside the buttons
+constexpr int boxesShare = 200, judgedShare = 200; ///< initial shares of the height
+constexpr int comparisonLetters = 40; ///< least width of the text on the comparison, in letters
 
 struct PredictionProgress {
     Q_DECLARE_TR_FUNCTIONS(MeasuredView)
@@ -154,7 +154,7 @@ void MeasuredView::connectParts() {
     });
 }
 
-/// What its fields and tables do not take themselves.
+/// Handles keys that its fields and tables ignore.
 void MeasuredView::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Paste)) {
         emit pasteAsked();
@@ -221,7 +221,7 @@ void MeasuredView::dropOutcome() {
     judge();
 }
 
-/// A run or two of the cycle for each calibrated input: off the window's thread.
+/// Runs the cycle once or twice for each calibrated input, on another thread.
 void MeasuredView::holdOut() {
     m_heldOut.clear();
     m_holdOut.start([this, of = good()](const std::stop_token& stop, const NewestJob::Post& post) {

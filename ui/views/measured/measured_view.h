@@ -39,7 +39,7 @@ public:
     [[nodiscard]] BarPlot* boxes() const { return m_boxes; }
     [[nodiscard]] const std::vector<AdequacyRow>& rows() const { return m_rows; }
     [[nodiscard]] bool busy() const override { return studies().prediction.running(); }
-    /// What is shown is of other inputs.
+    /// Whether the result belongs to other inputs.
     [[nodiscard]] bool stale() const { return studies().prediction.stale(); }
 
     void offerCalibration(bool offers); ///< the button that calibrates
@@ -80,27 +80,27 @@ private:
     void showComparison();
     void fillQuantities();
     [[nodiscard]] QString stateText() const;
-    [[nodiscard]] QString recordedText() const; ///< empty: no trace
+    [[nodiscard]] QString recordedText() const; ///< empty without traces
     void holdOut();
 
     BarPlot* m_boxes;
     ValueModel* m_model;
-    std::vector<AdequacyRow> m_rows; ///< in it
+    std::vector<AdequacyRow> m_rows; ///< its rows
     CopyTable* m_table = nullptr;
     QLabel* m_judgement;
-    QScrollArea* m_judged = nullptr; ///< it is scrolled in
+    QScrollArea* m_judged = nullptr; ///< its scroll area
     QSplitter* m_splitter;
     QStackedWidget* m_sheets;
     QComboBox* m_sheet;
     QComboBox* m_quantity;
     RunBar* m_bar;
     QPushButton *m_import, *m_paste, *m_calibrate;
-    QPushButton* m_start; ///< of the empty view
+    QPushButton* m_start; ///< in the empty view
     std::array<DataSheet*, 3> m_data{};
     MeasuredQuantity m_wanted = MeasuredQuantity::diameter_deviation;
     bool m_hasStatistics = false;
     std::vector<HoldOutRow> m_heldOut;
-    NewestJob m_holdOut; ///< last: stopped before what it reports to is gone
+    NewestJob m_holdOut; ///< last member: stopped before the objects it reports to are destroyed
 };
 
 } // namespace sparkout

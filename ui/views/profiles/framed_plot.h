@@ -7,22 +7,22 @@
 
 namespace sparkout {
 
-/// A plot of profiles whose scales depend on each other: the user moves one frame, and the plot
-/// shows it in the axes of its cells as the layout has room.
+/// A plot of profiles whose scales depend on each other: the user moves one frame, which the plot
+/// converts to the axes of its cells.
 class FramedPlot : public ProfilePlot {
     Q_OBJECT
 public:
     using ProfilePlot::ProfilePlot;
 
-    /// What the user has moved to: left, bottom, width and height; empty: all.
+    /// The user's frame: left, bottom, width and height; empty: everything.
     [[nodiscard]] PlotHistory::State visibleRange() const override;
     void setVisibleRange(const PlotHistory::State& range) override;
 
 protected:
     void followMoves(QCPAxisRect& rect); ///< by the user, in this cell
-    /// Shows the ranges in a cell: no move by the user.
+    /// Sets the ranges of a cell, without a move by the user.
     void setRanges(const QCPAxisRect& rect, const QCPRange& x, const QCPRange& y);
-    /// The same at one scale for both axes.
+    /// Shows an area at one scale for both axes.
     void showAround(const QCPAxisRect& rect, const QPointF& centre, double perPixel);
     [[nodiscard]] const std::optional<QRectF>& frame() const { return m_frame; } ///< none: all
     void showAll() { m_frame.reset(); }

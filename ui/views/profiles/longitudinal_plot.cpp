@@ -46,7 +46,7 @@ ProfileLine lookOf(LengthLine line) {
     return ProfileLine::profile;
 }
 
-/// To two digits, as an exaggeration is stated.
+/// Rounds an exaggeration to two digits.
 double roundTo2(double value) {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
     return std::round(value / unit) * unit;
@@ -218,7 +218,7 @@ void LongitudinalPlot::placeGauge() {
     m_gaugeLine->end->setCoords(m_series.gauge_mm, 1);
 }
 
-/// Beside its line, as high as no curve runs through it.
+/// Places the name beside its line, at a height without curves.
 void LongitudinalPlot::placeGaugeName() {
     const QRectF room(m_rect->rect());
     const double x = m_rect->axis(QCPAxis::atBottom)->coordToPixel(m_series.gauge_mm);
@@ -278,7 +278,7 @@ void LongitudinalPlot::afterLayouting() {
     placeGaugeName();
 }
 
-/// Both axes at the same scale, whatever the window's shape.
+/// Keeps one scale for both axes, whatever the window's shape.
 void LongitudinalPlot::keepScale() {
     const QRectF area = m_rect->rect();
     const QRectF wanted = frame().value_or(m_body->bounds());
@@ -396,7 +396,7 @@ void LongitudinalPlot::label() {
     }
 }
 
-/// How much the drawing exaggerates, or how little of the error a drawing to scale can show.
+/// The exaggeration, or for a drawing to scale the size of a pixel.
 QString LongitudinalPlot::scaleText() const {
     const QCPRange x = m_rect->axis(QCPAxis::atBottom)->range();
     const QCPRange y = m_rect->axis(QCPAxis::atLeft)->range();

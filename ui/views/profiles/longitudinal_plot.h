@@ -18,9 +18,9 @@ class LongitudinalPlot : public FramedPlot {
 public:
     explicit LongitudinalPlot(QWidget* parent = nullptr);
 
-    /// `shown` are the profiles drawn across the axis; in plunge they are marked here.
+    /// `shown` are the profiles in the cross-sections; in plunge they are marked here.
     void setSeries(ProfileSeries series, std::vector<ShaftStep> shaft, std::vector<int> shown);
-    void setDiameters(bool diameters); ///< D − d in place of R − R_t
+    void setDiameters(bool diameters); ///< D − d instead of R − R_t
     void setToScale(bool toScale);
     void fit() override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeFor(98, 3); }
@@ -29,7 +29,7 @@ public:
 
     [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
     [[nodiscard]] bool toScale() const { return m_toScale; }
-    [[nodiscard]] LengthQuantity quantity() const; ///< that is drawn
+    [[nodiscard]] LengthQuantity quantity() const; ///< the drawn quantity
     [[nodiscard]] QCPGraph* graph(LengthLine line, bool mirrored = false) const;
     [[nodiscard]] BandLayer* bands() const { return m_bands; }
     [[nodiscard]] const QCPItemText* gaugeName() const { return m_gaugeName; }
@@ -38,7 +38,7 @@ public:
     [[nodiscard]] ReadCurves readCurves() const override;
     [[nodiscard]] QCPRange readSpan() const override { return {0, m_series.length_mm}; }
     [[nodiscard]] CursorSubject cursorSubject() override;
-    [[nodiscard]] QString scaleText() const; ///< exaggeration, or what one pixel is
+    [[nodiscard]] QString scaleText() const; ///< exaggeration, or size of a pixel
 
 signals:
     void profileClicked(int profile); ///< index of the zone or section
@@ -53,7 +53,7 @@ protected:
 private:
     struct Curve {
         LengthLine line = LengthLine::mean;
-        bool mirrored = false; ///< the other side of the axis, to scale
+        bool mirrored = false; ///< draws the other side of the axis, to scale
         QCPGraph* graph = nullptr;
     };
 

@@ -11,18 +11,18 @@ class QWidget;
 
 namespace sparkout {
 
-/// A cross-section as a roundness machine recorded it, to stand beside the predicted ones.
+/// A cross-section recorded by a roundness machine, for comparison with the predicted ones.
 struct MeasuredSection {
     Q_DECLARE_TR_FUNCTIONS(MeasuredSection)
 
 public:
-    QString name; ///< of its file
+    QString name; ///< name of its file
     std::vector<double> radii_mm;
 
-    /// Asks for a table of angles and radii and reads it; what is wrong with it is said.
+    /// Asks for a table of angles and radii and reads it; shows any error.
     [[nodiscard]] static std::optional<MeasuredSection> ask(QWidget* window,
                                                             double nominalRadius_mm);
-    /// The same of a file; nothing where it cannot be read, with the reason.
+    /// Reads a file; empty, with the reason, if it is invalid.
     [[nodiscard]] static std::optional<MeasuredSection>
     read(const QString& path, double nominalRadius_mm, QString& reason);
 };

@@ -13,7 +13,7 @@ namespace sparkout {
 namespace {
 
 constexpr int leastCirclePoints = 180;
-constexpr std::size_t mostMarkers = 36; ///< more radii are not marked one by one
+constexpr std::size_t mostMarkers = 36; ///< for more radii markers are omitted
 constexpr double markSize_px = 8;
 constexpr int tallest = 100'000;
 
@@ -57,7 +57,7 @@ void ProfileCell::arrange(QCPLayoutGrid& into, bool numbersBeside) const {
         into.addElement(1, 1, m_numbers);
         into.setColumnStretchFactor(1, 0.001);
         m_numbers->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
-        m_numbers->setMaximumSize(tallest, tallest); // else its lines are the row's height
+        m_numbers->setMaximumSize(tallest, tallest); // otherwise its lines set the row's height
     } else {
         into.addElement(2, 0, m_numbers);
         into.setRowStretchFactor(2, 0.001);
@@ -104,7 +104,7 @@ void ProfileCell::showFormAlone() const {
     m_target->setVisible(false);
 }
 
-/// The circles go through the angles of the samples, so that they are seen to touch.
+/// Draws the circles through the angles of the samples, so that the contact is visible.
 void ProfileCell::fillCircles(const Profile& profile, const PolarScale& scale,
                               const ProfileLines& hidden, ReferenceCircles circles) {
     const int radii = static_cast<int>(profile.radii_mm.size());
@@ -140,7 +140,7 @@ void ProfileCell::fillCircles(const Profile& profile, const PolarScale& scale,
     setCirclePens();
 }
 
-/// Of a circle that is held the other, which only bounds the profile, is dotted.
+/// The circle that only bounds the profile is dotted.
 void ProfileCell::setCirclePens() {
     QPen bound = m_circlePen;
     bound.setStyle(Qt::DotLine);
@@ -149,7 +149,7 @@ void ProfileCell::setCirclePens() {
 }
 
 void ProfileCell::restyle(const QFont& font, const QPalette& palette, bool dim) {
-    m_header->setFont(font); // that of the numbers goes by their room
+    m_header->setFont(font); // the size of the numbers depends on their space
     for (QCPTextElement* element : {m_header, m_numbers}) {
         element->setTextColor(palette.color(QPalette::Text));
     }

@@ -22,19 +22,19 @@ class PolarPointer;
 class PolarRing;
 
 /// One cross-section of ProfilesPlot: its header, its drawing and its numbers, beside or below. The
-/// parts are the plot's.
+/// parts belong to the plot.
 class ProfileCell {
 public:
     ProfileCell(QCustomPlot& plot, QCPLayoutGrid& into, bool numbersBeside);
 
-    /// Draws a profile within so far from the centre.
+    /// Draws a profile within this distance from the centre.
     void fill(const ProfileSeries& series, const Profile& profile, const PolarScale& scale,
               double reach, const ProfileLines& hidden, ReferenceCircles circles);
-    /// Blank, target and field: of a profile that was measured only the form is known.
+    /// Hides blank, target and tolerance: of a measured profile only the form is known.
     void showFormAlone() const;
     void restyle(const QFont& font, const QPalette& palette, bool dim);
     void point(const Profile& profile, const PolarScale& scale, int k);
-    void removeLayers(); ///< what is no plottable and in no layout
+    void removeLayers(); ///< removes parts that are neither plottables nor in a layout
 
     [[nodiscard]] QCPTextElement* header() const { return m_header; }
     [[nodiscard]] QCPTextElement* numbers() const { return m_numbers; }
@@ -66,11 +66,11 @@ private:
     PolarPointer* m_pointer;
     QCPCurve* m_blank;
     QCPCurve* m_leastSquares;
-    QCPCurve* m_inner; ///< circles of the minimum zone, or of those that are held
+    QCPCurve* m_inner; ///< circles of the minimum zone, or the reference circles
     QCPCurve* m_outer;
-    QCPCurve* m_centre; ///< of the circles shown
+    QCPCurve* m_centre; ///< centre of the circles
     QCPCurve* m_profile;
-    QCPCurve* m_contacts; ///< where the minimum zone touches
+    QCPCurve* m_contacts; ///< contacts of the minimum zone
     QPen m_circlePen;
     ReferenceCircles m_circles = ReferenceCircles::none;
 };

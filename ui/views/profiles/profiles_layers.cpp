@@ -16,9 +16,9 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr int spokeStep = 30;            ///< [°]
-constexpr double leastLinesApart = 1.05; ///< circles of the grid, in line heights
+constexpr double leastLinesApart = 1.05; ///< distance of the grid's circles, in line heights
 constexpr int mostCircles = 100;
-constexpr double wholeCircle_px = 2000; ///< larger ones are drawn as the arc in sight
+constexpr double wholeCircle_px = 2000; ///< larger circles are drawn as visible arcs
 constexpr double margin_px = 20;
 
 QPointF direction(double angle) {
@@ -62,7 +62,7 @@ QPolygonF PolarLayer::arc(const VisiblePart& part, double radius_px) const {
     return points;
 }
 
-// Of a circle far larger than the plot only the part in sight is drawn: dashes cost time.
+// Only the visible part of a very large circle is drawn, since dashes are slow.
 void PolarLayer::drawCircle(QCPPainter* painter, double radius) const {
     const double r = radius * scale();
     const VisiblePart seen = visiblePart();
@@ -156,8 +156,8 @@ void PolarGrid::drawSpokes(QCPPainter* painter) {
         painter->drawLine(centre(), centre() + reach * direction(angle * degree));
     }
     m_names.clear();
-    // The names stand outside the rim where there is room, else just inside a circle large enough.
-    constexpr double share = 0.2; ///< of the radius that a name may cover
+    // Names are outside the rim if there is room, otherwise just inside a large enough circle.
+    constexpr double share = 0.2; ///< share of the radius that a name may cover
     const QFontMetricsF metrics(mParentPlot->font());
     for (int angle = 0; angle < 360; angle += 90) {
         const QString name = mParentPlot->locale().toString(angle) + QChar(0x00B0);
@@ -233,8 +233,7 @@ bool PolarGrid::isCrossed(const QRectF& box) const {
     return false;
 }
 
-/// Whether a label can stand here: in sight, within the rim, beside the names of the angles and
-/// the profile.
+/// Whether a label fits here: visible, within the rim, clear of the angle names and the profile.
 bool PolarGrid::hasRoom(const QRectF& box) const {
     const QPointF away = box.center() - centre();
     return QRectF(m_rect->rect()).contains(box)
@@ -264,7 +263,7 @@ std::vector<PolarGrid::Label> PolarGrid::labelsAlong(const std::vector<Mark>& ma
 void PolarGrid::drawLabels(QCPPainter* painter, const std::vector<Mark>& marks) {
     m_labels.clear();
     m_boxes.clear();
-    // The values stand along the spoke on which most of them fit, a steep one if there is a choice.
+    // Places the values along the spoke with room for most of them, preferably a steep one.
     std::vector<Label> best;
     for (const double angle : {70.0, 110.0, 250.0, 290.0, 20.0, 160.0, 200.0, 340.0}) {
         std::vector<Label> labels = labelsAlong(marks, angle * degree);
@@ -295,7 +294,7 @@ void PolarPointer::draw(QCPPainter* painter) {
         return;
     }
     const QColor text = mParentPlot->palette().color(QPalette::Text);
-    // In a gap there is no radius to point at.
+    // In a gap there is no radius.
     const bool hasHere = std::isfinite(m_here), hasAcross = std::isfinite(m_across);
     const QPointF here = centre() + (hasHere ? m_here : 0) * scale() * direction(m_angle);
     const QPointF across = centre() - (hasAcross ? m_across : 0) * scale() * direction(m_angle);

@@ -6,7 +6,7 @@
 
 namespace sparkout {
 
-/// Something drawn about the origin of an axis rect whose two axes have the same scale.
+/// A layer drawn about the origin of an axis rect with equal scales.
 class PolarLayer : public PaintedLayer {
     Q_OBJECT
 public:
@@ -17,7 +17,7 @@ protected:
     [[nodiscard]] double scale() const;   ///< pixels per unit of the axes
     void drawCircle(QCPPainter* painter, double radius) const;
 
-    /// The part of the plane that the axis rect shows, as seen from the origin [px, rad].
+    /// The part of the plane inside the axis rect, seen from the origin [px, rad].
     struct VisiblePart {
         double near = 0, far = 0, from = 0, span = 0;
     };
@@ -25,12 +25,12 @@ protected:
     [[nodiscard]] QPolygonF arc(const VisiblePart& part, double radius_px) const;
 };
 
-/// The ring between two radii, its edges drawn.
+/// The ring between two radii, with its edges.
 class PolarRing : public PolarLayer {
     Q_OBJECT
 public:
     using PolarLayer::PolarLayer;
-    /// An inner radius below 0 leaves no hole; beyond `reach` nothing is drawn.
+    /// A negative inner radius leaves no hole; nothing is drawn beyond `reach`.
     void setRing(double inner, double outer, double reach);
     void setLook(const QPen& edge, const QColor& fill);
     [[nodiscard]] double inner() const { return m_inner; }
@@ -69,10 +69,10 @@ class PolarGrid : public PolarLayer {
 public:
     using PolarLayer::PolarLayer;
     void setScale(const PolarScale& scale, double reach);
-    void setLine(std::vector<ProfilePoint> line); ///< the values stand beside it; by replot()
+    void setLine(std::vector<ProfilePoint> line); ///< labels are placed beside it, by replot()
     [[nodiscard]] const QStringList& drawnLabels() const {
         return m_labels;
-    } ///< by the last replot
+    } ///< as of the last replot
     [[nodiscard]] const std::vector<QRectF>& labelBoxes() const { return m_boxes; } ///< theirs
 
 protected:
@@ -102,10 +102,10 @@ private:
     std::vector<ProfilePoint> m_line;
     QStringList m_labels;
     std::vector<QRectF> m_boxes;
-    std::vector<QRectF> m_names; ///< where the angles are named
+    std::vector<QRectF> m_names; ///< areas of the angle names
 };
 
-/// Points at one sample and the one across it.
+/// Points at one sample and the opposite one.
 class PolarPointer : public PolarLayer {
     Q_OBJECT
 public:

@@ -17,12 +17,12 @@ namespace sparkout {
 
 namespace {
 
-constexpr double leastReach = 1.15; ///< of the base circle
+constexpr double leastReach = 1.15; ///< relative to the base circle
 constexpr double mostField = 2;     ///< a field that reaches further is cut off
-constexpr double border = 1.12;     ///< room for the names of the angles inside the rim
+constexpr double border = 1.12;     ///< space for the names of the angles inside the rim
 constexpr double edge = 3;          ///< around the drawing [px]
-constexpr int numberLines = 2;      ///< and one of the roundness
-constexpr int besideLetters = 26;   ///< room for numbers beside a cell
+constexpr int numberLines = 2;      ///< plus one for the roundness
+constexpr int besideLetters = 26;   ///< space for numbers beside a cell
 
 int widthOf(const QString& lines, const QFontMetrics& metrics) {
     int width = 0;
@@ -67,7 +67,7 @@ void ProfilesPlot::setCircles(ReferenceCircles circles) {
     m_circles = circles;
     drawProfiles();
     showAll();
-    rebuild(); // the numbers may take a line more
+    rebuild(); // the numbers may need another line
 }
 
 void ProfilesPlot::setFilter(std::optional<int> cutoff_upr) {
@@ -226,7 +226,7 @@ void ProfilesPlot::fill() {
     }
 }
 
-/// How a roundness machine has set up its part says nothing of the size.
+/// The set-up of a roundness machine does not determine the size.
 PolarScale ProfilesPlot::scaleOf(std::size_t cell) const {
     return polarScale(m_series, profile(cell),
                       isMeasured(cell) ? RadiusReference::mean : m_reference, m_magnification);
@@ -331,7 +331,7 @@ void ProfilesPlot::pointAway() {
     emit pointed({});
 }
 
-// Arrows alone move the plot; with Ctrl they walk from sample to sample.
+// Arrows alone move the plot; with Ctrl they step from sample to sample.
 void ProfilesPlot::keyPressEvent(QKeyEvent* event) {
     const int key = event->key();
     const bool sideways = (key == Qt::Key_Left || key == Qt::Key_Right)
@@ -357,7 +357,7 @@ void ProfilesPlot::setTexts() {
     const int room = width() / std::max(m_arrangement.columns, 1) - 16;
     const int numbersRoom =
         m_arrangement.beside ? metrics.averageCharWidth() * besideLetters : room;
-    bool brief = false; // all alike
+    bool brief = false; // the same for all cells
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
         brief = brief || widthOf(numbersOf(i, false), metrics) > numbersRoom;
     }
@@ -382,7 +382,7 @@ void ProfilesPlot::setTexts() {
     }
     if (m_caption) {
         QString text = caption();
-        for (const QChar end : {u';', u','}) { // a line for each part, where they have no room
+        for (const QChar end : {u';', u','}) { // one line per part if they do not fit
             const QStringList lines = text.split(u'\n');
             if (std::ranges::any_of(lines, [&](const QString& line) {
                     return metrics.horizontalAdvance(line) > width() - 8;
@@ -394,7 +394,7 @@ void ProfilesPlot::setTexts() {
     }
 }
 
-/// Of the inner and the outer circle.
+/// The names of the inner and the outer circle.
 std::pair<QString, QString> ProfilesPlot::circleNames() const {
     switch (m_circles) {
     case ReferenceCircles::inscribed:
@@ -434,7 +434,7 @@ QString ProfilesPlot::describeMeasured() const {
                : QString();
 }
 
-/// The longest of the names that fits; the zones have full ones where there is room for all.
+/// The longest name that fits; the zones have full names if all fit.
 QString ProfilesPlot::headerOf(std::size_t cell, int room) const {
     const QFontMetrics metrics(font());
     const auto fits = [&](const QString& name) { return metrics.horizontalAdvance(name) <= room; };

@@ -12,47 +12,47 @@
 
 namespace sparkout {
 
-/// Cross-sections side by side, deviations magnified: one cell a zone or section, all at the same
-/// scale and magnification and moved together. Samples are joined by straight lines.
+/// Cross-sections side by side with magnified deviations: one cell for each zone or section, all at
+/// the same scale and magnification and moved together. Samples are joined by straight lines.
 class ProfilesPlot : public FramedPlot {
     Q_OBJECT
 public:
     explicit ProfilesPlot(QWidget* parent = nullptr);
 
-    /// Shows the profiles with these indices; nothing is drawn before replot().
+    /// Sets the profiles with these indices; drawn by replot().
     void setSeries(ProfileSeries series, std::vector<int> shown);
     void setReference(RadiusReference reference);
-    void setMagnification(std::optional<double> wanted); ///< none: chosen by the program
+    void setMagnification(std::optional<double> wanted); ///< empty: chosen by the program
     void setCircles(ReferenceCircles circles);
-    void setFilter(std::optional<int> cutoff_upr); ///< before the circles are fitted
-    /// A profile that was measured, in a cell of its own behind the others; none: no more.
+    void setFilter(std::optional<int> cutoff_upr); ///< applied before the circles are fitted
+    /// Adds a measured profile, in a cell of its own after the others; empty: removes it.
     void setMeasured(std::optional<MeasuredSection> measured);
-    void fit() override; ///< all of the cells
-    /// With names, numbers in three lines and the caption in two.
+    void fit() override; ///< fits all cells
+    /// Includes names, numbers in three lines and the caption in two.
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeFor(126, 6); }
     void restyle() override;
 
     [[nodiscard]] const ProfileSeries& series() const { return m_series; }
     [[nodiscard]] const std::vector<int>& shown() const { return m_shown; }
     [[nodiscard]] double magnification() const { return m_magnification; }
-    [[nodiscard]] std::vector<double> magnifications() const; ///< that can be chosen now
+    [[nodiscard]] std::vector<double> magnifications() const; ///< currently available ones
     [[nodiscard]] QString caption() const;
     [[nodiscard]] std::vector<ProfileLine> lines() const override;
     [[nodiscard]] CsvTable table() const override;
 
     [[nodiscard]] QCPAxisRect* cell(int index) const { return at(index).rect(); }
-    /// Of the minimum zone the outer circle.
+    /// For the minimum zone, the outer circle.
     [[nodiscard]] QCPCurve* curve(int index, ProfileLine line) const;
     [[nodiscard]] QCPCurve* innerCircle(int index) const { return at(index).innerCircle(); }
     [[nodiscard]] QCPCurve* centreMark(int index) const { return at(index).centreMark(); }
     [[nodiscard]] QCPCurve* contacts(int index) const { return at(index).contacts(); }
     [[nodiscard]] ReferenceCircles circles() const { return m_circles; }
     [[nodiscard]] const std::optional<MeasuredSection>& measured() const { return m_measured; }
-    /// As it is drawn: filtered, with the circles chosen.
+    /// The profile as drawn: filtered, with the chosen circles.
     [[nodiscard]] const Profile& drawn(int index) const {
         return m_drawn.at(static_cast<std::size_t>(index));
     }
-    [[nodiscard]] QString describeMeasured() const; ///< empty: there is none
+    [[nodiscard]] QString describeMeasured() const; ///< empty if there is none
     [[nodiscard]] PolarRing* field(int index) const { return at(index).field(); }
     [[nodiscard]] PolarCircle* target(int index) const { return at(index).target(); }
     [[nodiscard]] PolarGrid* grid(int index) const { return at(index).grid(); }
@@ -69,7 +69,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    /// How many cells stand in a row, and whether their numbers stand beside them.
+    /// The number of cells in a row, and whether their numbers are beside them.
     struct Arrangement {
         int columns = 1;
         bool beside = false;
@@ -92,7 +92,7 @@ private:
     void rebuild();
     void clearCells();
     void buildCell(QCPLayoutGrid& into);
-    void drawProfiles(); ///< the profiles as they are shown
+    void drawProfiles(); ///< the displayed profiles
     void chooseMagnification();
     void fill();
     [[nodiscard]] QString numbersOf(std::size_t cell, bool brief) const;
@@ -108,7 +108,7 @@ private:
     QCPTextElement* m_caption = nullptr;
     Arrangement m_arrangement;
     RadiusReference m_reference = RadiusReference::target;
-    std::optional<double> m_wanted; ///< magnification asked for
+    std::optional<double> m_wanted; ///< requested magnification
     double m_magnification = 1;
     double m_reach = 1; ///< radius of the drawing
     ReferenceCircles m_circles = ReferenceCircles::leastSquares;

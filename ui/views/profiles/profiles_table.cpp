@@ -15,7 +15,7 @@ namespace sparkout {
 
 namespace {
 
-/// Radii of the circles drawn at a direction [mm].
+/// Radii of the drawn circles in a direction [mm].
 std::vector<double> circleRadii(const Profile& profile, ReferenceCircles circles, double phi) {
     const RoundnessZone* const zone = shownZone(profile, circles);
     const auto at = [&](double radius) { return radiusOf({zone->x_mm, zone->y_mm, radius}, phi); };

@@ -16,12 +16,12 @@ namespace sparkout {
 class ProfilesTable {
     Q_DECLARE_TR_FUNCTIONS(ProfilesTable)
 public:
-    /// A row per angle, columns per profile drawn, as it is named: deviations from the target
-    /// radius, unmagnified. A measured profile of other angles has a column of its own for them.
+    /// A row for each angle, a column for each drawn profile with its name: deviations from the
+    /// target radius, unmagnified. A measured profile with other angles has a column for them.
     static CsvTable across(const ProfileSeries& series, const std::vector<Profile>& drawn,
                            const QStringList& names, ReferenceCircles circles,
                            const ProfileLines& hidden);
-    /// A row per zone or section, from the headstock end on or as the zones are numbered.
+    /// A row for each zone or section, from the headstock end on or in the order of the zones.
     static CsvTable along(const ProfileSeries& series, LengthQuantity quantity,
                           const ProfileLines& hidden);
 

@@ -13,7 +13,7 @@ namespace sparkout {
 
 namespace {
 
-/// µm with three decimals: what the magnified profiles can show.
+/// µm with three decimals, the resolution of the magnified profiles.
 QString um(double value_mm, int decimals = 3) {
     return Names::fixed(value_mm * units::umPerMm, decimals);
 }
@@ -28,8 +28,8 @@ QString range(double low_mm, double high_mm, int decimals = 3) {
     return low == high ? low : low + QChar(0x2026) + high;
 }
 
-/// In brief, of what the machine adds to: where it is not known at least the process's own, and a
-/// dash for one that rounds to nothing.
+/// Short text of a value to which the machine adds: if that is not known, at least the process's
+/// own value, and a dash if it rounds to 0.
 QString ofProcess(double value_mm, bool knowsMachine) {
     constexpr int decimals = 2;
     constexpr double rounded_um = 0.005;

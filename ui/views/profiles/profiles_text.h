@@ -11,25 +11,25 @@
 
 namespace sparkout {
 
-/// The sentences and numbers of the view "Zone profiles".
+/// The texts and numbers of the view "Zone profiles".
 class ProfilesText {
     Q_DECLARE_TR_FUNCTIONS(ProfilesText)
 public:
     static QString magnification(double value); ///< "×2000"
-    /// Deviations of the diameter, runout, and whether the drawing holds, one a line.
+    /// Deviations of the diameter, runout, and whether the drawing is met, one per line.
     static QString numbers(const ProfileSeries& series, const Profile& profile, bool brief);
     /// Roundness deviation and eccentricity about reference circles, one line.
     static QString roundness(const RoundnessZone& zone, bool brief, bool knowsMachine);
     /// The sample at angle φ_k, and the diameter across it.
     static QString sample(const ProfileSeries& series, const Profile& profile, const QString& name,
                           int k, bool withBlank);
-    /// Of a profile that was measured: how many radii, one line.
+    /// For a measured profile: the number of radii, in one line.
     static QString measured(const Profile& profile);
     static QString filter(std::optional<int> cutoff_upr); ///< "Gaussian filter 50 UPR"
     /// The zone or section at a place along the axis.
     static QString stretch(const ProfileSeries& series, const Profile& profile, bool withBlank);
     static QString moment(const ProfileSeries& series); ///< "After double stroke 27 of 54"
-    /// What the plots show, in words: the moment and the numbers of each profile.
+    /// A description of the plots: the moment and the numbers of each profile.
     static QString summary(const ProfileSeries& series, const std::vector<int>& shown);
 
 private:

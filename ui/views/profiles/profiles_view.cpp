@@ -206,7 +206,7 @@ void ProfilesView::connectTools() {
     connect(m_logarithmic, &QCheckBox::toggled, this, [this](bool on) {
         m_spectrum->setLogarithmic(on);
         m_spectrum->replot();
-        m_spectrum->tools()->navigation().forgetViews(); // ranges of the other scale
+        m_spectrum->tools()->navigation().forgetViews(); // they are ranges of the other scale
     });
     connect(m_blank, &QCheckBox::toggled, this,
             [this] { toggleCurve(static_cast<int>(ProfileLine::blank)); });
@@ -272,7 +272,7 @@ void ProfilesView::takeOutcome(const OutcomePtr& before) {
     }
     if (before
         && before->result.project.part->diameter_mm != good()->result.project.part->diameter_mm) {
-        showMeasured(std::nullopt); // it was of another part
+        showMeasured(std::nullopt); // it belonged to another part
     }
     fillStrokes();
     fillSections();
@@ -308,7 +308,7 @@ void ProfilesView::showSeries() {
     showDescription();
 }
 
-/// Of the profiles shown across; nothing is computed while it is not in sight.
+/// Shows the spectra of the profiles in the cross-sections; nothing is computed while it is hidden.
 void ProfilesView::showSpectrum() {
     if (good() && showsSpectrum()) {
         m_spectrum->setSeries(m_across->series(), m_across->shown());
@@ -356,7 +356,7 @@ bool ProfilesView::showsSpectrum() const {
     return parts() == Parts::sectionsAndSpectrum || parts() == Parts::spectrum;
 }
 
-/// The tools of what is not in sight go with it.
+/// Hides the tools of hidden plots, too.
 void ProfilesView::showParts() {
     for (QWidget* w :
          std::initializer_list<QWidget*>{m_across, m_acrossExport, m_magnification, m_reference,
@@ -468,7 +468,7 @@ void ProfilesView::onSection(int index) {
     replotAll();
 }
 
-/// A section clicked along the axis joins those shown, where not all have room.
+/// Adds a section clicked along the axis to those shown if not all fit.
 void ProfilesView::choose(int profile) {
     if (m_section->count() > mostCells + 1) {
         m_section->setCurrentIndex(m_section->findData(profile));
@@ -504,7 +504,7 @@ void ProfilesView::toggleCurve(int key) {
     showHidden();
 }
 
-/// Hides all other lines; asked again, shows all.
+/// Hides all other lines; called again, shows all.
 void ProfilesView::showOnly(int key) {
     const std::vector<ProfileLine> all = legendLines();
     ProfileLines others(all.begin(), all.end());

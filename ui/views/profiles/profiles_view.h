@@ -42,8 +42,8 @@ public:
     /// Brings the cycle to the end of a double stroke or revolution; 0: to the blank.
     void setStroke(int number);
     [[nodiscard]] int stroke() const;
-    void showSection(int section); ///< at the end of the cycle; below 0 all of them
-    /// Puts a profile that was measured beside the predicted ones; none: takes it away.
+    void showSection(int section); ///< at the end of the cycle; negative: all
+    /// Shows a measured profile beside the predicted ones; empty: removes it.
     void showMeasured(std::optional<MeasuredSection> measured);
 
 protected:
@@ -61,7 +61,7 @@ protected:
     [[nodiscard]] QStringList subheading() const override;
 
 private:
-    /// What the view shows of its three plots, as the box of parts lists it.
+    /// The visible plots, as listed in the box of parts.
     enum class Parts { sectionsAndLength, sections, length, sectionsAndSpectrum, spectrum };
     [[nodiscard]] Parts parts() const;
     [[nodiscard]] bool showsAcross() const;
@@ -120,7 +120,7 @@ private:
     QCheckBox* m_toScale = nullptr;
     QCheckBox* m_logarithmic = nullptr;
 
-    std::optional<int> m_chosen; ///< zone or section asked for
+    std::optional<int> m_chosen; ///< requested zone or section
     std::optional<double> m_wantedMagnification;
     ProfileLines m_hidden{ProfileLine::blank};
 };

@@ -8,14 +8,14 @@
 
 namespace sparkout {
 
-/// A profile with the circles that are chosen, of the profile as a filter leaves it.
+/// A filtered profile with the chosen circles.
 [[nodiscard]] Profile shownProfile(Profile profile, ReferenceCircles circles,
                                    std::optional<int> cutoff_upr);
 
-/// The circles chosen; null: none are, or none are held.
+/// The chosen circles; null if none are chosen or none are fitted.
 [[nodiscard]] const RoundnessZone* shownZone(const Profile& profile, ReferenceCircles circles);
 
-/// The line of the legend that stands for them.
+/// The circles' line in the legend.
 [[nodiscard]] std::optional<ProfileLine> lineOf(ReferenceCircles circles);
 
 } // namespace sparkout

@@ -15,11 +15,11 @@ namespace {
 using units::umPerMm;
 
 constexpr int visibleUndulations = 18;
-constexpr int axisTicks = 4;          ///< has room below narrow cells
-constexpr double barShare = 0.4;      ///< of the step between two bars
-constexpr double barFloor_um = 1e-12; ///< where bars stand on a logarithmic axis
+constexpr int axisTicks = 4;          ///< fits below narrow cells
+constexpr double barShare = 0.4;      ///< width relative to the step between two bars
+constexpr double barFloor_um = 1e-12; ///< lower end of bars on a logarithmic axis
 constexpr double faintest_um = 1e-4;  ///< a tenth of a nanometre: smaller is out of sight
-constexpr double spectrumRoom = 1.15; ///< above the highest bar
+constexpr double spectrumRoom = 1.15; ///< headroom above the highest bar
 constexpr double logarithmicRoom = 2;
 
 void setBars(QCPBars& bars, const std::vector<Harmonic>& spectrum) {
@@ -72,7 +72,7 @@ void SpectrumPlot::setSeries(const ProfileSeries& series, const std::vector<int>
     if (!same) {
         fit();
     } else if (amplitudeAxis()->range() == m_fitted) {
-        fitAmplitudes(); // nobody has zoomed
+        fitAmplitudes(); // unless the user has zoomed
     }
 }
 
@@ -143,7 +143,7 @@ double SpectrumPlot::highestBar() const {
     double highest = 0;
     for (const Cell& cell : m_cells) {
         for (const QCPBars* bars : {cell.blank, cell.profile}) {
-            highest = std::max(highest, highestOf(*bars)); // the blank's too: one scale for all
+            highest = std::max(highest, highestOf(*bars)); // one scale for all
         }
     }
     return highest;

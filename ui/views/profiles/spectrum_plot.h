@@ -10,7 +10,8 @@
 namespace sparkout {
 
 /// Amplitudes of a profile over the undulations per revolution: 1 is the eccentricity, 2 an oval.
-/// One axis rect a zone or section side by side, blank and profile as bars, all moved together.
+/// One axis rect for each zone or section side by side, blank and profile as bars, all moved
+/// together.
 class SpectrumPlot : public ProfilePlot {
     Q_OBJECT
 public:
@@ -41,7 +42,7 @@ private:
         QCPBars* blank = nullptr;
         QCPBars* profile = nullptr;
         QCPBarsGroup* sideBySide = nullptr;
-        std::vector<Harmonic> left; ///< of the profile
+        std::vector<Harmonic> left; ///< spectrum of the profile
         Zone zone = Zone::section;
         int section = 0;
     };
@@ -50,14 +51,14 @@ private:
     }
     void rebuild(std::size_t count);
     void buildCell(Cell& cell, QCPLayoutGrid& into, int column);
-    [[nodiscard]] QCPAxis* amplitudeAxis() const; ///< of the first cell; the others follow it
+    [[nodiscard]] QCPAxis* amplitudeAxis() const; ///< the others follow it
     [[nodiscard]] double highestBar() const;      ///< [µm]
     void fitAmplitudes();
 
     std::vector<Harmonic> m_blank;
     std::vector<Cell> m_cells;
     QCPTextElement* m_caption = nullptr;
-    QCPRange m_fitted; ///< of the amplitudes, as they were fitted last
+    QCPRange m_fitted; ///< amplitudes of the last fit
     bool m_logarithmic = true;
 };
 

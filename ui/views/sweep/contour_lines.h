@@ -8,9 +8,9 @@
 
 namespace sparkout {
 
-/// Where a function of a grid is zero, as pieces of lines: within each cell whose four corners have
-/// a value the crossings of its edges, linear between the corners, are joined. A cell with a corner
-/// that is NaN has none. A saddle is joined by the sign of its middle.
+/// The zero lines of a function on a grid, as line segments: within each cell with four finite
+/// corners, the zeros on its edges, interpolated linearly, are joined. A cell with a NaN corner has
+/// none. The sign of the middle decides how a saddle is joined.
 [[nodiscard]] std::vector<QLineF>
 zeroLines(const std::vector<double>& across, const std::vector<double>& up,
           const std::function<double(std::size_t i, std::size_t j)>& at);

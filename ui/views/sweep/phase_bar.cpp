@@ -24,7 +24,7 @@ namespace sparkout {
 namespace {
 
 constexpr int phaseFieldWidth = 74;  ///< [px]
-constexpr double fineness_mm = 1e-6; ///< of the usual range: as many digits as are read
+constexpr double fineness_mm = 1e-6; ///< resolution of the usual range
 
 double roundedStock(double stock_mm) {
     return std::round(stock_mm / fineness_mm) / std::round(1 / fineness_mm);
@@ -61,7 +61,7 @@ void PhaseBar::addEnd(NumberField& field, std::optional<double> PhaseBar::*own,
     setTextWidth(field, phaseFieldWidth);
     connect(&field, &QLineEdit::editingFinished, this, [this, &field, own, end] {
         if (m_project && !field.refused() && field.value() != range().*end) {
-            this->*own = field.value(); // nothing: the usual one
+            this->*own = field.value(); // empty: the usual one
             showRange();
             decide();
             emit changed();
@@ -154,7 +154,7 @@ void PhaseBar::showRange() {
     m_unit->setText(unitText(spec.unit));
     for (const auto& [field, value] :
          {std::pair{m_from, range().from_mm}, std::pair{m_to, range().to_mm}}) {
-        if (!field->typing()) { // else what is typed is taken when it is done
+        if (!field->typing()) { // otherwise typed text is applied when complete
             field->setSpec(spec);
             field->setValue(value);
         }

@@ -8,7 +8,7 @@
 
 namespace sparkout {
 
-/// The phases of the stock of a project as the window has them: an immutable value.
+/// The result of checking all stocks of a project: an immutable value.
 struct PhaseOutcome {
     Project project;
     PhaseDecision decision;

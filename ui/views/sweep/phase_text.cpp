@@ -35,7 +35,7 @@ bool sameReason(const FailingStocks& a, const FailingStocks& b) {
                    && a.worst->section == b.worst->section && a.worst->stage == b.worst->stage));
 }
 
-/// Ranges of neighbouring pieces, which overlap, are one where they fail by the same.
+/// Overlapping ranges of neighbouring pieces with the same failure are joined.
 std::vector<FailingStocks> joinedRanges(const std::vector<FailingStocks>& failing) {
     std::vector<FailingStocks> joined;
     for (const FailingStocks& each : failing) {

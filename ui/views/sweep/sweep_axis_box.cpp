@@ -79,7 +79,7 @@ void SweepAxisBox::show(const Project& project) {
     showAxis(m_of);
 }
 
-/// Its name in English, whatever the language is, its symbol and its key.
+/// Its English name in any language, its symbol and its key.
 QString SweepAxisBox::wordsOf(const NumberInput& input) {
     const QString symbol = QString::fromUtf8(input.field->symbol);
     return QStringList{QString::fromUtf8(input.field->label), symbol, QString(symbol).remove(u'_'),
@@ -87,7 +87,8 @@ QString SweepAxisBox::wordsOf(const NumberInput& input) {
         .join(u'\n');
 }
 
-/// Only when they are others: the list may be open. One that is gone stays as long as it is varied.
+/// Updates only after a change, since the list may be open. A removed input stays while it is
+/// varied.
 void SweepAxisBox::fillInputs(const std::vector<NumberInput>& inputs) {
     std::vector<std::string> paths;
     for (const NumberInput& input : inputs) {
@@ -134,7 +135,7 @@ void SweepAxisBox::showAxis(const std::optional<NumberInput>& input) {
     }
     const QSignalBlocker points(m_points), ratios(m_ratios);
     const auto set = [&spec](NumberField& field, double value) {
-        if (!field.typing()) { // else what is typed is taken when it is done
+        if (!field.typing()) { // otherwise typed text is applied when complete
             field.setSpec(spec);
             field.setValue(value);
         }
@@ -186,7 +187,7 @@ void SweepAxisBox::retranslate() {
                           : tr("Second input: points at equal ratios instead of equal steps"));
     m_points->setPrefix(tr("points: "));
     m_ratios->setText(tr("log", "scale of a sweep"));
-    m_paths.clear(); // their names are others
+    m_paths.clear(); // their names have changed
     m_from->retranslate();
     m_to->retranslate();
 }

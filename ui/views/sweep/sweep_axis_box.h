@@ -19,14 +19,14 @@ namespace sparkout {
 class NumberField;
 class SearchCombo;
 
-/// One varied input: which it is, from where to where, at how many points.
+/// One varied input: its choice, its range and the number of points.
 class SweepAxisBox : public QWidget {
     Q_OBJECT
 public:
-    /// @param place 0 or 1: which of the varied inputs it is
+    /// @param place 0 or 1, the index of the varied input
     explicit SweepAxisBox(std::size_t place, QWidget* parent = nullptr);
 
-    /// The sweep of a project, with the inputs that it could vary.
+    /// Shows the sweep of a project and the inputs that it could vary.
     void show(const Project& project);
     void retranslate();
 
@@ -35,7 +35,7 @@ signals:
     void axisEdited(const sparkout::SweepAxis& axis);
 
 private:
-    static QString wordsOf(const NumberInput& input); ///< that it is found by
+    static QString wordsOf(const NumberInput& input); ///< words by which it is found
     void fillInputs(const std::vector<NumberInput>& inputs);
     void showAxis(const std::optional<NumberInput>& input);
     void onInput();
@@ -49,7 +49,7 @@ private:
     QCheckBox* m_ratios;
     std::vector<std::string> m_paths; ///< of the entries after the first
     std::optional<SweepAxis> m_axis;
-    std::optional<NumberInput> m_of; ///< what the axis varies
+    std::optional<NumberInput> m_of; ///< the varied input
 };
 
 } // namespace sparkout

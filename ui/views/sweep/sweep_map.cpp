@@ -229,7 +229,7 @@ void SweepMap::fillMarks() {
     }
 }
 
-/// All cells.
+/// Shows all cells.
 void SweepMap::fit() {
     if (empty()) {
         return;

@@ -5,7 +5,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double fewDecades = 1.2, manyDecades = 4; ///< between which the ticks are 1, 2, 5, 10
+constexpr double fewDecades = 1.2, manyDecades = 4; ///< with ticks at 1, 2, 5, 10
 constexpr double mostDecades = 300;
 
 } // namespace

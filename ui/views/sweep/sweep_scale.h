@@ -10,11 +10,11 @@
 
 namespace sparkout {
 
-/// Where a value stands on an axis that is spaced by steps or by ratios: axes stay linear for
-/// QCustomPlot, whose colour maps know no other.
+/// The position of a value on an axis with equal steps or equal ratios: the axes themselves stay
+/// linear, since QCustomPlot's colour maps require that.
 struct SweepScale {
     bool ratios = false;
-    ShownScale shown = {}; ///< from the value to the number at the tick
+    ShownScale shown = {}; ///< from the value to the displayed number
 
     [[nodiscard]] double at(double value) const { return ratios ? std::log10(value) : value; }
     [[nodiscard]] double valueAt(double place) const {

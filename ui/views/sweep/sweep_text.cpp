@@ -28,7 +28,7 @@ QString amount(double value, const std::string& unit) {
 
 } // namespace
 
-/// Page, item of a list and input: what is between tells nothing more.
+/// Page, item of a list and input, without the levels between them.
 QString SweepText::input(const std::string& path) {
     const QStringList words = locationText(path).split(QStringLiteral(" › "));
     QStringList kept;
@@ -139,7 +139,7 @@ QString SweepText::inputs(const SweepResult& sweep, std::size_t point) {
     return texts.join(QStringLiteral(", "));
 }
 
-/// Whether the drawing holds there, and what breaks it.
+/// Whether the drawing is met, and what violates it.
 QString SweepText::verdict(const SweepResult& sweep, const SweepPoint& point) {
     if (point.good) {
         return tr("all requirements are met");

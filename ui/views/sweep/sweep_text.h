@@ -12,7 +12,7 @@
 
 namespace sparkout {
 
-/// What the view of sweeps says of inputs, quantities and points.
+/// Texts of the sweep view about inputs, quantities and points.
 class SweepText {
     Q_DECLARE_TR_FUNCTIONS(SweepText)
 public:
@@ -26,14 +26,14 @@ public:
     static QString entry(const SweepResult& sweep,
                          const SweepEntry& entry); ///< "Radial runout, RZ1"
     static QString axis(const SweepResult& sweep, const SweepEntry& entry, bool margins);
-    static QString column(const SweepQuantity& quantity); ///< of a table: name, place, unit
+    static QString column(const SweepQuantity& quantity); ///< with name, place and unit
     static QString status(const SweepPoint& point);       ///< "refused", "does not reach size"
 
     static QString progress(qint64 done, qint64 points, double left_s);
-    static QString run(const SweepResult& sweep); ///< how many points, and what came of them
+    static QString run(const SweepResult& sweep); ///< number of points, and their results
     /// The inputs of a point: "Dullness 0.02, Dwell at the entry 0.3 s".
     static QString inputs(const SweepResult& sweep, std::size_t point);
-    /// With its values of the entry, its time and whether it holds.
+    /// With its values of the entry, its time and whether it is fit.
     static QString point(const SweepResult& sweep, std::size_t point, const SweepEntry& entry);
 
 private:

@@ -69,7 +69,7 @@ SweepView::SweepView(QWidget* parent, Settings* settings, Studies* studies)
     setUpNotice(*m_bar->state());
     m_point->setKeyboardTracking(false);
     disableUntilDrawn({m_point, m_entry, m_side});
-    constexpr int letters = 30; // wide, the text on the run beside the buttons
+    constexpr int letters = 30; // least width of the text on the run, in letters
     m_bar->layOut({}, {m_point, m_takeButton}, letters);
     QVBoxLayout* const column =
         addColumn({m_toolBar = buildTools(), m_phaseBar, m_axes[0], m_axes[1], m_bar, notice(),
@@ -205,7 +205,7 @@ bool SweepView::busy() const {
     return studies().sweep.running() || m_phaseBar->busy();
 }
 
-/// Only what is shown runs by itself.
+/// Runs only the visible content by itself.
 void SweepView::follow(bool asked) {
     if (showsPhases()) {
         m_phaseBar->follow(good()->result.project);
@@ -245,7 +245,7 @@ void SweepView::forgetSweep() {
 }
 
 void SweepView::runSweep() {
-    if (m_edited) { // the project of now is on its way
+    if (m_edited) { // the new project follows
         m_asked = true;
         return;
     }
@@ -315,7 +315,7 @@ void SweepView::showMarks() {
 
 // --- showing ------------------------------------------------------------------------------------
 
-/// What was chosen stays, as long as there is such a result.
+/// Keeps the choice as long as the result exists.
 void SweepView::fillEntries() {
     const QSignalBlocker blocker(m_entry);
     m_entry->clear();

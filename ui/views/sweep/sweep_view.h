@@ -25,9 +25,9 @@ class SweepAxisBox;
 class SweepMap;
 
 /// The view "Sweep": one or two inputs varied over a range and any result over them, as curves or
-/// as a map. A quick sweep runs by itself when the inputs change, another one on demand; results of
-/// other inputs are drawn faint. The values of a point can be taken into the project. Or, instead
-/// of a sweep, the phases of the stock: size against stock.
+/// as a map. A short sweep runs by itself after a change of the inputs, a long one on demand;
+/// outdated results are drawn faint. The values of a point can be applied to the project. It can
+/// also show the check of all stocks: size against stock.
 class SweepView : public StudyView {
     Q_OBJECT
 public:
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] const SweepResultPtr& sweep() const { return studies().sweep.result(); }
     [[nodiscard]] ChartPlot* phases() const { return m_phases; }
     [[nodiscard]] bool busy() const override;
-    /// What is shown is of other inputs.
+    /// Whether the result belongs to other inputs.
     [[nodiscard]] bool stale() const { return studies().sweep.stale(); }
 
     [[nodiscard]] QString title() const override;
@@ -66,9 +66,9 @@ private:
     [[nodiscard]] ViewPlot& plot() const; ///< in sight
     void chooseEntry();
     void chooseSubject();
-    [[nodiscard]] bool showsPhases() const; ///< else a sweep
+    [[nodiscard]] bool showsPhases() const; ///< otherwise a sweep
 
-    void follow(bool asked); ///< good() is another, or something else of it is shown
+    void follow(bool asked); ///< called when good() or the content has changed
     void followSweep(bool asked);
     void takePhases();
     void forgetSweep();
@@ -87,7 +87,7 @@ private:
     [[nodiscard]] QString sweepRemark() const; ///< on what is shown
     [[nodiscard]] SweepEntry chosenEntry() const;
 
-    QComboBox* m_subject;        ///< a sweep, or the phases of the stock
+    QComboBox* m_subject;        ///< a sweep, or the check of all stocks
     QComboBox *m_entry, *m_side; ///< the result; its values or margins
     PhaseBar* m_phaseBar;
     std::array<SweepAxisBox*, 2> m_axes;

@@ -12,7 +12,7 @@ namespace sparkout {
 class NarrowTable;
 class ValueModel;
 
-/// The verdict's section of the form of each zone; hidden where a zone is one section.
+/// The verdict's section on the form of each zone; hidden where a zone is one section.
 class FormSection : public QWidget {
     Q_OBJECT
 public:

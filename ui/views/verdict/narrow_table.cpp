@@ -16,8 +16,8 @@ namespace sparkout {
 
 namespace {
 
-/// Narrow cells, so that three stages and the cycle fit beside their names into 300 px: a number
-/// at the right, a mark before it, two pixels of air.
+/// Narrow cells, so that three stages and the cycle fit beside their names into 300 px:
+/// right-aligned numbers, a mark before them, two pixels of space.
 class NarrowCells : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -70,8 +70,8 @@ NarrowTable::NarrowTable(ValueModel& model, QWidget* parent) : CopyTable(model, 
     connect(this, &CopyTable::resized, this, &NarrowTable::fit, Qt::QueuedConnection);
 }
 
-/// Columns are as wide as their numbers and share what is left; when they need more, a scroll bar
-/// comes below.
+/// Makes columns as wide as their numbers and shares the remainder; if they need more, a scroll bar
+/// appears below.
 void NarrowTable::fit() {
     const int count = model() ? model()->columnCount() : 0;
     if (m_fitting || count == 0) {

@@ -5,14 +5,14 @@
 
 namespace sparkout {
 
-/// A table of numbers for a narrow panel: a row a quantity, with little air between the columns. It
-/// is as high as its rows and scrolls sideways when its columns need more than the width.
+/// A table of numbers for a narrow panel: a row for each quantity, with little space between the
+/// columns. It is as high as its rows and scrolls sideways if its columns are too wide.
 class NarrowTable : public CopyTable {
     Q_OBJECT
 public:
     explicit NarrowTable(ValueModel& model, QWidget* parent = nullptr);
 
-    void fit(); ///< columns and height to what the model has
+    void fit(); ///< fits columns and height to the model
 
 private:
     bool m_fitting = false;

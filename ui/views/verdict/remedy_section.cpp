@@ -27,7 +27,7 @@ QLabel* wrapping(QWidget* parent, const QString& name) {
     return label;
 }
 
-/// Marked up, or a tool tip does not wrap.
+/// Marked up so that a tool tip wraps.
 QString paragraph(const std::string& text) {
     return QStringLiteral("<p>%1</p>").arg(withIndices(QString::fromStdString(text)));
 }
@@ -160,7 +160,7 @@ void RemedySection::retranslate() {
         line.text->setAccessibleName(tr("Change that helps"));
         line.take->setAccessibleName(tr("Apply the change"));
     }
-    m_note->setAccessibleName(tr("What was tried"));
+    m_note->setAccessibleName(tr("Settings tried"));
     m_end->setText(tr("Stop"));
     m_end->setAccessibleName(tr("Stop looking for changes that help"));
     showResult();

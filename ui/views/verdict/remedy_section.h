@@ -14,22 +14,23 @@ class QPushButton;
 
 namespace sparkout {
 
-/// The verdict's section of what would help: a line and a button for each remedy, or why no single
-/// setting helps. Hidden where there is nothing to say.
+/// The verdict's section on remedies: a line and a button for each, or the reason why no single
+/// setting helps. Hidden if there is nothing to show.
 class RemedySection : public QWidget {
     Q_OBJECT
 public:
     explicit RemedySection(QWidget* parent = nullptr);
 
-    /// What was found for an outcome; while it is looked for the rest, with a button to stop.
+    /// Sets the result for an outcome, or the partial result of a running search, with a button to
+    /// stop.
     void setRemedies(OutcomePtr outcome, std::shared_ptr<const RemedyResult> result, bool running);
-    void setStale(); ///< the inputs have changed: nothing of it can be taken any more
+    void setStale(); ///< the inputs have changed: nothing can be applied
     void clear();
     void retranslate();
 
 signals:
     void wanted(const sparkout::Remedy& remedy);
-    void endWanted(); ///< of the work that looks for them
+    void endWanted(); ///< stop the search
 
 private:
     struct Line {

@@ -5,7 +5,7 @@
 
 namespace sparkout {
 
-/// Remedies in the present language, with the numbers and names of the window.
+/// Remedies in the current language, with the window's number format and names.
 class RemedyText : public RemedyWording {
 protected:
     [[nodiscard]] std::string translated(const char* text) const override;

@@ -33,7 +33,7 @@ namespace sparkout {
 
 namespace {
 using metrics::iconSmall;
-constexpr double smallHead = 0.85; ///< of the usual type, that the names have the room
+constexpr double smallHead = 0.85; ///< relative to the usual font, so that the names fit
 } // namespace
 
 VerdictPanel::VerdictPanel(QWidget* parent, Settings* settings) : QWidget(parent) {
@@ -56,7 +56,7 @@ QLabel* VerdictPanel::addText(QVBoxLayout* layout, const char* name) {
     return label;
 }
 
-/// Notices, time and light stay in sight; the rest scrolls as one page.
+/// Notices, time and light are always visible; the rest scrolls as one page.
 void VerdictPanel::build() {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -120,7 +120,7 @@ void VerdictPanel::buildTable() {
     m_table->setObjectName(QStringLiteral("requirements"));
     m_table->setWordWrap(true);
     m_table->verticalHeader()->hide();
-    showRequirements(); // the heads
+    showRequirements(); // the headings
     QHeaderView* header = m_table->horizontalHeader();
     setRelativeFont(*header, smallHead);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -170,7 +170,7 @@ void VerdictPanel::setOutcome(OutcomePtr outcome) {
 }
 
 void VerdictPanel::setJudged(const JudgedRun& judged) {
-    if (judged.outcome && judged.outcome->ran()) { // else the last one stands, in grey
+    if (judged.outcome && judged.outcome->ran()) { // otherwise the last one stays, in grey
         m_judged = judged;
     }
     if (!m_queued) {
@@ -218,7 +218,7 @@ void VerdictPanel::showTexts() {
                                                       m_stocks, m_batch, m_table}) {
         w->setVisible(m_good != nullptr);
     }
-    m_off->clear(); // links take the palette's colour when the text is another
+    m_off->clear(); // links keep an old palette until the text changes
     m_off->setText(m_good       ? LimitNames::notCheckedLinks(m_good->result.project)
                    : incomplete ? Names::missingLinks(m_latest->issues)
                                 : QString());
@@ -247,7 +247,7 @@ JudgedRun VerdictPanel::judgedRun() const {
     return alone;
 }
 
-/// What is still to come is grey.
+/// Pending verdicts are grey.
 void VerdictPanel::showJudged() {
     const bool isOld = m_latest && !m_latest->ran();
     const JudgedRun judged = judgedRun();
@@ -321,7 +321,7 @@ void VerdictPanel::showRequirements() {
     m_model->setTable(verdictTable(m_good.get(), lightIcons(*m_table, isOld)));
 }
 
-/// The table is as high as its rows; the panel scrolls as one.
+/// The table is as high as its rows, since the panel scrolls.
 void VerdictPanel::fitTable() {
     if (m_fitting) {
         return;

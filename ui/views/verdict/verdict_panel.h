@@ -21,10 +21,10 @@ class Settings;
 class ShopSection;
 class ValueModel;
 
-/// What the cycle comes to: machining time, how it stands for every stock and the batch, and its
-/// mark, always in sight; below them, on a page that
-/// scrolls, what would help, each requirement of the drawing with its predicted value, limit and
-/// margin, the form by zone, and the shop's numbers. Works from 300 px width on.
+/// The verdict on the cycle: machining time, verdicts for every stock and for the batch, and its
+/// mark, always visible; below them, on a scrolling page, remedies, each requirement of the drawing
+/// with its predicted value, limit and margin, the form by zone, and the shop's figures. Usable
+/// from a width of 300 px.
 class VerdictPanel : public QWidget {
     Q_OBJECT
 public:
@@ -38,18 +38,18 @@ public:
 
 public slots:
     void setOutcome(sparkout::OutcomePtr outcome); ///< shown once, later in the event loop
-    /// How an outcome stands; without it the part that was run is judged alone.
+    /// Sets the verdict on an outcome; without it only the part that was run is judged.
     void setJudged(const sparkout::JudgedRun& judged);
-    void forget(); ///< another document comes
+    void forget(); ///< before another document
     void retranslate();
     void copy() const; ///< the requirements as tab-separated text to the clipboard
-    /// Says that so many fields of the inputs show a text that is not what was computed.
+    /// Shows how many fields of the inputs have a text that was not used.
     void setRefusedFields(int n);
 
 signals:
     /// A requirement was clicked, or Enter pressed on it.
     void requirementActivated(const sparkout::ConstraintResult& requirement);
-    /// The input was asked for that turns a requirement on.
+    /// The link to the input that turns a requirement on was clicked.
     void pathAsked(const std::string& path);
 
 protected:
@@ -60,14 +60,14 @@ private:
     void buildHead(QWidget* head);
     QLabel* addText(QVBoxLayout* layout, const char* name);
     void buildTable();
-    void buildSaving(Settings* settings); ///< of its tables
+    void buildSaving(Settings* settings); ///< for its tables
     void showOutcome();
     void showTexts();
     void showJudged();
-    [[nodiscard]] JudgedRun judgedRun() const; ///< of the outcome that is shown
+    [[nodiscard]] JudgedRun judgedRun() const; ///< on the shown outcome
     void showRefusedFields();
-    void grey(bool on); ///< of the inputs before the last edit: grey on a hatched ground
-    /// The requirement that is explained: the one chosen, else the worst when it fails.
+    void grey(bool on); ///< for outdated results: grey on a hatched background
+    /// The requirement to explain: the selected one, otherwise the worst if it is not met.
     [[nodiscard]] const ConstraintResult* explained() const;
     void showRequirements();
     void fitTable();

@@ -12,7 +12,7 @@ namespace sparkout {
 class NarrowTable;
 class ValueModel;
 
-/// The verdict's section of the shop's numbers: title, table, and what lies outside its band.
+/// The verdict's section on the shop's figures: title, table, and values outside their band.
 class ShopSection : public QWidget {
     Q_OBJECT
 public:

@@ -21,7 +21,7 @@ QString minutes(double time_s) {
 
 } // namespace
 
-/// Below two minutes in seconds first, as a grinder counts a plunge.
+/// In seconds first below two minutes, as grinders count a plunge.
 QString time(const SimulationResult& result) {
     const QString seconds = Names::significant(result.time_s, 4);
     return result.time_s < shortTime_s

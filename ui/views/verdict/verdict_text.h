@@ -5,10 +5,10 @@
 
 #include <QString>
 
-/// The sentences of the verdict, plain text.
+/// The texts of the verdict, plain.
 namespace sparkout::verdict {
 
 [[nodiscard]] QString time(const SimulationResult& result);   ///< "2.41 min (144.6 s)"
-[[nodiscard]] QString status(const SimulationResult& result); ///< with what is short of the size
+[[nodiscard]] QString status(const SimulationResult& result); ///< including a shortfall of size
 
 } // namespace sparkout::verdict

@@ -5,7 +5,7 @@
 
 namespace sparkout {
 
-/// What the program is, its version and the versions of what it is built on.
+/// The program, its version, and the versions of its libraries.
 class AboutDialog : public QDialog {
     Q_OBJECT
 

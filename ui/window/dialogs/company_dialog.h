@@ -12,16 +12,16 @@ namespace sparkout {
 
 class Settings;
 
-/// Fills in what the heads of documents have beside the project: company, logo, names, numbers.
-/// Kept in the settings once for all projects.
+/// Edits the company data in the heads of documents: company, logo, names, numbers. Kept in the
+/// settings for all projects.
 class CompanyDialog : public QDialog {
     Q_OBJECT
 
 public:
     CompanyDialog(Settings& settings, QWidget* parent);
 
-    void accept() override; ///< keeps it
-    /// Takes the picture of a file, or says why it cannot.
+    void accept() override; ///< saves it
+    /// Reads the picture of a file, or shows why it cannot be used.
     void takeLogo(const QString& path);
 
 private:

@@ -105,7 +105,7 @@ QString ExamplesDialog::resultOf(const Entry& entry) {
                              ? tr("Main time %1, piece time %2.")
                                    .arg(shown(run.time.main_min), shown(run.time.piece_min))
                              : tr("Main time %1.").arg(shown(run.time.main_min));
-    Judgement worst; // of the surface to speak of first
+    Judgement worst; // verdict of the surface with the worst one
     for (const SurfaceRun& surface : run.surfaces) {
         Judgement one = judge(surface.result, surface.constraints, judgeStocks(surface.result));
         if (&surface == run.surfaces.data() || one.state < worst.state) {

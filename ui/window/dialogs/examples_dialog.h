@@ -38,7 +38,7 @@ private:
     void fill();
     void showNotes();
     [[nodiscard]] static QString kindOf(const Entry& entry);
-    /// Time, status and verdict of the cycle, or of all of them.
+    /// Time, status and verdict of the cycle, or of all cycles.
     [[nodiscard]] static QString resultOf(const Entry& entry);
 
     std::vector<Entry> m_entries;

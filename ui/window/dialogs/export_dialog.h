@@ -15,11 +15,11 @@ namespace sparkout {
 /// A batch, sweep or search that a view shows.
 struct StudyOffer {
     Study study;
-    QString obstacle = {}; ///< why it is not what the inputs of now come to; empty: it is
+    QString obstacle = {}; ///< why it does not belong to the current inputs; may be empty
 };
 
-/// Asks what of a result is exported and as what; what would not fit is said here, before a place
-/// is chosen.
+/// Asks for the contents and the format of an export, and shows what does not fit before a file is
+/// chosen.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
@@ -38,10 +38,10 @@ private:
     [[nodiscard]] ExportFormat format() const;
 
     OutcomePtr m_outcome;
-    std::vector<StudyOffer> m_studies; ///< behind the last entries of m_content
+    std::vector<StudyOffer> m_studies; ///< after the last entries of m_content
     QComboBox* m_format;
     QComboBox* m_content;
-    std::vector<std::vector<ResultPart>> m_contents; ///< behind the entries of m_content
+    std::vector<std::vector<ResultPart>> m_contents; ///< by entry of m_content
     QLabel* m_note;
     QPushButton* m_go = nullptr;
 };

@@ -117,7 +117,7 @@ void HandoutDialog::offerSteps(const OutcomePtr& outcome, const CycleCursor& cyc
     }
     offer(tr("The deepest cut of the cycle: %1, k = %2"), {});
     if (cycle.atEnd() && standing < m_step->count()) {
-        m_step->setCurrentIndex(standing); // nobody has chosen the end
+        m_step->setCurrentIndex(standing); // the user has not moved to the end
     }
     m_step->setEnabled(m_step->count() > 0);
 }

@@ -17,18 +17,18 @@ namespace sparkout {
 class CycleCursor;
 class Settings;
 
-/// Asks what a course hand-out is to have: with its results or without them, the step that it works
-/// out, figures, the answers.
+/// Asks for the contents of a course hand-out: with or without results, the step to work out,
+/// figures, the answers.
 class HandoutDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// Steps are those of the outcome; first where the cycle stands.
+    /// Offers steps of the outcome, first that at the cycle's moment.
     HandoutDialog(const OutcomePtr& outcome, const CycleCursor& cycle, Settings& settings,
                   QWidget* parent);
 
     [[nodiscard]] report::HandoutOptions options() const;
-    /// The worksheet or its key; nothing: the hand-out itself.
+    /// The worksheet or its key; empty: the hand-out itself.
     [[nodiscard]] std::optional<report::Paper> paper() const;
 
     void accept() override; ///< figures and answers are chosen alike the next time

@@ -24,7 +24,7 @@ QByteArray resource(const QString& name) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// The files of one licence: what the Lesser licence adds stands before the one that it adds to.
+/// The files of a licence: the additions of the LGPL come before the GPL.
 QStringList filesOf(QString licence) {
     licence.remove(QStringLiteral("-only")).remove(QStringLiteral("-or-later"));
     const QString file = licence + QStringLiteral(".txt");

@@ -8,7 +8,7 @@
 
 namespace sparkout {
 
-/// What the program is made of, and the licences of all of it, in full.
+/// The components of the program and the full texts of their licences.
 class LicencesDialog : public QDialog {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
 
     struct Component {
         QString name;
-        QString licence; ///< as SPDX writes it
+        QString licence; ///< its SPDX identifier
         QString copyright;
     };
     [[nodiscard]] static std::vector<Component> components(); ///< Sparkout first

@@ -11,12 +11,12 @@ namespace sparkout {
 
 class ProgramLog;
 
-/// What the program and Qt reported since the start, beside the work; follows what comes.
+/// The messages of the program and Qt since the start, updated live, in a non-modal window.
 class LogDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// Without a log it says so.
+    /// Shows a remark if there is no log.
     explicit LogDialog(const ProgramLog* log, QWidget* parent = nullptr);
 
     [[nodiscard]] QString text() const;
@@ -32,7 +32,7 @@ private:
     QPlainTextEdit* m_text;
     QPushButton* m_copy = nullptr;
     QPushButton* m_close = nullptr;
-    QTimer m_pause; ///< gathers lines that come together
+    QTimer m_pause; ///< collects lines in quick succession
 };
 
 } // namespace sparkout

@@ -80,7 +80,7 @@ RecoveryDialog::RecoveryDialog(const RecoveryStore& store, std::vector<RecoveryI
 }
 
 void RecoveryDialog::fill() {
-    const QSignalBlocker blocker(m_list); // its rows are not the items until it is full
+    const QSignalBlocker blocker(m_list); // its rows do not match the items until it is full
     m_list->clear();
     for (const RecoveryItem& item : m_items) {
         const QString title = printableText(item.header.title.simplified());

@@ -13,13 +13,13 @@ class QTreeWidget;
 
 namespace sparkout {
 
-/// The work that programs which ended without saving left behind. Each item is recovered, put off
-/// or discarded; a damaged one can only be discarded, and its folder is named.
+/// Unsaved work of programs that ended. Each item is recovered, deferred or discarded; a damaged
+/// one can only be discarded, and its folder is shown.
 class RecoveryDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `offeredElsewhere`: the items are discarded ones alone, as another window offers the others.
+    /// `offeredElsewhere`: only discarded items are listed, as another window offers the others.
     RecoveryDialog(const RecoveryStore& store, std::vector<RecoveryItem> items,
                    bool offeredElsewhere, QWidget* parent = nullptr);
 

@@ -9,15 +9,15 @@ namespace sparkout {
 
 class Settings;
 
-/// Fills in what the title pages of laboratory reports have beside the work: ministry, university,
-/// department, who accepts it, the town. Kept in the settings once for all works.
+/// Edits the data of title pages of laboratory reports: ministry, university, department, teacher,
+/// town. Kept in the settings for all works.
 class TitlePageDialog : public QDialog {
     Q_OBJECT
 
 public:
     TitlePageDialog(Settings& settings, QWidget* parent);
 
-    void accept() override; ///< keeps it
+    void accept() override; ///< saves it
 
 private:
     Settings& m_settings;

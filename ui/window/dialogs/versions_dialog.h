@@ -19,7 +19,7 @@ public:
     VersionsDialog(const QString& project, std::vector<EarlierVersion> versions,
                    QWidget* parent = nullptr);
 
-    [[nodiscard]] QString chosenFile() const; ///< empty: none
+    [[nodiscard]] QString chosenFile() const; ///< may be empty
 
 private:
     std::vector<EarlierVersion> m_versions;

@@ -11,12 +11,12 @@ namespace sparkout {
 
 class Settings;
 
-/// The command that writes a result and its trace into a file.
+/// The command that exports a result with its trace to a file.
 class ExportCommands : public QObject {
     Q_OBJECT
 
 public:
-    /// `outcome` gives that of the inputs of now, `studies` what the views show beside it.
+    /// `outcome` returns the one of the current inputs, `studies` the results of the views.
     ExportCommands(std::function<OutcomePtr()> outcome,
                    std::function<std::vector<StudyOffer>()> studies, Settings& settings,
                    QWidget* window);

@@ -10,16 +10,16 @@ class QWidget;
 
 namespace sparkout {
 
-/// The commands of one report, in a menu of their own.
+/// The commands of one report, in a submenu.
 struct ReportActions {
     QMenu* menu;
     QAction *preview, *print, *pdf, *html, *markdown, *odt;
 
     [[nodiscard]] QList<QAction*> all() const { return {preview, print, pdf, html, markdown, odt}; }
-    void name(const QString& title) const; ///< in the present language
+    void name(const QString& title) const; ///< translated
 };
 
-/// Each is named by the command and the key of the report: preview-card. `owner`: of the menu.
+/// Each object name is the command and the key of the report: preview-card. `owner` owns the menu.
 [[nodiscard]] ReportActions makeReportActions(const QByteArray& key, QWidget* owner);
 
 } // namespace sparkout

@@ -112,7 +112,7 @@ bool ReportCommands::addBatch(report::Subject& subject, const BatchOutcomePtr& s
     return true;
 }
 
-/// Of the project's own batch, where that predicts all that was measured.
+/// Uses the project's own batch if it predicts all that was measured.
 bool ReportCommands::addPrediction(report::Subject& subject, const BatchOutcomePtr& shown) {
     const Project& project = subject.outcome->result.project;
     if (!report::PassportMeasured::applies(project)) {

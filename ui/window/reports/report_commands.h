@@ -16,41 +16,41 @@ namespace sparkout {
 class CycleCursor;
 class Settings;
 
-/// Makes the reports of what is in the window.
+/// Makes the reports on the contents of the window.
 class ReportCommands : public QObject {
     Q_OBJECT
 
 public:
-    /// What is to be reported: an outcome, the path of its project, and the batch that the window
-    /// shows, if any: it may be of other inputs.
+    /// The subject of a report: an outcome, the path of its project, and the batch in the window,
+    /// if any, possibly of other inputs.
     struct Subject {
         OutcomePtr outcome;
         QString file;
         BatchOutcomePtr batch;
-        const CycleCursor* cycle = nullptr; ///< where the window's cycle stands
-        std::optional<Setup> setup;         ///< where there are several surfaces, or wear
+        const CycleCursor* cycle = nullptr; ///< moment of the window's cycle
+        std::optional<Setup> setup;         ///< for several surfaces, or wear
         std::size_t surface = 0;            ///< that of the outcome, in the set-up
-        BatchOutcomePtr predicting = {};    ///< that measured parts are held against; or null
+        BatchOutcomePtr predicting = {};    ///< compared with measured parts; may be null
     };
 
     ReportCommands(std::function<Subject()> subject, Settings& settings, QWidget* window);
 
-    /// The report of now; nothing when there is no result, which is said, or its batch was stopped.
+    /// The current report; empty if there is no result, which is shown, or its batch was stopped.
     [[nodiscard]] std::optional<report::Report> reportOfNow(report::Kind kind);
 
 private:
-    /// Takes the batch that is shown, or runs one; false: none, and the user knows.
-    /// False: there is no report. One that is not needed may be refused.
+    /// Uses the shown batch, or runs one; false without a batch, of which the user is informed. An
+    /// optional batch may be refused.
     [[nodiscard]] bool addBatch(report::Subject& subject, const BatchOutcomePtr& shown,
                                 bool isNeeded);
 
-    /// The same of the batch that measured parts are held against; true where none are measured.
+    /// Adds the batch to be compared with measured parts; true if there are none.
     [[nodiscard]] bool addPrediction(report::Subject& subject, const BatchOutcomePtr& shown);
 
-    /// Runs all surfaces of the set-up; false: it cannot be run, and the user knows.
+    /// Runs all surfaces of the set-up; false, after informing the user, if it cannot be run.
     [[nodiscard]] bool addSetup(report::Subject& subject, const Setup& setup);
 
-    /// Asks what the hand-out is to have, or whether a worksheet is wanted; false: not to make one.
+    /// Asks for the contents of the hand-out, or for a worksheet; false if cancelled.
     [[nodiscard]] bool chooseHandout(report::Subject& subject, const CycleCursor& cycle,
                                      std::optional<report::Paper>& paper);
 

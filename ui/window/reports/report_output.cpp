@@ -63,7 +63,7 @@ void ReportOutput::preview(const report::Report& report) {
     setUp(printer, report);
     QPrintPreviewDialog dialog(&printer, m_window);
     if (printer.outputFormat() != QPrinter::NativeFormat) {
-        hidePageSetup(dialog); // it is the printer's, and there is none; now, by its present name
+        hidePageSetup(dialog); // there is no printer to set up
     }
     dialog.setWindowTitle(tr("Print preview: %1").arg(report.title));
     setHelpTopic(dialog, QStringLiteral("reports#print"));

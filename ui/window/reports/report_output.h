@@ -16,17 +16,17 @@ namespace sparkout {
 class Settings;
 struct ReportActions;
 
-/// Prints reports, shows them before, and writes them into files.
+/// Prints, previews and saves reports.
 class ReportOutput : public QObject {
     Q_OBJECT
 
 public:
-    /// Nothing: there is no report, and the user knows why.
+    /// Empty if there is no report, of which the user is informed.
     using Make = std::function<std::optional<report::Report>()>;
 
     ReportOutput(Settings& settings, QWidget* window);
 
-    /// Each of the commands has the report made, and puts it out in its way.
+    /// Each command makes the report and outputs it.
     void connectTo(const ReportActions& actions, const Make& make);
 
 private:
