@@ -156,7 +156,7 @@ private slots:
                 QVERIFY2(outcome.status == 1, outcome.text().c_str());
                 QVERIFY2(has(outcome.err, "\\u001B[31m\\u000Ab\\u009B\\xE0x\\u001B\\u202E"),
                          outcome.err.c_str());
-                QVERIFY(!has(outcome.err, '\x1b'));
+                QVERIFY(!has(outcome.err, "\x1b"));
                 std::filesystem::remove_all(file.toStdString()); // Qt cannot remove that name
             }
         }

@@ -316,14 +316,14 @@ private slots:
         QFETCH(QString, language);
         OpenBench bench(language, examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("optimise")));
-        wait(bench);
+        bench.rest();
         QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("optimiseRun")),
                           Qt::LeftButton);
         const auto* answer = bench.window->findChild<QTableView*>(QStringLiteral("optimiseAnswer"));
         QTRY_VERIFY_WITH_TIMEOUT(answer->isVisible(), 60'000);
         constexpr QSize low(1366, 740);
         bench.window->resize(low);
-        wait(bench);
+        bench.rest();
         QCOMPARE(bench.window->size(), low);
         const View* const view = bench.window->viewTabs().currentView();
         int seen = 0;

@@ -47,7 +47,9 @@ OutcomePtr run(const Project& project) {
 /// A shipped project with a batch.
 QString shippedBatch() {
     const QStringList paths = examplePaths();
-    return *std::ranges::find(paths, QStringLiteral("shaft-30h6-factory"), nameOf);
+    return *std::ranges::find_if(paths, [](const QString& path) {
+        return nameOf(path) == QStringLiteral("shaft-30h6-factory");
+    });
 }
 
 /// A view as it stands in the window.
