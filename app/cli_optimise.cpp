@@ -12,6 +12,7 @@
 #include "core/printable.h"
 #include "core/project/optimisation.h"
 #include "core/setup/setup_file.h"
+#include "core/setup/shared_members.h"
 #include "core/study/kept_search.h"
 #include "core/study/search_json.h"
 #include "words/search_words.h"
@@ -162,6 +163,7 @@ int runOptimise(const manual::Given& given) {
         return failed;
     }
     Setup answers = surfaces.setup();
+    shareMeasuredRa(answers); // it was measured with the given cycles, not with those found
     bool isFound = false;
     const int status =
         surfaces.run(answers, // of each surface with the wheel as the cycles found leave it

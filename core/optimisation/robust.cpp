@@ -218,7 +218,8 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
     SearchOptions search = options.search;
     search.everyStageSteps = true;
     const Variants variants(project, search.stop);
-    int draws = 0; // from the source
+    int draws = 0;       // from the source
+    double proved_s = 0; // no cycle is quicker: the answer of an earlier round
     Trials trials;
     CaseOrder cases;
     std::vector<FeasibleCycle> candidates; // in the order of their tests on fresh phases
@@ -285,6 +286,12 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         for (const double margin : {0.25, 0.5}) {
             SearchOptions wide = search;
             wide.beyondMargin = margin;
+            if (search.onProgress) {
+                wide.onProgress = [&search, &proved_s](SearchProgress progress) {
+                    progress.bound_s = proved_s; // its own is for cycles with the margin alone
+                    search.onProgress(progress);
+                };
+            }
             const SearchSummary found = optimised(wide);
             if (!found.best || found.status != SearchStatus::proved) {
                 return std::nullopt;
@@ -302,6 +309,9 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
     };
     while (summary.rounds < options.mostRounds) {
         summary.search = optimised(search);
+        if (summary.search.status == SearchStatus::stopped) {
+            summary.search.bound_s = std::max(summary.search.bound_s, proved_s);
+        }
         if (summary.rounds++ == 0 && summary.search.best) {
             summary.nominalTime_s = summary.search.best->time_s;
         }
@@ -337,6 +347,9 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         }
         addPart(std::move(*failing));
         search.quickest_us = summary.search.best->time_us; // further scenarios speed nothing up
+        if (summary.search.status == SearchStatus::proved) {
+            proved_s = summary.search.best->time_s;
+        }
         if (search.method == SearchMethod::pruned) {
             search.incumbent = cycleWithMargin();
             search.challenge = challenge;

@@ -32,6 +32,11 @@ MarginKnown marginKnown(const ConstraintResult& constraint) {
                                                               : MarginKnown::atMost;
 }
 
+double statedMargin(const ConstraintResult& constraint) {
+    return constraint.holds && constraint.mostValue ? constraint.limit - *constraint.mostValue
+                                                    : constraint.margin;
+}
+
 bool isWorse(const ConstraintResult& first, const ConstraintResult& second) {
     const auto rank = [](const ConstraintResult& c) {
         return std::tuple(c.holds, c.holds || c.kind != ConstraintKind::overlap, !c.isWhole,

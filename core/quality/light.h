@@ -30,6 +30,8 @@ enum class MarginKnown {
     no      ///< of a part of the surface, of an open estimate, or of a value that rounds to 0
 };
 [[nodiscard]] MarginKnown marginKnown(const ConstraintResult& constraint);
+/// The margin as it is stated: of an estimate that is met, that of its upper end.
+[[nodiscard]] double statedMargin(const ConstraintResult& constraint);
 
 /// Whether the first is to be spoken of before the second: what fails before what holds, of that
 /// the overlap, on which the others wait where strips stay uncut; then what is close; then by the

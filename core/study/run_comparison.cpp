@@ -109,7 +109,7 @@ bool same(const StageCount& a, const StageCount& b, bool) {
 bool same(const RequirementMargin& a, const RequirementMargin& b, bool) {
     const int decimals = requirementOf(a.requirement.kind).digits.shown;
     return marginKnown(a.requirement) == marginKnown(b.requirement)
-           && sameDigits(a.requirement.margin, b.requirement.margin, {decimals});
+           && sameDigits(statedMargin(a.requirement), statedMargin(b.requirement), {decimals});
 }
 
 bool same(const WorstMargin& a, const WorstMargin& b, bool) {

@@ -129,7 +129,7 @@ struct ResultShown {
         return {RunTable::tr("Margin › %1").arg(Names::constraint(c.kind)),
                 unitText(requirementOf(c.kind).unit),
                 Names::isRange(c.kind) ? Names::amount(c.kind, c.margin, true) : Names::margin(c),
-                marginKnown(c) == MarginKnown::exactly ? CsvCell(c.margin) : CsvCell()};
+                marginKnown(c) == MarginKnown::exactly ? CsvCell(statedMargin(c)) : CsvCell()};
     }
     ShownValue operator()(const WorstMargin& of) const {
         const ConstraintResult& worst = of.requirement;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/part/status_text.h"
 
+#include "core/quality/light.h"
 #include "ui/charts/light_icon.h"
 #include "ui/kit/theme.h"
 #include "ui/text/judgement_text.h"
@@ -41,7 +42,7 @@ QString worstText(const SurfaceStatus& status) {
     const QString margin = Names::margin(*worst);
     return QStringLiteral("%1 %2").arg(
         Names::constraintBrief(worst->kind),
-        *unit && !Names::isRange(worst->kind)
+        *unit && !Names::isRange(worst->kind) && marginKnown(*worst) != MarginKnown::no
             ? QStringLiteral("%1\u00a0%2").arg(margin, unitText(unit))
             : margin);
 }

@@ -201,7 +201,7 @@ QString Names::margin(const ConstraintResult& c) {
     case MarginKnown::atMost: return QStringLiteral("≤ ") + amount(c.kind, c.margin, false);
     case MarginKnown::no: return QStringLiteral("–");
     }
-    const double left = c.holds && c.mostValue ? c.limit - *c.mostValue : c.margin;
+    const double left = statedMargin(c);
     const bool none = std::abs(left) < roundOff * std::abs(c.limit);
     return isRange(c.kind) ? inRange(c, true) : amount(c.kind, none ? 0 : left, true);
 }
