@@ -125,7 +125,7 @@ void StructForm::refresh() {
         }
         return;
     }
-    const QWidget* const focus = focusWidget();
+    const QWidget* const focus = window()->focusWidget(); // its own may have lost it since
     const QString named = focus && m_body->isAncestorOf(focus) ? focus->objectName() : QString();
     build();
     if (auto* again = named.isEmpty() ? nullptr : m_body->findChild<QWidget*>(named)) {

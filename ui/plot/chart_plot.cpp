@@ -46,6 +46,7 @@ void setUpChartAxis(QCPAxis& axis, const ChartAxis& of) {
     axis.setLabel(of.label);
     axis.grid()->setVisible(!of.names);
     axis.setTickLength(of.names ? 0 : chartTick);
+    const int ticks = axis.ticker()->tickCount(); // as many as have room
     if (of.names) {
         const QSharedPointer<QCPAxisTickerText> names(new QCPAxisTickerText);
         for (qsizetype i = 0; i < of.names->size(); ++i) {
@@ -58,6 +59,7 @@ void setUpChartAxis(QCPAxis& axis, const ChartAxis& of) {
         axis.setTicker(of.isCounted ? QSharedPointer<QCPAxisTicker>(new WholeTicker)
                                     : QSharedPointer<QCPAxisTicker>(new NumberTicker));
     }
+    axis.ticker()->setTickCount(ticks);
 }
 
 void fitChartAxis(QCPAxis& axis, const ChartAxis& of, const ChartSpan& span) {

@@ -91,7 +91,17 @@ LineChart ComplianceCurves::chart() const {
         used.points.push_back({section.position_mm, section.compliance_mm_per_n * nmPerMm});
     }
     chart.series.push_back(used);
-    const double high = chart.values().high; // a part is not above the sum
+    double high = chart.values().high;
+    const auto stack = along([](const ComplianceParts& at) {
+        double height = 0;
+        for (const StackedPart& of : stackedParts) {
+            height += valueOf(at, of.part);
+        }
+        return height;
+    });
+    for (const XY& top : stack) { // above the sum where rests take their part
+        high = std::max(high, top.y);
+    }
     chart.up.range = {0, high > 0 ? high * valueRoom : 1};
     chart.up.room = 0;
     addReadings(chart);
