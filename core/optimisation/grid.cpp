@@ -411,6 +411,37 @@ bool Grid::before(const GridCycle& a, const GridCycle& b) const {
         });
 }
 
+std::optional<GridCycle> Grid::find(const Cycle& stated) const {
+    const StageFeed* const axial = m_operation->axial();
+    const StageFeed* const continuous = m_operation->continuous;
+    GridCycle found;
+    for (const Stage& stage : stated.stages) {
+        const auto valueOf = [&stage](const StageFeed* feed) {
+            return feed ? (stage.*feed->value).value_or(0) : 0;
+        };
+        const auto setting = std::ranges::find_if(m_settings, [&](const StageSetting& each) {
+            return each.sparkOut == stage.sparkOutSteps().value_or(0)
+                   && each.radial == (stage.feeds() ? valueOf(&m_operation->radial()) : 0)
+                   && each.axialFeed_mm_min == valueOf(axial)
+                   && each.continuousFeed_mm_min == valueOf(continuous);
+        });
+        const bool isLast = found.size() + 1 == stated.stages.size();
+        found.push_back({static_cast<std::size_t>(setting - m_settings.begin()),
+                         isLast ? 0 : static_cast<int>(std::lround(stage.stock_mm / m_step_mm))});
+    }
+    if (!contains(found)) {
+        return std::nullopt;
+    }
+    const Cycle same = cycle(found);
+    for (std::size_t z = 0; z < found.size(); ++z) {
+        constexpr double rounding_mm = 1e-9;
+        if (std::abs(same.stages[z].stock_mm - stated.stages[z].stock_mm) > rounding_mm) {
+            return std::nullopt;
+        }
+    }
+    return found;
+}
+
 Cycle Grid::cycle(const GridCycle& cycle) const {
     Cycle stated;
     int taken = 0;

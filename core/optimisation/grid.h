@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace sparkout {
@@ -106,6 +107,8 @@ public:
     /// Returns whether a comes before b in grid order.
     [[nodiscard]] bool before(const GridCycle& a, const GridCycle& b) const;
     [[nodiscard]] bool contains(const GridCycle& cycle) const;
+    /// Returns the cycle of the grid that a project's cycle is; nothing: the grid does not have it.
+    [[nodiscard]] std::optional<GridCycle> find(const Cycle& stated) const;
     /// Converts a cycle of the grid to the form of a project.
     [[nodiscard]] Cycle cycle(const GridCycle& cycle) const;
 

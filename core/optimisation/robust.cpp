@@ -3,9 +3,11 @@
 
 #include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
+#include "core/optimisation/cycle_runner.h"
 #include "core/phases/cycle_trial.h"
 #include "core/project/batch.h"
 #include "core/project/optimisation.h"
+#include "core/simulation/simulate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,6 +108,27 @@ std::optional<Project> failingFreshPart(const Project& best, int draw,
             if (!trial || !trial->holds) {
                 return trial ? std::optional(std::move(drawn)) : std::nullopt;
             }
+        }
+    }
+    return std::nullopt;
+}
+
+/// The project's own cycle, where the grid has it and the part as it stands meets every
+/// requirement.
+std::optional<FeasibleCycle> feasibleIn(const Variants& variants, const Project& project,
+                                        const std::stop_token& stop) {
+    for (std::size_t v = 0; v < variants.count(); ++v) {
+        if (machineSettings(variants.project(v)) != machineSettings(project)) {
+            continue;
+        }
+        if (auto cycle = variants.grid(v).find(*project.cycle)) {
+            const std::optional<CycleTrial> trial = tried(project, stop);
+            if (!trial || !trial->holds) {
+                return std::nullopt;
+            }
+            const double time_s = simulateUnchecked(project, nullptr, stop).time_s;
+            return FeasibleCycle{std::move(*cycle), comparedTime_us(time_s), trial->leastMargin, v,
+                                 time_s};
         }
     }
     return std::nullopt;
@@ -279,32 +302,18 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
             search.cases.push_back(std::move(*failing.of));
         }
     };
-    // The search goes from the quickest cycle upwards and has no answer before its end. One with a
-    // margin on the parts known so far mostly holds on all others: it is to be beaten, and the
-    // answer if the search is stopped.
-    const auto cycleWithMargin = [&]() -> std::optional<FeasibleCycle> {
-        for (const double margin : {0.25, 0.5}) {
-            SearchOptions wide = search;
-            wide.beyondMargin = margin;
-            if (search.onProgress) {
-                wide.onProgress = [&search, &proved_s](SearchProgress progress) {
-                    progress.bound_s = proved_s; // its own is for cycles with the margin alone
-                    search.onProgress(progress);
-                };
-            }
-            const SearchSummary found = optimised(wide);
-            if (!found.best || found.status != SearchStatus::proved) {
-                return std::nullopt;
-            }
-            auto failing = challenge(*found.best);
-            if (options.search.stop.stop_requested()) {
-                return std::nullopt;
-            }
-            if (!failing) {
-                return found.best;
-            }
-            addPart(std::move(*failing));
+    // The search goes from the quickest cycle upwards and has no answer before its end. The cycle
+    // that the project has is to be beaten, and the answer if the search is stopped.
+    const auto ownCycle = [&]() -> std::optional<FeasibleCycle> {
+        const std::optional<FeasibleCycle> own = feasibleIn(variants, project, search.stop);
+        if (!own) {
+            return std::nullopt;
         }
+        auto failing = challenge(*own);
+        if (!failing) {
+            return options.search.stop.stop_requested() ? std::nullopt : own;
+        }
+        addPart(std::move(*failing));
         return std::nullopt;
     };
     while (summary.rounds < options.mostRounds) {
@@ -351,7 +360,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
             proved_s = summary.search.best->time_s;
         }
         if (search.method == SearchMethod::pruned) {
-            search.incumbent = cycleWithMargin();
+            search.incumbent = ownCycle();
             search.challenge = challenge;
         }
     }

@@ -17,6 +17,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QPlainTextEdit>
+#include <QRegularExpression>
 #include <QScopeGuard>
 #include <QTabWidget>
 #include <QTableWidget>
@@ -484,7 +485,9 @@ private slots:
                 written += box->toPlainText();
             }
             for (const ShownText& shown : textsOf(*desk.editor)) {
-                QVERIFY2(written.contains(shown.text) || englishIn(shown.text).isEmpty(),
+                static const QRegularExpression code(QStringLiteral("`[^`]*`"));
+                const QString words = QString(shown.text).remove(code);
+                QVERIFY2(written.contains(shown.text) || englishIn(words).isEmpty(),
                          qPrintable(shown.text));
             }
         }

@@ -501,7 +501,7 @@ private slots:
         QVERIFY(!times->text().contains(QStringLiteral("T<sub>1</sub>"))); // nobody entered it
         DialogAnswers answers({QStringLiteral("Enter")});
         answers.seen = [](QDialog& dialog) {
-            auto* handling = dialog.findChild<NumberField*>(QStringLiteral("handling_s"));
+            auto* handling = dialog.findChild<NumberField*>(QStringLiteral("/handling_s"));
             handling->selectAll();
             QTest::keyClicks(handling, QStringLiteral("60"));
         };
