@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-/// Roundness readings as of measuring machines [ISO12181, ISO16610-21].
+/// Roundness readings as measuring machines report them [ISO12181, ISO16610-21].
 namespace sparkout {
 
 /// Usual cut-offs of the low-pass filter [undulations per revolution].
