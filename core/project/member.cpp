@@ -21,7 +21,7 @@ std::string_view takeKey(std::string_view& path) {
     return key;
 }
 
-/// What becomes of a struct that is not given; the last two are only read from.
+/// The treatment of a struct that is not given; with the last two nothing is written.
 enum class Missing { stop, create, defaults, none };
 
 /// The struct a path goes on in below an object row; null when there is none. What is only read
