@@ -67,7 +67,7 @@ std::vector<RunValue> inputsRead(Project&&) = delete; // its leaves would dangle
 
 /// Returns the results in a summary in the order of its table, then its margins, the worst margin
 /// and the verdict. Missing values are left out; where strips stay uncut, so are all values of the
-/// surface. By the inputs of the run, where they are given, it is known what is not decided.
+/// surface. The inputs of the run, if given, decide which results are undecided.
 [[nodiscard]] std::vector<RunValue> resultsStated(const ReadSummary& summary,
                                                   const Project* inputs = nullptr);
 std::vector<RunValue> resultsStated(ReadSummary&&, const Project* inputs = nullptr) = delete;
