@@ -42,7 +42,7 @@ std::string machineLines(const SearchOutcome& outcome) {
     return text;
 }
 
-/// What the file's own cycle breaks.
+/// The requirements that the file's own cycle violates.
 std::string givenLines(const GivenCycle& given) {
     std::string names;
     for (const ConstraintKind kind : given.fails) {
