@@ -122,7 +122,7 @@ CopyTable* BatchView::buildFigures() {
     return m_table;
 }
 
-/// A menu with the two CSV formats.
+/// Builds the button for the rows of all parts with a menu of the two CSV formats.
 void BatchView::buildRows() {
     auto* menu = new QMenu(m_rows);
     for (const TableFormat format : {TableFormat::csvRussian, TableFormat::csvEnglish}) {
