@@ -48,8 +48,7 @@ struct Batch {
     NumberRows zone_compliance;
     NumberRows correlation; ///< correlation matrix of the factors, in the order of the table
     double least_ppk = 1;   ///< least lower 95 % bound of Ppk of a fit cycle
-    std::optional<double>
-        most_outside_share; ///< greatest share of rejected parts, found and expected
+    std::optional<double> most_outside_share; ///< greatest share of rejects, found and expected
     // The comparison of measured parts with the batch.
     double measuring_uncertainty_um = 0; ///< standard uncertainty u of one measured value
     std::optional<double> bias_limit_um; ///< greatest difference of means that counts as agreement

@@ -42,9 +42,8 @@ struct MachineLimits {
 /// [MODEL-7].
 struct MachineForm {
     std::optional<std::vector<double>> roundness_um; ///< 2·A_j; not given: not known [µm]
-    std::optional<std::vector<double>>
-        runout_um;            ///< of A_1 and A_j together; not given: not known [µm]
-    std::optional<int> lobes; ///< j; not given: not known
+    std::optional<std::vector<double>> runout_um;    ///< of A_1 and A_j; not given: not known [µm]
+    std::optional<int> lobes;                        ///< j; not given: not known
     /// Angle from a lobe's deepest point to that of A_1; not given: the one that gives the stated
     /// runout [°]
     std::optional<double> runout_at_deg;
