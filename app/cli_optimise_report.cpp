@@ -49,7 +49,7 @@ std::string givenLines(const GivenCycle& given) {
         names += (names.empty() ? "The file's cycle breaks: " : ", ")
                  + std::string(requirementOf(kind).key);
     }
-    return given.isStopped ? "What the file's cycle does is not known: stopped before.\n"
+    return given.isStopped ? "The result of the file's cycle is not known: stopped before.\n"
            : !given.time_s ? "The file's cycle does not end by itself.\n"
            : names.empty() ? ""
                            : names + ".\n";

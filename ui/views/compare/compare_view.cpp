@@ -472,7 +472,7 @@ void CompareView::nameParts() {
     m_runs->retranslate();
     m_plot->setAccessibleName(tr("Curves of the compared runs"));
     m_table->setAccessibleName(tr("Inputs and results that differ"));
-    m_empty->setAccessibleName(tr("What to do"));
+    m_empty->setAccessibleName(tr("Next step"));
     tell(*m_zone, tr("Zone or section whose curves are drawn"));
     tell(*m_axis, tr("Horizontal axis"));
     m_keepHere->setText(tr("Keep the current run"));

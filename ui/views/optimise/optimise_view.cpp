@@ -609,7 +609,7 @@ QStringList OptimiseView::subheading() const {
 }
 
 void OptimiseView::nameParts() {
-    nameAround(tr("Legend of the search"), tr("What the search found"),
+    nameAround(tr("Legend of the search"), tr("Result of the search"),
                tr("Values under the mouse"));
     m_curves->setAccessibleName(tr("Feeds and radii of your cycle and of the one found"));
     m_times->setAccessibleName(tr("Machining time over the number of stages"));
@@ -625,7 +625,7 @@ void OptimiseView::nameParts() {
     QStringList names;
     std::ranges::transform(methods, std::back_inserter(names), &OptimiseText::method);
     fillChoice(*m_method, names);
-    tell(*content(), tr("What is shown of the search"));
+    tell(*content(), tr("Displayed results of the search"));
     tell(*m_zone, tr("Zone or section of the curves"));
     nameButtons();
     m_gridBar->retranslate();
