@@ -21,7 +21,7 @@ struct RoundnessReading {
     RoundnessZone minimumZone;                  ///< MZC
     RoundnessZone leastSquares;                 ///< LSC
     std::optional<RoundnessZone> inscribed;     ///< MIC
-    std::optional<RoundnessZone> circumscribed; ///< MCC; both are undefined beside wide gaps
+    std::optional<RoundnessZone> circumscribed; ///< MCC; both are undefined with wide gaps
 };
 
 [[nodiscard]] RoundnessReading roundnessReading(std::span<const double> radii_mm,
