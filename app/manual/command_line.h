@@ -39,8 +39,8 @@ enum class Kind {
 struct Value {
     Kind kind = Kind::none;
     const char* shown = "";   ///< "N", "OUT.csv"; of a choice empty: the choices
-    const char* is = "";      ///< what it must be: "a length in mm"
-    const char* choices = ""; ///< with spaces between; of a text those that are proposed
+    const char* is = "";      ///< expected value: "a length in mm"
+    const char* choices = ""; ///< separated by spaces; for a text the proposed ones
     double low = 0, high = 0; ///< bounds of a number
 };
 
@@ -77,8 +77,8 @@ struct Option {
     const char* shortName = ""; ///< "-h"
     Value value{};
     bool isRequired = false;
-    const char* needs = ""; ///< options, with spaces between, of which one must stand beside it
-    const char* group = ""; ///< of the options of a group one alone may be given
+    const char* needs = ""; ///< options, separated by spaces, one of which is required with it
+    const char* group = ""; ///< at most one option of a group may be given
     Text text;              ///< its effect
 
     [[nodiscard]] bool isNamed(std::string_view word) const {
