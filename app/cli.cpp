@@ -49,7 +49,7 @@ namespace sparkout::cli {
 
 namespace {
 
-/// The trace of a cycle: a second run, now that its size is known.
+/// Writes the trace of a cycle by a second run, once its size is known.
 int writeTrace(const SimulationResult& result, const std::string& name,
                const manual::Given& given) {
     if (result.visits > maxRecordedVisits) {
@@ -62,13 +62,13 @@ int writeTrace(const SimulationResult& result, const std::string& name,
     return save(given.text("--trace"), traceCsv(again, trajectory));
 }
 
-/// How a run stands, and the exit status of what was wrong with its batch.
+/// The judgement of a run, and the exit status for faults of its batch.
 struct JudgedAnswer {
     Judgement judgement;
     int status = done;
 };
 
-/// Over every stock within one infeed and, with `--batch`, the batch of the project, if it has one.
+/// Judges a run for every stock within one infeed and, with `--batch`, for the project's batch.
 JudgedAnswer judged(const SurfaceRun& run, const std::string& name, const manual::Given& given) {
     const Project& project = run.result.project;
     std::optional<JudgedBatch> batch;
@@ -132,7 +132,8 @@ int simulateOne(const Project& project, const std::string& name, const manual::G
     return status == done ? judgedStatus : status;
 }
 
-/// Every surface, each with the wheel as those before have left it, and the times of the part.
+/// Runs every surface with the wheel as the earlier surfaces leave it, and adds the times of the
+/// part.
 int simulateWhole(const Surfaces& surfaces, const manual::Given& given) {
     const SetupRun run = runSetup(surfaces.setup());
     std::vector<Judgement> judgements;
@@ -184,7 +185,7 @@ int runSimulate(const manual::Given& given) {
                                 });
 }
 
-/// What stands where an example belongs.
+/// The present content of an example's file.
 enum class Standing { nothing, sameExample, another };
 
 Standing standingAt(const std::string& file, const std::string& example) {
@@ -201,7 +202,7 @@ int runExamples(const manual::Given& given) {
     std::error_code error; // a folder that cannot be made is reported by the first file
     std::filesystem::create_directory(pathFromUtf8(folder), error);
     std::vector<std::pair<std::string, const Example*>> absent;
-    bool edited = false; // all are looked at before the first is written
+    bool edited = false; // all files are checked before the first is written
     for (const Example& example : examples()) {
         std::string file = folder + "/" + example.name;
         const Standing standing = standingAt(file, example.content);
@@ -251,7 +252,7 @@ int run(const std::vector<std::string>& arguments) {
         print(stdout, manual::helpText(program, given.command()));
         return done;
     }
-    if (given.command().name == std::string_view(program.name)) { // no command is given
+    if (given.command().name == std::string_view(program.name)) { // without a command
         print(stdout, "sparkout-cli " + std::string(version) + '\n');
         return done;
     }

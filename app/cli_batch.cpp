@@ -15,7 +15,7 @@ namespace sparkout::cli {
 
 namespace {
 
-/// "  ranks: stock_mm 0.93, dullness -0.04; R² 0.97"; nothing where there is no regression.
+/// "  ranks: stock_mm 0.93, dullness -0.04; R² 0.97"; empty without a regression.
 std::string regressionText(const std::optional<RankRegression>& regression,
                            const std::vector<GivenFactor>& factors) {
     if (!regression) {
@@ -119,7 +119,7 @@ std::string strippedText(const BatchSummary& summary) {
                      + " parts have no size, form and Ra: strips uncut; no Ppk is told of them\n";
 }
 
-/// "; 7 of 50 parts have none: strips uncut"; nothing where all have it.
+/// "; 7 of 50 parts have none: strips uncut"; empty if all parts have the value.
 std::string unstatedText(const CharacteristicSummary& summary) {
     return summary.unstated == 0 ? std::string()
                                  : "; " + std::to_string(summary.unstated) + " of "
@@ -153,7 +153,7 @@ std::string characteristicText(const CharacteristicSummary& summary, bool isSamp
     return text + unstatedText(summary) + '\n';
 }
 
-/// Usual causes of scatter that the batch leaves out.
+/// The usual causes of scatter that the batch leaves out.
 std::string notCountedText(const Project& project) {
     std::string text;
     for (const FactorKind kind : notCounted(project)) {

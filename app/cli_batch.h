@@ -12,16 +12,16 @@
 
 namespace sparkout::cli {
 
-/// The figures of a batch for people; with Sobol indices where they were asked for.
+/// The figures of a batch as text, with Sobol indices if they were requested.
 [[nodiscard]] std::string batchText(const BatchResult& result,
                                     const std::optional<SobolIndices>& indices);
 
-/// Why shards cannot be joined: lines that name them, in the order of `files`.
+/// The reasons why shards cannot be joined: lines that name the shards, in the order of `files`.
 [[nodiscard]] std::string joinText(const JoinedBatch& joined,
                                    const std::vector<BatchResult>& shards,
                                    const std::vector<std::string>& files);
 
-/// Why a file is no shard.
+/// The reason why a file is not a shard.
 [[nodiscard]] std::string stateSentence(StateFault fault);
 
 } // namespace sparkout::cli

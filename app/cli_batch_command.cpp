@@ -34,7 +34,7 @@ namespace sparkout::cli {
 
 namespace {
 
-/// "I/N" with 1 ≤ I ≤ N; nothing where it is none.
+/// Parses "I/N" with 1 ≤ I ≤ N; empty for any other text.
 std::optional<std::pair<int, int>> shardOf(std::string_view text) {
     const char* const end = text.data() + text.size();
     int shard = 0, shards = 0;
@@ -56,7 +56,7 @@ int printBatch(const BatchResult& result, const std::optional<SobolIndices>& ind
     return given.has("--check") && result.statistics.bad > 0 ? requirementFails : done;
 }
 
-/// Puts the measured blanks of a CSV into the batch; false: refused, which is said.
+/// Puts the measured blanks of a CSV file into the batch; reports a refusal and returns false.
 bool putMeasuredFile(const std::string& file, Batch& batch) {
     const auto content = readOrSay(file, limits::fileBytes);
     if (!content) {
@@ -81,10 +81,10 @@ bool putMeasuredFile(const std::string& file, Batch& batch) {
     return true;
 }
 
-/// Puts what the command line says in place of what the file says.
+/// Overrides the batch of the file by the options of the command line.
 bool putOptions(const manual::Given& given, Project& project) {
     if (!project.batch && !given.has("--measured")) {
-        return true; // which checkBatch() refuses
+        return true; // checkBatch() refuses it
     }
     Batch& batch = project.batch ? *project.batch : project.batch.emplace();
     batch.parts = given.integer("--parts").value_or(batch.parts);
@@ -93,7 +93,7 @@ bool putOptions(const manual::Given& given, Project& project) {
     return !given.has("--measured") || putMeasuredFile(given.text("--measured"), batch);
 }
 
-/// Whether the project has a batch that can be run; says what is wrong with it.
+/// Whether the project has a batch that can be run; otherwise reports the faults.
 bool isReady(const Project& project, const std::string& name, const manual::Given& given) {
     const Issues issues = checkBatch(project);
     printIssues(name, issues);
@@ -108,13 +108,13 @@ bool isReady(const Project& project, const std::string& name, const manual::Give
     return true;
 }
 
-/// Parts of the batch and of the sensitivity, which the progress is told of.
+/// The number of parts of the batch and of the sensitivity, for the progress.
 std::int64_t partsToRun(const ScenarioSource& source, const manual::Given& given, PartRange range) {
     const auto factors = static_cast<std::int64_t>(source.factors().size());
     return range.end - range.first + given.integer("--sensitivity").value_or(0) * (factors + 2);
 }
 
-/// Says why the file of --rows failed, if it did.
+/// Reports a failure of the file of --rows, if there is one.
 bool failed(const PartRowsFile& rows) {
     if (const auto& error = rows.error()) {
         print(stderr, error->systemError == EEXIST

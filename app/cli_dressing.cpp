@@ -60,7 +60,7 @@ std::string dressingText(const Setup& setup, const DressingInterval& interval) {
     return text;
 }
 
-/// Why there is no answer; nothing: there is one.
+/// The reason why there is no answer; empty if there is one.
 std::optional<std::string> refusal(const DressingInterval& interval) {
     switch (interval.fault) {
     case DressingFault::none: return std::nullopt;

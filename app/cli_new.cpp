@@ -28,12 +28,12 @@ namespace sparkout::cli {
 
 namespace {
 
-/// A designation as a title: "35k6 × 28".
+/// The title made from a designation: "35k6 × 28".
 std::string titleOf(const manual::Given& given) {
     return given.operands.front() + " × " + numberText(*given.number("--length"));
 }
 
-/// The drawing that the options describe; what is wrong is said.
+/// The drawing described by the options; reports faults.
 std::optional<StartingDrawing> drawingIn(const manual::Given& given, int& status) {
     const auto designation = parseSizeDesignation(given.operands.front());
     if (!designation) {

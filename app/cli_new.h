@@ -5,7 +5,7 @@
 
 namespace sparkout::cli {
 
-/// Writes a project with a starting cycle for a drawing; the exit status.
+/// Writes a project with a starting cycle for a drawing; returns the exit status.
 [[nodiscard]] int runNewCommand(const manual::Given& given);
 
 } // namespace sparkout::cli

@@ -36,7 +36,7 @@ SearchWish wishOf(const manual::Given& given) {
     return wish;
 }
 
-/// What is wrong with the options as they stand together.
+/// Reports options that contradict each other; returns the exit status.
 int checkTogether(const manual::Given& given) {
     const std::string &file = given.operands.front(), &output = given.text("-o"),
                       &resume = given.text("--resume");
@@ -86,7 +86,8 @@ void closeKept(KeptSearch& kept, const std::string& file) {
     kept.close();
 }
 
-/// A search that was stopped, or that ran out of rounds or ways, decided nothing.
+/// The exit status of a search without an answer; one that was stopped, or that ran out of rounds
+/// or methods, decided nothing.
 int statusWithoutAnswer(const SearchOutcome& outcome) {
     if (outcome.search.status == SearchStatus::infeasible) {
         return nothingFeasible;
@@ -94,7 +95,7 @@ int statusWithoutAnswer(const SearchOutcome& outcome) {
     return outcome.stopped() && caughtSignal() != 0 ? interrupted + caughtSignal() : undecided;
 }
 
-/// Searches for the cycle of one surface, and puts it into the set-up.
+/// Searches the cycle of one surface and puts it into the set-up.
 int optimise(Project project, std::size_t surface, const std::string& name,
              const manual::Given& given, Setup& answers) {
     const std::string& resume = given.text("--resume");
@@ -113,7 +114,7 @@ int optimise(Project project, std::size_t surface, const std::string& name,
     if (project.optimisation && !stages.empty()) {
         project.optimisation->stages.assign(stages.begin(), stages.end());
     }
-    wish.wear = searchWear(answers, surface); // with the cycles found before
+    wish.wear = searchWear(answers, surface); // with the cycles found for the earlier surfaces
     wish.journal = kept ? &kept->journal() : nullptr;
     const SearchOutcomePtr outcome = [&] {
         SearchWatch watch(given.number("--time-limit")); // of everything that follows
@@ -166,7 +167,7 @@ int runOptimise(const manual::Given& given) {
     shareMeasuredRa(answers); // it was measured with the given cycles, not with those found
     bool isFound = false;
     const int status =
-        surfaces.run(answers, // of each surface with the wheel as the cycles found leave it
+        surfaces.run(answers, // each surface with the wheel as the cycles found leave it
                      [&](Project project, std::size_t surface, const std::string& name) {
                          const int one =
                              optimise(std::move(project), surface, name, given, answers);

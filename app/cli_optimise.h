@@ -5,7 +5,7 @@
 
 namespace sparkout::cli {
 
-/// `optimize`; the exit status. Progress goes to the standard error.
+/// `optimize`; returns the exit status. Progress is printed to the standard error.
 [[nodiscard]] int runOptimise(const manual::Given& given);
 
 } // namespace sparkout::cli

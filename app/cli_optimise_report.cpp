@@ -42,14 +42,14 @@ std::string machineLines(const SearchOutcome& outcome) {
     return text;
 }
 
-/// What the file's own cycle breaks.
+/// The requirements that the file's own cycle violates.
 std::string givenLines(const GivenCycle& given) {
     std::string names;
     for (const ConstraintKind kind : given.fails) {
         names += (names.empty() ? "The file's cycle breaks: " : ", ")
                  + std::string(requirementOf(kind).key);
     }
-    return given.isStopped ? "What the file's cycle does is not known: stopped before.\n"
+    return given.isStopped ? "The result of the file's cycle is not known: stopped before.\n"
            : !given.time_s ? "The file's cycle does not end by itself.\n"
            : names.empty() ? ""
                            : names + ".\n";

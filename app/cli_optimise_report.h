@@ -7,7 +7,7 @@
 
 namespace sparkout::cli {
 
-/// For people: an outcome with an answer.
+/// The text of an outcome with an answer.
 [[nodiscard]] std::string optimiseText(const SearchOutcome& outcome);
 
 } // namespace sparkout::cli

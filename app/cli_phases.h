@@ -5,7 +5,7 @@
 
 namespace sparkout::cli {
 
-/// Decides for which stocks the cycle of each surface is fit; the exit status.
+/// Decides for which stocks the cycle of each surface is fit; returns the exit status.
 [[nodiscard]] int runPhasesCommand(const manual::Given& given);
 
 } // namespace sparkout::cli

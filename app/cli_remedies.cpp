@@ -19,7 +19,7 @@ namespace sparkout::cli {
 
 namespace {
 
-/// What fails, or is close.
+/// The requirements that are violated, or met by a small margin.
 std::string stateText(const SimulationResult& result, const RemedyResult& found,
                       const std::vector<ConstraintResult>& constraints) {
     if (found.goal == RemedyGoal::none) {

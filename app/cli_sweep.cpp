@@ -22,7 +22,7 @@ std::string placeOf(const SweepQuantity& quantity) {
     return sectionOrPart(quantity.zone, quantity.section);
 }
 
-/// A row a point; of every result its value and its margin.
+/// A row for each point, with the value and the margin of every result.
 std::string sweepCsv(const SweepResult& sweep) {
     CsvLine line;
     const auto head = [&line](const std::string& name, const std::string& unit) {
@@ -53,7 +53,7 @@ std::string sweepCsv(const SweepResult& sweep) {
     return text;
 }
 
-/// A line a point: its values, its time, its minimum margin.
+/// A line for each point: its values, its time, its minimum margin.
 std::string sweepText(const SweepResult& sweep) {
     std::string text;
     for (const SweptInput& input : sweep.inputs) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ends with 0 where a window could be opened, as Qt itself finds out; otherwise Qt ends it. Before
-// the window is started, ./workbench asks it whether DISPLAY leads anywhere.
+// Exits with 0 if Qt can open a window; otherwise Qt aborts the program. ./workbench runs it before
+// it starts the window, to find out whether DISPLAY is usable.
 #include <QGuiApplication>
 #include <QScreen>
 

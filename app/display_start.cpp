@@ -60,7 +60,7 @@ void DisplayStart::checkScreen() {
 void DisplayStart::receive(QtMsgType type, const QMessageLogContext& /*context*/,
                            const QString& text) {
     if (type == QtFatalMsg) {
-        // Of a plug-in that finds no display Qt says no more than that there is none.
+        // If a plug-in finds no display, Qt reports only that it could not be initialised.
         const bool general = text.contains(QStringLiteral("platform plugin could be initialized"));
         end(general && !s_told.isEmpty() ? s_told.last() : text);
     }
@@ -74,7 +74,7 @@ void DisplayStart::crash(int /*signal*/) {
     ::_exit(exitUsage);
 }
 
-/// Nothing is taken down: the application is half made.
+/// Exits without destructors, since the application is only partly constructed.
 void DisplayStart::end(const QString& reason) {
     say(stderr,
         QStringLiteral("sparkout: the display cannot be used: %1 (%2, %3). Use sparkout-cli, "

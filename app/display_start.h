@@ -6,8 +6,8 @@
 
 namespace sparkout {
 
-/// While it lives, a display that cannot be used ends the program in words and with status 2. Qt
-/// itself aborts where it finds no display or no plug-in of the wanted name, and some of its
+/// During its lifetime, a display that cannot be used ends the program with a message and status 2.
+/// Qt itself aborts if it finds no display or no plug-in of the wanted name, and some of its
 /// plug-ins crash without their device.
 class DisplayStart {
 public:
@@ -16,7 +16,7 @@ public:
     DisplayStart& operator=(const DisplayStart&) = delete;
     ~DisplayStart();
 
-    /// Once the application is there: ends the program if there is no screen.
+    /// Ends the program if there is no screen; call once the application exists.
     static void checkScreen();
 
 private:
@@ -24,7 +24,7 @@ private:
     [[noreturn]] static void crash(int signal);
     [[noreturn]] static void end(const QString& reason);
 
-    static inline QStringList s_told; ///< warnings until now: the last one often is the reason
+    static inline QStringList s_told; ///< warnings so far; the last one is often the reason
     QtMessageHandler m_before;
 };
 

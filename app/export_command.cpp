@@ -13,10 +13,10 @@ namespace sparkout {
 
 namespace {
 
-/// Nothing when the part does not go into such a file.
+/// The choice for a request; empty if the part cannot be exported to such a file.
 std::optional<ExportChoice> choiceOf(const ExportRequest& request) {
     const QString suffix = QFileInfo(request.output).suffix().toLower();
-    const bool russian = QLocale().language() == QLocale::Russian; // of the words, too
+    const bool russian = QLocale().language() == QLocale::Russian; // also the language of the texts
     const bool all = request.part == u"all";
     ExportChoice choice{suffix == u"xlsx"   ? ExportFormat::xlsx
                         : suffix == u"json" ? ExportFormat::json

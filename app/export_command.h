@@ -5,15 +5,15 @@
 
 namespace sparkout {
 
-/// What the command line asks for.
+/// An export requested on the command line.
 struct ExportRequest {
     QString part; ///< "all", a part of the result, "batch", "sweep" or "search"
     QString file;
-    QString surface; ///< of it; empty: it has one
+    QString surface; ///< name or number of a surface; empty: the only one
     QString output;
 };
 
-/// Whether the part goes into a file of that ending.
+/// Whether the part can be exported to a file with this extension.
 [[nodiscard]] bool canExport(const ExportRequest& request);
 
 /// `sparkout --export PART -o OUT FILE`: writes results of a project as tables and returns the exit

@@ -47,10 +47,10 @@ using namespace sparkout;
 namespace {
 
 constexpr int pictureTimeout_ms = 60'000;
-constexpr int pictureTick_ms = 200; ///< for queued replots and layouts two of them pass
+constexpr int pictureTick_ms = 200; ///< two of them suffice for queued replots and layouts
 constexpr int pictureRound_ms = 30, calmRounds = 3, mostRounds = 100;
 
-/// The options as the rest of the program takes them.
+/// The options in the form used by the rest of the program.
 struct Options {
     explicit Options(const manual::Given& words);
     [[nodiscard]] QString text(const char* option) const;
@@ -58,10 +58,10 @@ struct Options {
     const manual::Given& given;
     QString file;
     ReportRequest request;
-    ManyReports many; ///< with its folder: every file a report
+    ManyReports many; ///< with its folder, a report for every file
     ExportRequest exported;
     QSize size{1366, 768};
-    QString fault; ///< what is wrong with them
+    QString fault; ///< the fault of the options; empty without one
 
 private:
     void readReport();
@@ -80,7 +80,7 @@ bool readSize(const QString& text, QSize& size) {
            && size.height() >= 300 && size.width() <= 10'000 && size.height() <= 10'000;
 }
 
-/// What is wrong with the output of a report or an export.
+/// The fault of the output of a report or an export; empty without one.
 QString outputFault(const Options& options) {
     const QString output = options.text("-o");
     if (output.isEmpty()) {
@@ -180,7 +180,7 @@ void openFirstExample(Document& document) {
     }
 }
 
-/// As the window stays: layouts and replots are done when nothing changes any more.
+/// The final picture of the window: waits until layouts and replots change nothing any more.
 QImage settledPicture(MainWindow& window) {
     QImage picture = window.grab().toImage();
     for (int calm = 0, round = 0; calm < calmRounds && round < mostRounds; ++round) {
@@ -238,7 +238,8 @@ Settings settingsFor(const manual::Given& given) {
     return given.has("--portable") ? Settings(PortableFolder::settingsFile()) : Settings();
 }
 
-/// Ends the program once the window was painted, and says so: whoever started it takes the time.
+/// Ends the program once the window has been painted and reports it, so that the caller can take
+/// the time.
 class FirstPaint : public QObject {
 public:
     explicit FirstPaint(QWidget& window) : QObject(&window) { window.installEventFilter(this); }
@@ -246,7 +247,7 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override {
         if (event->type() == QEvent::Paint) {
             watched->removeEventFilter(this);
-            QTimer::singleShot(0, this, [] { // once it is on the screen
+            QTimer::singleShot(0, this, [] { // when it is on the screen
                 say(stdout, QStringLiteral("painted"));
                 std::fflush(stdout);
                 QCoreApplication::exit(0);
@@ -276,7 +277,7 @@ int runWindow(QApplication& app, MainWindow& window, const Options& options) {
         QObject::disconnect(opening);
         if (options.file.isEmpty()) {
             window.help().offerTour();
-        } else if (!isOpen) { // it cannot be opened, or is no project
+        } else if (!isOpen) { // it cannot be opened, or is not a project
             openFirstExample(window.document());
         }
     });
@@ -302,7 +303,7 @@ int main(int argc, char** argv) {
     cli::useConsoleOfCaller();
     const std::vector<std::string> words = cli::argumentsOf(argc, argv);
     for (const std::string& word : words) {
-        if (systemText(fromSystemText(word)) != word) { // another file would be read, or written
+        if (systemText(fromSystemText(word)) != word) { // another file would be read or written
             say(stderr, QStringLiteral("sparkout: “%1” is not UTF-8; sparkout-cli takes such names")
                             .arg(QString::fromStdString(printable(word))));
             return exitUsage;
@@ -337,7 +338,7 @@ int main(int argc, char** argv) {
     }
     passOverPlatformNotices();
     PortableFolder::useItsFonts();
-    int noArguments = 1; // the options are ours, Qt reads none of them
+    int noArguments = 1; // Qt does not need the program's options
     std::optional<DisplayStart> display(std::in_place);
     QApplication app(noArguments, argv);
     DisplayStart::checkScreen();
@@ -354,14 +355,14 @@ int main(int argc, char** argv) {
         return exitUsage;
     }
     Settings settings = hidden ? Settings::transient() : settingsFor(given);
-    settings.setAllInputs(!hidden && settings.allInputs()); // a picture has the usual ones
+    settings.setAllInputs(!hidden && settings.allInputs()); // pictures show the usual inputs
     Language language;
     language.apply(given.has("--lang") ? options.text("--lang") : settings.language());
     applyTheme(themeFrom(given.has("--theme") ? options.text("--theme") : settings.theme()));
-    PortableFolder::addItsFonts(); // the style has taken the system's for some kinds of widgets
+    PortableFolder::addItsFonts(); // again: the style took system fonts for some kinds of widgets
     if (given.has("--report")) {
         ReportRequest request = options.request;
-        const Settings own = settingsFor(given); // else nothing of the user's is read
+        const Settings own = settingsFor(given); // otherwise no settings of the user are read
         request.company = own.company();
         const QString logoFault = report::Logo::fault(request.company.logo);
         if (!request.paper && !logoFault.isEmpty()) {

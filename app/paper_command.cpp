@@ -112,7 +112,7 @@ std::optional<report::Report> paperOfProject(const ReportRequest& request) {
                : report::worksheet(outcome, request.handout.step, wish);
 }
 
-/// Nothing: it cannot be made, which is said.
+/// Makes the paper; reports a failure and returns an empty value.
 std::optional<report::Report> paperOrSay(const ReportRequest& request) {
     const report::PaperRow& row = report::rowOf(*request.paper);
     const bool isWork = request.file.endsWith(workEnding);

@@ -17,7 +17,7 @@ namespace sparkout {
 
 namespace {
 
-/// There is no application object yet that would know.
+/// The folder of the program, found without an application object, which does not exist yet.
 QString programFolder() {
     return QFileInfo(fromSystemText(utf8(ownProgram()))).absolutePath();
 }
@@ -30,7 +30,7 @@ QString ownFolder() {
 
 void PortableFolder::useItsFonts() {
 #ifdef Q_OS_WIN
-    // Its name where there is no display.
+    // the name of the font without a display
     QFont::insertSubstitution(QStringLiteral("monospace"), QStringLiteral("DejaVu Sans Mono"));
 #else
     const QString fonts = programFolder() + QStringLiteral("/fonts/fonts.conf");
@@ -48,8 +48,8 @@ void PortableFolder::addItsFonts() {
             QFontDatabase::addApplicationFont(fonts.filePath(name));
         }
     }
-    // Without a display, and where the system has no font of its own for windows but a name that
-    // may stand for any.
+    // Used without a display, and where the system has no window font of its own but only a generic
+    // name.
     QFont usual = QApplication::font();
     if (!QFontDatabase::hasFamily(usual.family())
         || usual.family().startsWith(QStringLiteral("MS Shell Dlg"))) {

@@ -5,19 +5,20 @@
 
 namespace sparkout {
 
-/// The folder that the program stands in, as the portable archive makes it.
+/// The folder of the program in the portable archive.
 class PortableFolder {
 public:
-    /// Before any font is looked for: fonts that stand beside the program come first.
+    /// Makes fonts beside the program preferred; call before any font is used.
     static void useItsFonts();
-    /// The same where Qt looks for none: on Windows, once the application is there.
+    /// Adds these fonts where Qt does not look for any, on Windows; call once the application
+    /// exists.
     static void addItsFonts();
 
-    /// Where the program keeps what it remembers with --portable.
+    /// The file in which the program stores its settings with --portable.
     [[nodiscard]] static QString settingsFile();
     [[nodiscard]] static QString stateFolder();
 
-    /// Says so where nothing can be kept there.
+    /// Creates the folder of that file; reports a failure and returns false.
     [[nodiscard]] static bool make();
 };
 

@@ -63,8 +63,8 @@ QString readHandoutOptions(const manual::Given& given, ReportRequest& request) {
 
 namespace {
 
-/// The set-up of a file; of the surface that is named alone, with the wheel as those before have
-/// left it. What is wrong is said.
+/// The set-up of a file; if a surface is named, only this one, with the wheel as the earlier
+/// surfaces leave it. Reports faults.
 std::optional<Setup> setupOrSay(const ReportRequest& request) {
     auto setup = openSetupOrSay(request.file);
     if (!setup || request.surface.isEmpty()) {
@@ -76,11 +76,11 @@ std::optional<Setup> setupOrSay(const ReportRequest& request) {
     }
     const std::string name = setup->surfaces[*setup->find(request.surface.toStdString())].name;
     setup->surfaces = {GroundSurface{name, std::move(*project)}};
-    setup->wear = {}; // it is in the project
+    setup->wear = {}; // the project contains the worn wheel
     return setup;
 }
 
-/// What is to be reported of a file; else the exit status that says why there is nothing.
+/// The subject of a report; otherwise the exit status after reporting why there is none.
 std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
     report::Subject subject;
     subject.file = request.file;
@@ -118,7 +118,7 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
             return refuse(subject.batch->issues);
         }
         if (!subject.batch->ran()) {
-            subject.batch = nullptr; // what it is about is not the batch
+            subject.batch = nullptr; // the report is not about the batch
         }
     }
     if (report::rowOf(request.kind).takesBatch && report::PassportMeasured::applies(*project)) {
@@ -175,8 +175,8 @@ int writeReport(const ReportRequest& request) {
 
 namespace {
 
-/// The paths of the reports, in the order of the files; empty when one cannot be written, which is
-/// reported.
+/// The paths of the reports, in the order of the files; if one cannot be written, reports it and
+/// returns an empty list.
 QStringList outputsOf(const ManyReports& many) {
     QStringList outputs, faults;
     const QDir folder(many.folder);

@@ -14,30 +14,31 @@
 
 namespace sparkout {
 
-/// What the command line asks for.
+/// A report requested on the command line.
 struct ReportRequest {
     report::Kind kind = report::Kind::card;
-    std::optional<report::Paper> paper; ///< of the course, in place of a kind
-    report::Institution institution;    ///< of its title page
+    std::optional<report::Paper> paper; ///< a paper of the course, in place of a kind
+    report::Institution institution;    ///< institution on its title page
     QString file;
     QString output;
-    Company company; ///< of the heads
-    QString surface; ///< of a set-up, by its name or number; empty: all, or the one there is
+    Company company; ///< company in the heads of documents
+    QString surface; ///< surface of a set-up, by name or number; empty: all, or the only one
     report::HandoutOptions handout;
-    bool stepAsked = false;  ///< by --at
-    bool viewsAsked = false; ///< by --views
+    bool stepAsked = false;  ///< given by --at
+    bool viewsAsked = false; ///< given by --views
 };
 
-/// Reads --at, --views and --answers; what is wrong with their values, or empty.
+/// Reads --at, --views and --answers; returns the fault of their values, or an empty text.
 [[nodiscard]] QString readHandoutOptions(const manual::Given& given, ReportRequest& request);
 
 /// `sparkout --report KIND FILE -o OUT`: writes a report of a project and returns the exit status.
-/// A batch tells its progress on stderr; Ctrl+C ends it and leaves a file that was there.
+/// A batch reports its progress on stderr; Ctrl+C ends it and keeps an existing file.
 [[nodiscard]] int writeReport(const ReportRequest& request);
 
-/// `sparkout --report KIND FILE… -d DIR`: a report of each file under its name, one after the other
-/// with its progress on stderr. Reports that are there are refused before anything is run, unless
-/// `force`. What is refused does not stop the others; the exit status is the first that is not 0.
+/// `sparkout --report KIND FILE… -d DIR`: writes a report for each file under its name, one after
+/// the other, with the progress on stderr. Existing reports are refused before anything is run,
+/// unless `force` is set. A refused file does not stop the others; the exit status is the first
+/// that is not 0.
 struct ManyReports {
     QStringList files;
     QString folder;

@@ -20,13 +20,13 @@ class SearchWatch {
 public:
     using Text = std::function<std::string(const SearchState&)>;
 
-    /// `text` says how far it is [in English].
+    /// `text` describes the progress [in English].
     explicit SearchWatch(std::optional<double> timeLimit_s, Text text = {});
     SearchWatch(const SearchWatch&) = delete;
     SearchWatch& operator=(const SearchWatch&) = delete;
 
     [[nodiscard]] std::stop_token token() const { return m_search.get_token(); }
-    /// By the search.
+    /// Called by the search.
     void note(SearchState state);
 
 private:
@@ -37,7 +37,7 @@ private:
     std::optional<double> m_timeLimit_s;
     Text m_text;
     std::stop_source m_search;
-    std::mutex m_mutex; ///< of the state
+    std::mutex m_mutex; ///< guards the state
     std::optional<SearchState> m_state;
     std::condition_variable_any m_wake;
     std::jthread m_thread; ///< the last member: it uses the others

@@ -53,7 +53,7 @@ int ranSweep(const Project& project, Study& study) {
     return study.sweep->ran() ? 0 : refuse(study.sweep->issues);
 }
 
-/// Of the file's set-up, whose wheel may wear.
+/// The wear of the wheel in the file's set-up, if it is given.
 std::optional<SurfaceWear> wearIn(const ExportRequest& request) {
     Document document;
     return openOrSay(document, request.file, request.surface)
@@ -61,7 +61,7 @@ std::optional<SurfaceWear> wearIn(const ExportRequest& request) {
                : std::nullopt;
 }
 
-/// A line a second; the search is stopped by Ctrl+C and SIGTERM.
+/// Runs a search with one line of progress per second; Ctrl+C and SIGTERM stop it.
 int ranSearch(const Project& project, const ExportRequest& request, Study& study) {
     if (!project.optimisation) {
         return refuseFor(QStringLiteral("the project has no search (/optimisation)"));

@@ -5,11 +5,11 @@
 
 namespace sparkout {
 
-/// Whether it asks for a batch, a sweep or a search.
+/// Whether the request is for a batch, a sweep or a search.
 [[nodiscard]] bool asksForStudy(const ExportRequest& request);
 
-/// Runs it as the project says and writes its tables; returns the exit status. A stop leaves no
-/// file.
+/// Runs the study of the project and writes its tables; returns the exit status. After a stop no
+/// file is written.
 [[nodiscard]] int writeStudy(const ExportRequest& request);
 
 } // namespace sparkout

@@ -24,7 +24,7 @@ namespace sparkout {
 
 namespace {
 
-QtMessageHandler printed = nullptr; ///< Qt's own
+QtMessageHandler printed = nullptr; ///< Qt's own message handler
 
 void printUnlessOfPlatform(QtMsgType type, const QMessageLogContext& context, const QString& text) {
     if (!text.contains(QLatin1StringView("propagateSizeHints"))

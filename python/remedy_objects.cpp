@@ -97,7 +97,7 @@ void bindRemedies(py::module_& module) {
     bindOutputs(conflict, remedyConflictOutputs(), [](const FoundConflict& self) {
         return RemedyConflictOf{self.project, self.conflict};
     });
-    py::class_<FoundRemedies> found(module, "Remedies", "What would help.");
+    py::class_<FoundRemedies> found(module, "Remedies", "Possible remedies.");
     bindOutputs(found, remedyResultOutputs(), &FoundRemedies::result);
     found
         .def_property_readonly("remedies", &listOf, "at most three, the one that costs least first")

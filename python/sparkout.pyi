@@ -224,7 +224,7 @@ class RemedyConflict:
         """stock per side for which the cycle fails with it; none unless the kind is stocks [mm]"""
 
 class Remedies:
-    """What would help."""
+    """Possible remedies."""
 
     @property
     def goal(self) -> str:

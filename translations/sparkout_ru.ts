@@ -2619,7 +2619,7 @@ axial feed, mm/min</source>
             <translation>Ход цикла</translation>
         </message>
         <message>
-            <source>What rests on estimates</source>
+            <source>Values based on estimates</source>
             <translation>Что опирается на оценки</translation>
         </message>
         <message>
@@ -4287,7 +4287,7 @@ With another name both versions stay as they are.</source>
             <translation>У изношенного круга</translation>
         </message>
         <message>
-            <source>What the drive keeps when the wheel gets smaller, in a batch, a sweep, a set-up and from dressing to dressing: the peripheral speed, or the revolutions, so that the speed falls with the diameter. The wheel speed is that of the wheel diameter as it is given.</source>
+            <source>The quantity that the drive keeps when the wheel gets smaller, in a batch, a sweep, a set-up and from dressing to dressing: the peripheral speed, or the revolutions, so that the speed falls with the diameter. The wheel speed is that of the wheel diameter as it is given.</source>
             <translation>Что сохраняет привод, когда круг становится меньше — в партии, при варьировании, в установе и от правки до правки: окружную скорость или частоту вращения, так что скорость падает вместе с диаметром. Скорость круга относится к заданному диаметру круга.</translation>
         </message>
         <message>
@@ -6383,15 +6383,15 @@ With another name both versions stay as they are.</source>
             <translation>Умножает податливость каждой зоны или сечения, по порядку, заданную или вычисленную; не при связанных сечениях.</translation>
         </message>
         <message>
-            <source>Minimum and maximum difference of each zone or section from the stock of the part, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
+            <source>Minimum and maximum difference of each zone or section from the stock of the part, in their order; they scatter independently and uniformly. Two equal values are a constant.</source>
             <translation>Наименьшее и наибольшее отличие припуска каждой зоны или сечения от припуска детали, по порядку; каждое рассеивается само по себе, равномерно. Два одинаковых числа — постоянная.</translation>
         </message>
         <message>
-            <source>Minimum and maximum difference of each zone or section from the initial runout of the part, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
+            <source>Minimum and maximum difference of each zone or section from the initial runout of the part, in their order; they scatter independently and uniformly. Two equal values are a constant.</source>
             <translation>Наименьшее и наибольшее отличие исходного биения каждой зоны или сечения от биения детали, по порядку; каждое рассеивается само по себе, равномерно. Два одинаковых числа — постоянная.</translation>
         </message>
         <message>
-            <source>Minimum and maximum factor on the compliance of each zone or section, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
+            <source>Minimum and maximum factor on the compliance of each zone or section, in their order; they scatter independently and uniformly. Two equal values are a constant.</source>
             <translation>Наименьший и наибольший множитель податливости каждой зоны или сечения, по порядку; каждый рассеивается сам по себе, равномерно. Два одинаковых числа — постоянная.</translation>
         </message>
         <message>
@@ -6491,7 +6491,7 @@ With another name both versions stay as they are.</source>
             <translation>Прочие исходные данные</translation>
         </message>
         <message>
-            <source>What a student may do with inputs that are not named.</source>
+            <source>The access of students to inputs that are not named.</source>
             <translation>Что студент может делать с данными, которые не названы.</translation>
         </message>
         <message>
@@ -6679,7 +6679,7 @@ With another name both versions stay as they are.</source>
             <translation>Наименьшая длина</translation>
         </message>
         <message>
-            <source>Letters that an answer is to have.</source>
+            <source>Least number of letters of an answer.</source>
             <translation>Сколько букв должно быть в ответе.</translation>
         </message>
         <message>
@@ -6823,7 +6823,7 @@ With another name both versions stay as they are.</source>
             <translation>Ответ</translation>
         </message>
         <message>
-            <source>What students often get wrong, and how to respond to it.</source>
+            <source>Frequent mistakes of students, and how to respond to them.</source>
             <translation>В чём студенты часто ошибаются и что на это сказать.</translation>
         </message>
         <message>
@@ -6951,7 +6951,7 @@ With another name both versions stay as they are.</source>
         <translation>Показатели</translation>
     </message>
     <message>
-        <source>What every variant has within bounds as given, so that the questions are true of it.</source>
+        <source>Results that lie within bounds for every variant as given, so that the questions apply to it.</source>
         <translation>Что у каждого варианта в исходном виде лежит в заданных границах, чтобы вопросы работы были для него верны.</translation>
     </message>
     <message>
@@ -7043,7 +7043,7 @@ With another name both versions stay as they are.</source>
             <translation>Форма от станка</translation>
         </message>
         <message>
-            <source>What centres, headstock and spindle print onto every part, by zone or section.</source>
+            <source>The form error that centres, headstock and spindle transfer to every part, by zone or section.</source>
             <translation>Что центры, передняя бабка и шпиндель передают каждой детали, по зонам или сечениям.</translation>
         </message>
         <message>
@@ -8056,11 +8056,11 @@ With another name both versions stay as they are.</source>
             <translation>Чаще всего мешают: %1.</translation>
         </message>
         <message>
-            <source>What has the minimum margin is not known: the search was stopped first.</source>
+            <source>The requirement with the minimum margin is not known: the search was stopped first.</source>
             <translation>У чего запас наименьший, неизвестно: поиск был остановлен раньше.</translation>
         </message>
         <message>
-            <source>What limits the time is not known: the search was stopped first.</source>
+            <source>The limit of the time is not known: the search was stopped first.</source>
             <translation>Что ограничивает время, неизвестно: поиск был остановлен раньше.</translation>
         </message>
         <message>
@@ -8405,7 +8405,7 @@ With another name both versions stay as they are.</source>
             <translation>Номинальная деталь в конце цикла</translation>
         </message>
         <message>
-            <source>What rests on estimates</source>
+            <source>Values based on estimates</source>
             <translation>Что опирается на оценки</translation>
         </message>
         <message>
@@ -8488,7 +8488,7 @@ With another name both versions stay as they are.</source>
             <translation>Силы вычислены для той фактической подачи, которую даёт упругий баланс, приведённый ниже.</translation>
         </message>
         <message>
-            <source>What limits the feed at this step</source>
+            <source>Limits of the feed at this step</source>
             <translation>Что ограничивает подачу на этом шаге</translation>
         </message>
         <message>
@@ -8830,7 +8830,7 @@ With another name both versions stay as they are.</source>
             <translation>Версия расчётного ядра</translation>
         </message>
         <message>
-            <source>What was run</source>
+            <source>Extent of the run</source>
             <translation>Что рассчитано</translation>
         </message>
         <message>
@@ -9654,10 +9654,6 @@ With another name both versions stay as they are.</source>
             <source>Results</source>
             <translation>Результаты</translation>
         </message>
-        <message>
-            <source>What differs</source>
-            <translation>Что различается</translation>
-        </message>
     </context>
     <context>
         <name>SaveDialog</name>
@@ -10278,7 +10274,7 @@ With another name both versions stay as they are.</source>
             <translation>Указания преподавателю</translation>
         </message>
         <message>
-            <source>What is hidden</source>
+            <source>Hidden parts</source>
             <translation>Что скрыто</translation>
         </message>
         <message>
@@ -10371,7 +10367,7 @@ With another name both versions stay as they are.</source>
             <translation>Номер выборки</translation>
         </message>
         <message>
-            <source>What was run</source>
+            <source>Extent of the run</source>
             <translation>Что рассчитано</translation>
         </message>
         <message>
@@ -10448,7 +10444,7 @@ With another name both versions stay as they are.</source>
             <translation>Худшая деталь</translation>
         </message>
         <message>
-            <source>What came out</source>
+            <source>Results</source>
             <translation>Что получилось</translation>
         </message>
         <message>
@@ -10520,7 +10516,7 @@ With another name both versions stay as they are.</source>
             <translation>Время по числу ступеней</translation>
         </message>
         <message>
-            <source>What binds</source>
+            <source>Binding requirements</source>
             <translation>Что ограничивает</translation>
         </message>
         <message>
@@ -11023,7 +11019,7 @@ With another name both versions stay as they are.</source>
             <translation>Ступени цикла</translation>
         </message>
         <message>
-            <source>What is fed and what is cut</source>
+            <source>Programmed feed and actual cut</source>
             <translation>Что подано и что снято</translation>
         </message>
         <message>
@@ -11927,7 +11923,7 @@ With another name both versions stay as they are.</source>
             <translation>Партию нельзя рассчитать:</translation>
         </message>
         <message>
-            <source>This batch takes a while: press “Run”. It can be stopped at any time and keeps what was done.</source>
+            <source>This batch takes a while: press “Run”. It can be stopped at any time and keeps the finished parts.</source>
             <translation>Эта партия считается дольше: нажмите «Рассчитать». Расчёт можно остановить в любой момент, сделанное сохранится.</translation>
         </message>
         <message>
@@ -11943,7 +11939,7 @@ With another name both versions stay as they are.</source>
             <translation>Состояние партии</translation>
         </message>
         <message>
-            <source>What was run</source>
+            <source>Extent of the run</source>
             <translation>Что рассчитано</translation>
         </message>
         <message>
@@ -12003,7 +11999,7 @@ With another name both versions stay as they are.</source>
             <translation>Показатель по вертикали</translation>
         </message>
         <message>
-            <source>What is shown of the batch</source>
+            <source>Displayed results of the batch</source>
             <translation>Что показано для партии</translation>
         </message>
         <message>
@@ -12211,7 +12207,7 @@ With another name both versions stay as they are.</source>
             <translation>Источники</translation>
         </message>
         <message>
-            <source>What it would change</source>
+            <source>Resulting changes</source>
             <translation>Что изменится</translation>
         </message>
         <message>
@@ -12369,7 +12365,7 @@ With another name both versions stay as they are.</source>
             <translation>Различающиеся исходные данные и результаты</translation>
         </message>
         <message>
-            <source>What to do</source>
+            <source>Next step</source>
             <translation>Что сделать</translation>
         </message>
         <message>
@@ -12523,7 +12519,7 @@ With another name both versions stay as they are.</source>
             <translation>Значения под указателем</translation>
         </message>
         <message>
-            <source>Where it yields most</source>
+            <source>Most compliant place</source>
             <translation>Где поддаётся сильнее всего</translation>
         </message>
         <message>
@@ -13897,7 +13893,7 @@ parts, ≤ %</source>
             <translation>&amp;Что печатается:</translation>
         </message>
         <message>
-            <source>What is printed</source>
+            <source>Contents of the handout</source>
             <translation>Что печатается</translation>
         </message>
         <message>
@@ -14679,7 +14675,7 @@ target, µm</source>
             <translation>Не понято как маркировка; записанная как 500×50×203 25А F60 L 6 V 35, она заполняет данные круга.</translation>
         </message>
         <message>
-            <source>What the marking means</source>
+            <source>Meaning of the marking</source>
             <translation>Что значит маркировка</translation>
         </message>
         <message>
@@ -14852,7 +14848,7 @@ target, µm</source>
     <context>
         <name>sparkout::OfferHelper</name>
         <message>
-            <source>What a batch is for</source>
+            <source>Purpose of a batch</source>
             <translation>Для чего партия</translation>
         </message>
         <message>
@@ -14868,7 +14864,7 @@ target, µm</source>
             <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг текущих значений</translation>
         </message>
         <message>
-            <source>What a search is for</source>
+            <source>Purpose of a search</source>
             <translation>Для чего нужен поиск</translation>
         </message>
         <message>
@@ -14963,7 +14959,7 @@ target, µm</source>
             <translation>Условные обозначения поиска</translation>
         </message>
         <message>
-            <source>What the search found</source>
+            <source>Result of the search</source>
             <translation>Что нашёл поиск</translation>
         </message>
         <message>
@@ -14991,7 +14987,7 @@ target, µm</source>
             <translation>Время по числу ступеней</translation>
         </message>
         <message>
-            <source>What is shown of the search</source>
+            <source>Displayed results of the search</source>
             <translation>Что показать из поиска</translation>
         </message>
         <message>
@@ -15218,7 +15214,7 @@ target, µm</source>
             <translation>К концу цикла</translation>
         </message>
         <message>
-            <source>What one step of the playback is</source>
+            <source>Step of the playback</source>
             <translation>Что считается шагом показа</translation>
         </message>
         <message>
@@ -15503,7 +15499,7 @@ target, µm</source>
             <translation>В масштабе</translation>
         </message>
         <message>
-            <source>What is shown</source>
+            <source>Displayed content</source>
             <translation>Что показано</translation>
         </message>
         <message>
@@ -16159,7 +16155,7 @@ target, µm</source>
             <translation>Показатели шлифования по ступеням</translation>
         </message>
         <message>
-            <source>What lies outside the usual</source>
+            <source>Values outside the usual range</source>
             <translation>Что выходит за обычное</translation>
         </message>
     </context>
@@ -16233,7 +16229,7 @@ target, µm</source>
             <translation>ГОСТ 25346: 30h6 заполняет диаметр и отклонения; h6 оставляет диаметр</translation>
         </message>
         <message>
-            <source>What the tolerance class means</source>
+            <source>Meaning of the tolerance class</source>
             <translation>Что значит поле допуска</translation>
         </message>
         <message>
@@ -16775,7 +16771,7 @@ target, µm</source>
             <translation>Размер от припуска</translation>
         </message>
         <message>
-            <source>What is shown</source>
+            <source>Displayed content</source>
             <translation>Что показано</translation>
         </message>
         <message>
@@ -16815,7 +16811,7 @@ target, µm</source>
             <translation>Варьирование нельзя рассчитать:</translation>
         </message>
         <message>
-            <source>This sweep takes a while: press “Run”. It can be stopped at any time and keeps what was done.</source>
+            <source>This sweep takes a while: press “Run”. It can be stopped at any time and keeps the finished points.</source>
             <translation>Это варьирование займёт время: нажмите «Рассчитать». Его можно остановить в любой момент, сделанное сохраняется.</translation>
         </message>
         <message>
@@ -16839,7 +16835,7 @@ target, µm</source>
             <translation>Состояние варьирования</translation>
         </message>
         <message>
-            <source>What was run</source>
+            <source>Extent of the run</source>
             <translation>Что рассчитано</translation>
         </message>
         <message>
@@ -16960,7 +16956,7 @@ target, µm</source>
     <context>
         <name>VerdictTable</name>
         <message>
-            <source>What the drawing, the process or the machine asks of the cycle</source>
+            <source>Requirement of the drawing, the process or the machine on the cycle</source>
             <translation>То, чего от цикла требуют чертёж, процесс или станок</translation>
         </message>
         <message>
@@ -17242,7 +17238,7 @@ target, µm</source>
             <translation>С каждым изменением цикл годен для проверенных припусков в пределах половины подачи на шаг от заданного; при управлении по положению это проверено выборкой, а не решено.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit for the stated stock, but with a stock of {stock} mm the cycle does not end by itself.</source>
+            <source>Among the values tried, no single setting gives a sufficient margin: with {change}, nothing is close to its limit for the stated stock, but with a stock of {stock} mm the cycle does not end by itself.</source>
             <translation>Среди проверенных значений ни одна настройка не даёт запаса: при «{change}» для заданного припуска ничто не близко к пределу, но при припуске {stock} мм цикл сам не завершается.</translation>
         </message>
         <message>
@@ -17250,7 +17246,7 @@ target, µm</source>
             <translation>Среди проверенных значений не помогает ни одна настройка: при «{change}» для заданного припуска всё выполнено, но при припуске {stock} мм цикл сам не завершается.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit for the stated stock, but with a stock of {stock} mm “{second}” is not met.</source>
+            <source>Among the values tried, no single setting gives a sufficient margin: with {change}, nothing is close to its limit for the stated stock, but with a stock of {stock} mm “{second}” is not met.</source>
             <translation>Среди проверенных значений ни одна настройка не даёт запаса: при «{change}» для заданного припуска ничто не близко к пределу, но при припуске {stock} мм нарушено «{second}».</translation>
         </message>
         <message>
@@ -17262,7 +17258,7 @@ target, µm</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не даёт циклу завершиться.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives “{first}” more room.</source>
+            <source>Among the values tried, no single setting gives “{first}” a larger margin.</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не прибавит запаса требованию «{first}».</translation>
         </message>
         <message>
@@ -17270,7 +17266,7 @@ target, µm</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не устраняет и не уменьшает нарушение требования «{first}».</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives “{first}” enough room: it has most with {change}.</source>
+            <source>Among the values tried, no single setting gives “{first}” a sufficient margin: it is largest with {change}.</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не даёт требованию «{first}» достаточного запаса. {change} — запас наибольший.</translation>
         </message>
         <message>
@@ -17278,7 +17274,7 @@ target, µm</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не устраняет нарушение требования «{first}». {change} — нарушение наименьшее.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives “{first}” enough room: it has most with {change}, where “{second}” has too little.</source>
+            <source>Among the values tried, no single setting gives “{first}” a sufficient margin: it is largest with {change}, where that of “{second}” is too small.</source>
             <translation>При проверенных значениях ни одна настройка в отдельности не даёт требованию «{first}» достаточного запаса. {change} — запас наибольший, но мал запас требования «{second}».</translation>
         </message>
         <message>
@@ -17290,7 +17286,7 @@ target, µm</source>
             <translation>При проверенных значениях изменение одной настройки не помогает: {change} — цикл завершается, но нарушено требование «{second}».</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives room: with {change}, “{first}” has enough, but “{second}” has not.</source>
+            <source>Among the values tried, no single setting gives a sufficient margin: with {change}, that of “{first}” is sufficient, but that of “{second}” is not.</source>
             <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — у требования «{first}» запас есть, у требования «{second}» нет.</translation>
         </message>
         <message>
@@ -17306,7 +17302,7 @@ target, µm</source>
             <translation>С текущей подачей дополнительная ступень не помогает.</translation>
         </message>
         <message>
-            <source>Without this stage there is too little room.</source>
+            <source>Without this stage the margin is too small.</source>
             <translation>Без этой ступени запас слишком мал.</translation>
         </message>
         <message>
@@ -17314,7 +17310,7 @@ target, µm</source>
             <translation>Без этой ступени цикл не годен.</translation>
         </message>
         <message>
-            <source>The current value leaves too little room.</source>
+            <source>With the current value the margin is too small.</source>
             <translation>При текущем значении запас слишком мал.</translation>
         </message>
         <message>
@@ -17322,7 +17318,7 @@ target, µm</source>
             <translation>Текущего значения недостаточно.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit, but the change brings a warning.</source>
+            <source>Among the values tried, no single setting gives a sufficient margin: with {change}, nothing is close to its limit, but the change brings a warning.</source>
             <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — все требования выполнены с запасом, но появляется предупреждение.</translation>
         </message>
         <message>
@@ -17330,7 +17326,7 @@ target, µm</source>
             <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены, но появляется предупреждение.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit, but one more stage ends without a step.</source>
+            <source>Among the values tried, no single setting gives a sufficient margin: with {change}, nothing is close to its limit, but one more stage ends without a step.</source>
             <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — все требования выполнены с запасом, но ещё одна ступень остаётся без хода.</translation>
         </message>
         <message>
@@ -17398,7 +17394,7 @@ target, µm</source>
             <translation>Из {parts} случайных деталей партии не годны {bad}: с вероятностью 95 % — не более {share} % всех.</translation>
         </message>
         <message>
-            <source>Among the values tried, no single setting gives room: with {change} there is room, but not with the values next to it.</source>
+            <source>Among the values tried, no single setting gives a sufficient margin: with {change} the margin is sufficient, but not with the values next to it.</source>
             <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — запас есть, но при соседних значениях его нет.</translation>
         </message>
         <message>
@@ -17425,11 +17421,11 @@ target, µm</source>
             <translation>Изменение, которое поможет</translation>
         </message>
         <message>
-            <source>What would give more room</source>
+            <source>Ways to a larger margin</source>
             <translation>Что добавит запаса</translation>
         </message>
         <message>
-            <source>What would help</source>
+            <source>Possible remedies</source>
             <translation>Что поможет</translation>
         </message>
         <message>
@@ -20206,7 +20202,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Измеренные детали рядом с прогнозом</translation>
         </message>
         <message>
-            <source>What was compared</source>
+            <source>Extent of the comparison</source>
             <translation>Что сравнивалось</translation>
         </message>
         <message>
@@ -20238,7 +20234,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Записи</translation>
         </message>
         <message>
-            <source>What is shown of the measurements</source>
+            <source>Displayed results of the measurements</source>
             <translation>Что показано из измерений</translation>
         </message>
         <message>
@@ -20555,7 +20551,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>&amp;Остановить</translation>
         </message>
         <message>
-            <source>What the trial is for</source>
+            <source>Purpose of the trial</source>
             <translation>Что узнать в опыте</translation>
         </message>
         <message>
@@ -21307,7 +21303,7 @@ s</source>
     <context>
         <name>sparkout::PackImportDialog</name>
         <message>
-            <source>What is in the pack</source>
+            <source>Contents of the pack</source>
             <translation>Что есть в наборе</translation>
         </message>
         <message>
@@ -21458,7 +21454,7 @@ s</source>
             <translation>Отмена</translation>
         </message>
         <message>
-            <source>What goes into the pack</source>
+            <source>Contents of the pack</source>
             <translation>Что войдёт в набор</translation>
         </message>
         <message>
@@ -22109,7 +22105,7 @@ s</source>
             <translation>Теория</translation>
         </message>
         <message>
-            <source>What is needed</source>
+            <source>Equipment</source>
             <translation>Оснащение</translation>
         </message>
         <message>
@@ -22161,7 +22157,7 @@ s</source>
             <translation>Шаг</translation>
         </message>
         <message>
-            <source>What is asked</source>
+            <source>Task</source>
             <translation>Что требуется</translation>
         </message>
         <message>
@@ -23480,7 +23476,7 @@ s</source>
             <translation>12P9 × 45 даёт паз поверхности; 12P9 × 45, 90° задаёт и угол его первой кромки</translation>
         </message>
         <message>
-            <source>What the keyway is to the model</source>
+            <source>Keyway in the model</source>
             <translation>Чем паз является в модели</translation>
         </message>
     </context>

@@ -21,10 +21,10 @@ using StocksDecision = std::optional<JudgedStocks>;
 /// The object of `simulate --json`: that of resultJson() and, under "judged", the judgement of the
 /// cycle for every stock within one infeed and, if it was run, for the batch:
 ///
-/// { "state", "headline", "nominal",
-/// "stocks": { "decided", "holds", "stock_mm", "failing_share", "worst" },
-/// "batch": null or { "parts", "seed", "bad", "interval_95" },
-/// "not_decided": [ { "name", "why", "input" }, … ] }
+///     { "state", "headline", "nominal",
+///       "stocks": { "decided", "holds", "stock_mm", "failing_share", "worst" },
+///       "batch": null or { "parts", "seed", "bad", "interval_95" },
+///       "not_decided": [ { "name", "why", "input" }, … ] }
 ///
 /// "worst" is an element of "constraints".
 [[nodiscard]] std::string judgedResultJson(const SimulationResult& result,

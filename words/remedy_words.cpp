@@ -32,14 +32,16 @@ double rounded(double value, int digits) {
 const char* notOffered(bool room, RemedyConflict::Kind kind) {
     if (kind == RemedyConflict::Kind::warned) {
         return room ? SPARKOUT_NOOP(
-                   "Remedy", "Among the values tried, no single setting gives room: with {change}, "
+                   "Remedy", "Among the values tried, no single setting gives a sufficient margin: "
+                             "with {change}, "
                              "nothing is close to its limit, but the change brings a warning.")
                     : SPARKOUT_NOOP(
                         "Remedy", "Among the values tried, no single setting helps: with {change}, "
                                   "all requirements are met, but the change brings a warning.");
     }
     return room ? SPARKOUT_NOOP(
-               "Remedy", "Among the values tried, no single setting gives room: with {change}, "
+               "Remedy", "Among the values tried, no single setting gives a sufficient margin: "
+                         "with {change}, "
                          "nothing is close to its limit, but one more stage ends without a step.")
                 : SPARKOUT_NOOP(
                     "Remedy", "Among the values tried, no single setting helps: with {change}, all "
@@ -61,18 +63,19 @@ const char* nearerValue(bool room, const Remedy& remedy) {
         return SPARKOUT_NOOP("Remedy", "With the current feed the added stage does not help.");
     }
     if (setting.kind == RemedyKind::addSparkOut) {
-        return room ? SPARKOUT_NOOP("Remedy", "Without this stage there is too little room.")
+        return room ? SPARKOUT_NOOP("Remedy", "Without this stage the margin is too small.")
                     : SPARKOUT_NOOP("Remedy", "Without this stage the cycle is unfit.");
     }
-    return room ? SPARKOUT_NOOP("Remedy", "The current value leaves too little room.")
+    return room ? SPARKOUT_NOOP("Remedy", "With the current value the margin is too small.")
                 : SPARKOUT_NOOP("Remedy", "The current value is not enough.");
 }
 
 /// The text for a good value with too few good neighbours.
 const char* tooFewValues(bool room) {
-    return room ? SPARKOUT_NOOP("Remedy",
-                                "Among the values tried, no single setting gives room: with "
-                                "{change} there is room, but not with the values next to it.")
+    return room ? SPARKOUT_NOOP(
+               "Remedy",
+               "Among the values tried, no single setting gives a sufficient margin: with {change} "
+               "the margin is sufficient, but not with the values next to it.")
                 : SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting helps: with "
                                           "{change} all requirements are met, but not with the "
                                           "values next to it.");
@@ -108,20 +111,22 @@ const char* asksFor(const RemedyConflict& conflict) {
 /// The text for a setting that helps for the stated stock alone.
 const char* whereAnotherStockFails(bool room, const RemedyConflict& conflict) {
     if (!conflict.second) {
-        return room ? SPARKOUT_NOOP("Remedy",
-                                    "Among the values tried, no single setting gives room: with "
-                                    "{change}, nothing is close to its limit for the stated stock, "
-                                    "but with a stock of {stock} mm the cycle does not end by "
-                                    "itself.")
+        return room ? SPARKOUT_NOOP(
+                   "Remedy",
+                   "Among the values tried, no single setting gives a sufficient margin: with "
+                   "{change}, nothing is close to its limit for the stated stock, "
+                   "but with a stock of {stock} mm the cycle does not end by "
+                   "itself.")
                     : SPARKOUT_NOOP("Remedy",
                                     "Among the values tried, no single setting helps: with "
                                     "{change}, the cycle is fit for the stated stock, but with a "
                                     "stock of {stock} mm the cycle does not end by itself.");
     }
-    return room ? SPARKOUT_NOOP("Remedy",
-                                "Among the values tried, no single setting gives room: with "
-                                "{change}, nothing is close to its limit for the stated stock, but "
-                                "with a stock of {stock} mm “{second}” is not met.")
+    return room ? SPARKOUT_NOOP(
+               "Remedy",
+               "Among the values tried, no single setting gives a sufficient margin: with "
+               "{change}, nothing is close to its limit for the stated stock, but "
+               "with a stock of {stock} mm “{second}” is not met.")
                 : SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting helps: with "
                                           "{change}, the cycle is fit for the stated stock, but "
                                           "with a stock of {stock} mm “{second}” is not met.");
@@ -135,20 +140,23 @@ const char* whereNothingMends(bool room, const RemedyConflict& conflict) {
     }
     if (!conflict.setting) {
         return room ? SPARKOUT_NOOP(
-                   "Remedy", "Among the values tried, no single setting gives “{first}” more room.")
+                   "Remedy",
+                   "Among the values tried, no single setting gives “{first}” a larger margin.")
                     : SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting meets "
                                               "“{first}” or brings it closer to its limit.");
     }
     if (!conflict.second) {
-        return room ? SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting gives "
-                                              "“{first}” enough room: it has most with {change}.")
+        return room ? SPARKOUT_NOOP("Remedy",
+                                    "Among the values tried, no single setting gives “{first}” a "
+                                    "sufficient margin: it is largest with {change}.")
                     : SPARKOUT_NOOP("Remedy",
                                     "Among the values tried, no single setting meets “{first}”: it "
                                     "comes closest to its limit with {change}.");
     }
-    return room ? SPARKOUT_NOOP("Remedy",
-                                "Among the values tried, no single setting gives “{first}” enough "
-                                "room: it has most with {change}, where “{second}” has too little.")
+    return room ? SPARKOUT_NOOP(
+               "Remedy",
+               "Among the values tried, no single setting gives “{first}” a sufficient margin: it "
+               "is largest with {change}, where that of “{second}” is too small.")
                 : SPARKOUT_NOOP(
                     "Remedy", "Among the values tried, no single setting meets “{first}”: it comes "
                               "closest to its limit with {change}, where “{second}” is not met.");
@@ -159,9 +167,10 @@ const char* whereTheFirstIsMended(bool room, const RemedyConflict& conflict) {
     return !conflict.first ? SPARKOUT_NOOP(
                "Remedy", "Among the values tried, no single setting helps: with {change}, the "
                          "cycle ends by itself, but “{second}” is not met.")
-           : room ? SPARKOUT_NOOP("Remedy",
-                                  "Among the values tried, no single setting gives room: with "
-                                  "{change}, “{first}” has enough, but “{second}” has not.")
+           : room ? SPARKOUT_NOOP(
+                 "Remedy",
+                 "Among the values tried, no single setting gives a sufficient margin: with "
+                 "{change}, that of “{first}” is sufficient, but that of “{second}” is not.")
            : conflict.kind == RemedyConflict::Kind::opposed
                ? asksFor(conflict)
                : SPARKOUT_NOOP("Remedy",

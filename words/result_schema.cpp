@@ -177,7 +177,7 @@ std::string descriptionOf(const OutputRow& row) {
 std::string resultSchema() {
     return printJson({{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                       {"title", "Results of Sparkout"},
-                      {"description", "What the command line states with --json, table by table. "
+                      {"description", "The output of the command line with --json, table by table. "
                                       "Objects may have more keys than these."},
                       {"$defs", tableSchemas()}});
 }

@@ -492,10 +492,11 @@ void SearchWording::addBinding(const SearchOutcome& outcome,
     if (!outcome.binding) {
         lines.push_back(translated(
             outcome.marginWithin_us
-                ? SPARKOUT_NOOP("Search", "What has the minimum margin is not known: the search "
-                                          "was stopped first.")
-                : SPARKOUT_NOOP("Search", "What limits the time is not known: the search was "
-                                          "stopped first.")));
+                ? SPARKOUT_NOOP("Search", "The requirement with the minimum margin is not known: "
+                                          "the search was stopped first.")
+                : SPARKOUT_NOOP(
+                    "Search",
+                    "The limit of the time is not known: the search was stopped first.")));
     } else if (outcome.marginWithin_us) {
         lines.push_back(filled(SPARKOUT_NOOP("Search", "The minimum margin is that of: %1."),
                                {names(*outcome.binding)}));

@@ -45,7 +45,7 @@ int checkLessonFile(const std::string& file, const std::string& content, bool js
     return done;
 }
 
-/// A work by itself: its seals, and its answers by the engine.
+/// Checks a single work: its seals, and its answers by the engine.
 int checkWorkFile(const std::string& file, const std::string& content, bool json) {
     const ReadWork read = readWork(content);
     printIssues(file, read.issues);

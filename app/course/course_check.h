@@ -5,7 +5,7 @@
 
 namespace sparkout::cli {
 
-/// `course check`: a lesson, a work, or the kept runs of a project, held against the engine.
+/// `course check`: checks a lesson, a work, or the kept runs of a project with the engine.
 int runCourseCheck(const manual::Given& given);
 
 } // namespace sparkout::cli

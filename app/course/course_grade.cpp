@@ -32,7 +32,8 @@ using nlohmann::ordered_json;
 constexpr std::size_t mostWorks = 5000;
 constexpr std::size_t mostTableBytes = 8u << 20;
 
-/// The works of a folder by their names; nothing where it cannot be read, which is said.
+/// The works of a folder, sorted by name; if it cannot be read, reports it and returns an empty
+/// value.
 std::optional<std::vector<std::string>> worksIn(const std::string& folder) {
     std::error_code error;
     std::vector<std::string> files;
@@ -55,7 +56,8 @@ std::optional<std::vector<std::string>> worksIn(const std::string& folder) {
     return files;
 }
 
-/// Each read when it is marked; one that cannot be read is said, and marked as unreadable.
+/// Each work is read when it is marked; one that cannot be read is reported and marked as
+/// unreadable.
 ClassWorks worksOf(const std::vector<std::string>& files) {
     return {files.size(), [&files](std::size_t i) {
                 return HandedIn{utf8(pathFromUtf8(files[i]).filename()),
@@ -63,7 +65,7 @@ ClassWorks worksOf(const std::vector<std::string>& files) {
             }};
 }
 
-/// The list of students and the teacher's table, where they are given; false: one has faults.
+/// Reads the list of students and the teacher's table, if given; false if one has faults.
 bool readWish(const manual::Given& given, GradeWish& wish) {
     if (given.has("--group")) {
         auto group = loadGroup(given.text("--group"));
@@ -143,7 +145,7 @@ std::string gradesJson(const std::vector<GradedWork>& works) {
     }
     return ordered_json{{"works", std::move(list)}}.dump(
                2, ' ', false,
-               ordered_json::error_handler_t::replace) // a name of a file is any bytes
+               ordered_json::error_handler_t::replace) // a file name may contain any bytes
            + '\n';
 }
 
@@ -184,7 +186,7 @@ int sayThere(const std::string& file) {
     return refused;
 }
 
-/// Marks that were worked on by hand may stand there: they are not written over by a slip.
+/// Does not overwrite a file by accident, since it may contain marks edited by hand.
 int saveBook(const xlsx::Book& book, const manual::Given& given) {
     const std::string bytes = xlsx::bytesOf(book);
     if (bytes.empty()) {
@@ -211,7 +213,7 @@ int runCourseGrade(const manual::Given& given) {
     if (given.has("--xlsx") && pathFromUtf8(given.text("-o")).extension() != ".xlsx") {
         return usageError("-o needs a name that ends with .xlsx: " + given.text("-o"));
     }
-    std::error_code ignored; // what cannot be asked is reported by the writer
+    std::error_code ignored; // a failure is reported by the writer
     if (given.has("--xlsx") && !given.has("--force")
         && std::filesystem::exists(pathFromUtf8(given.text("-o")), ignored)) {
         return sayThere(given.text("-o")); // before the time that marking takes

@@ -23,7 +23,7 @@ namespace {
 constexpr const char* assignmentsName = "assignments.csv";
 constexpr const char* bestName = "teacher-best-answers.csv";
 
-/// Which condition refused how many of the tries.
+/// Prints how many of the tries each condition refused.
 void printRefused(const std::string& file, const MadeVariants& made, std::size_t wanted) {
     print(stderr, printable(file) + ": only " + std::to_string(made.variants.size()) + " of "
                       + std::to_string(wanted) + " variants were found in "
@@ -58,7 +58,7 @@ std::vector<OutputFile> outputs(const Lesson& lesson, const MadeVariants& made,
     return files;
 }
 
-/// Works that were handed in may stand there: none is written over by a slip.
+/// Does not overwrite files by accident, since they may be works that were handed in.
 int writeAll(const std::vector<OutputFile>& files, const manual::Given& given) {
     std::error_code error; // a folder that cannot be made is reported by the first file
     std::filesystem::create_directory(pathFromUtf8(given.text("-d")), error);

@@ -14,9 +14,9 @@ namespace sparkout::cli {
 
 namespace {
 
-constexpr int mostDecimals = 3; ///< of points
+constexpr int mostDecimals = 3; ///< greatest number of decimals of points
 
-/// The decimals that the numbers of a column have.
+/// The number of decimals in a column.
 int digitsOf(const GradeTable& table, std::size_t column) {
     constexpr double tolerance = 1e-6;
     int decimals = 0;
@@ -62,7 +62,7 @@ xlsx::Sheet sheetOf(GradeTable given, const char* name) {
     return sheet;
 }
 
-/// What was found in each step, as it is printed.
+/// The results of each step, as they are printed.
 GradeTable stepTable(const Lesson& lesson, const std::vector<GradedWork>& works) {
     constexpr int points = GradeColumn::asGiven;
     GradeTable table{{{"file", "file"},

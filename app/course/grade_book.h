@@ -8,7 +8,8 @@
 
 namespace sparkout::cli {
 
-/// The marks of a class as a workbook: a sheet with a row a work, and one with a row a step.
+/// The marks of a class as a workbook: a sheet with a row for each work, and one with a row for
+/// each step.
 [[nodiscard]] xlsx::Book gradeBook(const Lesson& lesson, const std::vector<GradedWork>& works);
 
 } // namespace sparkout::cli

@@ -10,10 +10,10 @@
 
 namespace sparkout::cli {
 
-/// Reads and checks a lesson; prints every fault, one a line.
+/// Reads and checks a lesson; prints each fault on a line.
 [[nodiscard]] std::optional<Lesson> loadLesson(const std::string& file);
 
-/// Reads a list of students; prints every fault, one a line.
+/// Reads a list of students; prints each fault on a line.
 [[nodiscard]] std::optional<std::vector<Student>> loadGroup(const std::string& file);
 
 } // namespace sparkout::cli

@@ -31,7 +31,7 @@ BatchWatch::~BatchWatch() {
 
 void BatchWatch::watch(const std::stop_token& over) {
     constexpr auto look = std::chrono::milliseconds(20);
-    constexpr int looksPerLine = 25; // twice a second
+    constexpr int looksPerLine = 25; // the progress is checked twice a second
     std::mutex mutex;
     std::condition_variable_any wake;
     std::unique_lock lock(mutex);

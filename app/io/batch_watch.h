@@ -9,13 +9,13 @@
 
 namespace sparkout::cli {
 
-/// Looks after long work from a thread of its own: tells its progress on stderr and makes a stop
-/// request of Ctrl+C or SIGTERM. A second Ctrl+C ends the program at once.
+/// Watches long work from its own thread: prints its progress to stderr and turns Ctrl+C or SIGTERM
+/// into a stop request. A second Ctrl+C ends the program at once.
 class BatchWatch {
 public:
-    static constexpr std::int64_t uncounted = 0; ///< parts, of work that is only to be stopped
-    /// `parts` is what `done` will count up to; `tells`: also when stderr is no terminal; `what`
-    /// they are called.
+    static constexpr std::int64_t uncounted = 0; ///< number of parts for work without progress
+    /// `parts` is the final value of `done`; `tells`: prints even if stderr is not a terminal;
+    /// `what` names the parts.
     BatchWatch(std::int64_t parts, bool tells, const char* what = "parts");
     ~BatchWatch();
     BatchWatch(const BatchWatch&) = delete;

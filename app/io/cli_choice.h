@@ -10,7 +10,7 @@
 
 namespace sparkout::cli {
 
-/// What an option names by its key in the file; nothing where it is not given.
+/// The choice that an option names by its key in files; empty if it is not given.
 template <class E>
 std::optional<E> choiceOf(const manual::Given& given, std::string_view option) {
     const auto choices = choicesOf<E>();

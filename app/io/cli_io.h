@@ -15,7 +15,7 @@ namespace sparkout::cli {
 
 void print(std::FILE* stream, const std::string& text);
 
-/// As long as it lives, what is printed to the standard output is kept instead.
+/// During its lifetime, output to the standard output is captured.
 class CapturedOutput {
 public:
     CapturedOutput();
@@ -30,24 +30,24 @@ private:
     std::string m_text;
 };
 
-/// Whether everything printed so far has reached the standard output; says so if not.
+/// Whether everything printed so far has reached the standard output; reports a failure.
 [[nodiscard]] bool outputTaken();
 
-/// Says what is wrong with the command line; returns its exit status.
+/// Reports a fault of the command line; returns its exit status.
 int usageError(const std::string& message);
 
-/// "FILE: what went wrong", a line.
+/// One line: "FILE: what went wrong".
 [[nodiscard]] std::string describe(const FileError& error);
 
 void printIssues(const std::string& file, const Issues& issues);
 
-/// The faults of a table, each by its line and column.
+/// Prints the faults of a table, each with its line and column.
 void printFaults(const std::string& file, const CellFaults& faults);
 
-/// The bytes of a file; nothing when it cannot be read, which is said.
+/// The bytes of a file; if it cannot be read, reports it and returns an empty value.
 [[nodiscard]] std::optional<std::string> readOrSay(const std::string& file, std::size_t most);
 
-/// Reads and checks a set-up, of one surface or several; prints every fault, one a line.
+/// Reads and checks a set-up of one surface or several; prints each fault on a line.
 [[nodiscard]] std::optional<Setup> loadSetup(const std::string& file);
 
 /// Writes a file; returns the exit status.
@@ -55,7 +55,7 @@ void printFaults(const std::string& file, const CellFaults& faults);
 
 [[nodiscard]] bool isSameFile(const std::string& a, const std::string& b);
 
-/// Whether writing to the file would lose a project, by a slip on the command line.
+/// Whether writing to the file would overwrite a project by accident.
 [[nodiscard]] bool replacesProject(const std::string& file, const std::string& project);
 
 } // namespace sparkout::cli

@@ -8,8 +8,8 @@
 
 namespace sparkout::cli {
 
-/// Names the kept runs of a project whose numbers are not the engine's, on stderr, one a line;
-/// returns their names.
+/// Prints the kept runs of a project whose results differ from the engine's to stderr, one on a
+/// line; returns their names.
 std::vector<std::string> printUntrueRuns(const std::string& file, const Project& project);
 
 } // namespace sparkout::cli

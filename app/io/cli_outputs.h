@@ -8,10 +8,10 @@
 
 namespace sparkout::cli {
 
-/// "Stepless limit, min        1.552" in the unit that people read; "-" where there is none.
+/// "Stepless limit, min        1.552" in the unit of displayed texts; "-" without a value.
 [[nodiscard]] std::string outputLine(const OutputRow& row, const OutputValue& value);
 
-/// A line for each output that people read; what is sparse only where there is one.
+/// A line for each displayed output; sparse outputs only if they have a value.
 template <class Owner>
 [[nodiscard]] std::string outputLines(std::span<const Output<Owner>> rows, const Owner& owner) {
     std::string text;

@@ -138,7 +138,7 @@ std::string issueLine(const std::string& file, const Issue& issue) {
         line += "warning: ";
     }
     line += issueSentence(issue);
-    return printable(line); // one line a fault, whatever a key or a file name may hold
+    return printable(line); // one line for each fault, whatever a key or a file name contains
 }
 
 std::string fitForStocks(bool isFit, const std::string& stocks) {

@@ -12,10 +12,10 @@
 
 namespace sparkout::cli {
 
-/// One line a fault: "FILE: /path: sentence".
+/// One line for each fault: "FILE: /path: sentence".
 [[nodiscard]] std::string issueLine(const std::string& file, const Issue& issue);
 
-/// A result for people, with how the cycle stands in words; judgedResultJson() is the same for
+/// A result as text, with its judgement in words; judgedResultJson() is its counterpart for
 /// programs.
 [[nodiscard]] std::string resultText(const SimulationResult& result,
                                      const std::vector<ConstraintResult>& constraints,
@@ -24,13 +24,13 @@ namespace sparkout::cli {
 /// "fit for every stock of 0.1480…0.1520 mm", "unfit for stocks of 0.1500…0.1510 mm".
 [[nodiscard]] std::string fitForStocks(bool isFit, const std::string& stocks);
 
-/// The times of the part after the cycles of its surfaces, and whether all of these are fit.
+/// The times of the part after those of its surfaces, and whether all surfaces are fit.
 [[nodiscard]] std::string setupText(const Setup& setup, const SetupRun& run);
 
-/// Why a run that is not completed ended, with the size reached.
+/// The reason why a run is not completed, with the size reached.
 [[nodiscard]] std::string statusSentence(const SimulationResult& result);
 
-/// The CSV of `simulate --trace`: a row a visit.
+/// The CSV of `simulate --trace`: a row for each visit.
 [[nodiscard]] std::string traceCsv(const SimulationResult& result, const Trajectory& trajectory);
 
 } // namespace sparkout::cli

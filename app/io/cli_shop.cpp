@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t labelWidth = 26, cellWidth = 12;
 
-/// Four significant digits, never an exponent.
+/// Formats four significant digits without an exponent.
 std::string significant(double value) {
     return fixed(value, decimalsOf(value, 4));
 }
@@ -31,13 +31,13 @@ std::string label(const std::string& text) {
     return text + std::string(size < labelWidth ? labelWidth - size : 1, ' ');
 }
 
-/// Right-aligned.
+/// Right-aligns a text.
 std::string cell(const std::string& text) {
     const std::size_t size = codePoints(text);
     return std::string(size < cellWidth ? cellWidth - size : 1, ' ') + text;
 }
 
-/// "-" where there is none.
+/// "-" without a value.
 std::string valueText(const OutputValue& value) {
     if (const auto* whole = std::get_if<std::int64_t>(&value)) {
         return std::to_string(*whole);
@@ -46,7 +46,7 @@ std::string valueText(const OutputValue& value) {
     return number ? significant(*number) : "-";
 }
 
-/// The value behind a mark when it lies outside its band.
+/// A value with a mark if it lies outside its band.
 std::string marked(BandSide band, const std::string& value) {
     const char* const mark = band == BandSide::below ? "(<)" : band == BandSide::above ? "(>)" : "";
     return mark + value;

@@ -7,8 +7,8 @@
 
 namespace sparkout::cli {
 
-/// The shop's numbers for people: a row a quantity, a column a stage and one for the cycle.
-/// `revolutions`: they are counted, not double strokes.
+/// The shop's figures as text: a row for each quantity, a column for each stage and one for the
+/// cycle. `revolutions`: revolutions are counted, not double strokes.
 [[nodiscard]] std::string shopText(const ShopNumbers& shop, bool revolutions);
 
 } // namespace sparkout::cli

@@ -33,7 +33,7 @@ Surfaces::Surfaces(const manual::Given& given) : m_given(given), m_file(given.op
     }
     std::string names;
     for (std::size_t i = 0; i < m_setup.surfaces.size(); ++i) {
-        constexpr std::size_t most = 40; // letters of a name, of whatever length it is
+        constexpr std::size_t most = 40; // greatest number of letters shown of a name
         const std::string name = m_setup.surfaces[i].name.substr(0, most);
         names += (i > 0 ? ", " : "") + std::to_string(i + 1) + (name.empty() ? "" : " " + name);
     }

@@ -12,30 +12,31 @@
 
 namespace sparkout::cli {
 
-/// What a command is to take of a file: `--surface NAME|N|all`.
+/// The surfaces of a file that a command applies to: `--surface NAME|N|all`.
 class Surfaces {
 public:
-    /// Reads the file; what is wrong with it, or that it has no such surface, is reported.
+    /// Reads the file; reports its faults, or that it has no such surface.
     explicit Surfaces(const manual::Given& given);
 
-    [[nodiscard]] int status() const { return m_status; } ///< `done`: something was chosen
+    [[nodiscard]] int status() const { return m_status; } ///< `done` if surfaces were chosen
     [[nodiscard]] const Setup& setup() const { return m_setup; }
-    /// All of a set-up, and not one surface alone.
+    /// Whether all surfaces of a set-up are chosen.
     [[nodiscard]] bool isWhole() const;
-    /// Of options that are for one surface: `done`, or that one has to be named, which is reported.
+    /// For options that apply to a single surface: `done`, or an error that asks for its name.
     [[nodiscard]] int oneFor(std::initializer_list<const char*> options) const;
 
     [[nodiscard]] std::string nameOf(std::size_t surface) const; ///< for messages
     [[nodiscard]] std::string heading(std::size_t surface) const;
 
-    /// A command on one project: the name for messages is that of the file, with the surface where
+    /// A command on one project; `name`, for messages, is that of the file, with the surface if
     /// there are several.
     using Command =
         std::function<int(Project project, std::size_t surface, const std::string& name)>;
-    /// Runs it on each, with a heading above each text or all in one JSON object. The exit status
-    /// is the first that is not `done`; Ctrl+C ends it after the surface that it interrupts.
+    /// Runs a command on each surface, with a heading above each text or all results in one JSON
+    /// object. The exit status is the first that is not `done`; Ctrl+C ends the run after the
+    /// surface that it interrupts.
     [[nodiscard]] int run(const Command& command) const;
-    /// The same on the projects of a set-up that the command may change meanwhile.
+    /// Runs a command on the projects of a set-up that the command may change meanwhile.
     [[nodiscard]] int run(const Setup& setup, const Command& command) const;
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The console a program was started from: what differs between systems is in console_posix.cpp and
-// console_windows.cpp.
+// The console from which a program was started: the differences between systems are in
+// console_posix.cpp and console_windows.cpp.
 
 #include <cstdio>
 #include <string>
@@ -11,25 +11,25 @@
 
 namespace sparkout::cli {
 
-/// Before anything is printed: a closed pipe is a write error from now on, and what is printed is
-/// UTF-8 with lines that end in \n alone.
+/// Call before anything is printed: a closed pipe then is a write error, and output is UTF-8 with
+/// lines that end in \n only.
 void prepareConsole();
 
-/// A program with a window has no console on Windows: it prints to that of its caller, if there is
-/// one and the output goes nowhere else.
+/// A program with a window has no console on Windows: connects it to that of its caller, if there
+/// is one and the output is not redirected.
 void useConsoleOfCaller();
 
-/// The words after the program's name, as the core takes texts: the system's bytes on POSIX, UTF-8
-/// on Windows.
+/// The words after the program's name, in the encoding of the core's texts: the system's bytes on
+/// POSIX, UTF-8 on Windows.
 [[nodiscard]] std::vector<std::string> argumentsOf(int argc, char** argv);
 
 [[nodiscard]] bool isTerminal(std::FILE* stream);
 
-/// The one way of texts to the standard output and the standard error: characters that steer a
-/// terminal are shown as \uXXXX, whichever name or answer they came with. Line ends alone stay.
+/// The only way for texts to the standard output and the standard error: control characters, which
+/// may come from any name or answer, are shown as \uXXXX, except line ends.
 void printText(std::FILE* stream, std::string_view text);
 
-/// The same, in place of the line that a terminal has at its end.
+/// Prints a text in place of the last line of a terminal.
 void printOverLine(std::FILE* terminal, std::string_view text);
 
 } // namespace sparkout::cli

@@ -5,7 +5,7 @@
 
 #include <fcntl.h>
 #include <io.h>
-// Before what needs it.
+// Must precede the headers that need it.
 #include <windows.h>
 
 #include <shellapi.h>
@@ -19,7 +19,7 @@ void prepareConsole() {
     }
     const HANDLE errors = ::GetStdHandle(STD_ERROR_HANDLE);
     DWORD mode = 0;
-    if (::GetConsoleMode(errors, &mode)) { // so that a line of progress can be written over
+    if (::GetConsoleMode(errors, &mode)) { // lets a line of progress be overwritten
         ::SetConsoleMode(errors, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
     }
 }
@@ -35,7 +35,7 @@ void useConsoleOfCaller() {
 
 std::vector<std::string> argumentsOf(int /*argc*/, char** /*argv*/) {
     std::vector<std::string> words;
-    int count = 0; // those of main() are in letters of one language alone
+    int count = 0; // those of main() have the letters of one language only
     if (wchar_t** const given = ::CommandLineToArgvW(::GetCommandLineW(), &count)) {
         for (int i = 1; i < count; ++i) {
             words.push_back(utf8(std::filesystem::path(given[i])));
@@ -46,7 +46,7 @@ std::vector<std::string> argumentsOf(int /*argc*/, char** /*argv*/) {
 }
 
 bool isTerminal(std::FILE* stream) {
-    DWORD mode = 0; // NUL is a terminal to _isatty()
+    DWORD mode = 0; // distinguishes a terminal from NUL, which _isatty() does not
     return ::GetConsoleMode(reinterpret_cast<HANDLE>(::_get_osfhandle(::_fileno(stream))), &mode);
 }
 

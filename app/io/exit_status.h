@@ -3,9 +3,9 @@
 
 namespace sparkout::cli {
 
-/// Exit status of the program. `interrupted` is 130 or 143 with the number of the signal added, as
-/// a shell has it for Ctrl+C and SIGTERM: of a command that was ended before it had an answer, or
-/// with a part of it. `nothingFeasible` is an answer, for which every cycle was decided on.
+/// Exit status of the program. `interrupted` plus the number of the signal is 130 or 143, as shells
+/// report Ctrl+C and SIGTERM, for a command that was ended without an answer, or with a part of it.
+/// `nothingFeasible` is an answer, for which every cycle was decided.
 enum Exit {
     done = 0,
     refused = 1,

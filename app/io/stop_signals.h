@@ -3,11 +3,11 @@
 
 namespace sparkout::cli {
 
-/// From now on the first Ctrl+C and the first SIGTERM are noted; a second one ends the program. A
-/// signal that the caller has switched off, as `nohup` does, stays off.
+/// Catches the first Ctrl+C and the first SIGTERM from now on; a second one ends the program. A
+/// signal that the caller ignores, like `nohup`, stays ignored.
 void catchStopSignals();
 
-/// The signal that came; 0: none.
+/// The caught signal; 0 if none.
 [[nodiscard]] int caughtSignal();
 
 } // namespace sparkout::cli

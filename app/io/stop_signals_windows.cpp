@@ -12,7 +12,7 @@ namespace {
 
 std::atomic<int> caught = 0;
 
-/// Runs in a thread of its own. A console that is closed leaves five seconds to end.
+/// Runs on its own thread. After the console is closed the program has five seconds to end.
 BOOL WINAPI noteEvent(DWORD event) {
     const bool asked = event == CTRL_C_EVENT || event == CTRL_BREAK_EVENT;
     int none = 0;
@@ -22,7 +22,7 @@ BOOL WINAPI noteEvent(DWORD event) {
 } // namespace
 
 void catchStopSignals() {
-    // Twice is once. Who has switched Ctrl+C off for the program keeps it off.
+    // Removed first, so that it is added once. If the caller has switched Ctrl+C off, it stays off.
     ::SetConsoleCtrlHandler(noteEvent, FALSE);
     ::SetConsoleCtrlHandler(noteEvent, TRUE);
 }

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-/// What the programs take on their command lines, in both languages: an option is one row. The
-/// parser (given.h), `--help`, the manual pages and the completion of the shells read the rows.
+/// The command lines of the programs, in both languages: an option is one row. The parser
+/// (given.h), `--help`, the manual pages and the completion of the shells use these rows.
 namespace sparkout::manual {
 
 enum class Tongue { english, russian };
@@ -24,24 +24,24 @@ struct Text {
 
 enum class Kind {
     none,
-    anything, ///< a text, which may be empty
+    anything, ///< any text, including an empty one
     text,
     project,
     file,
     folder,
     choice,
     integer,
-    integers, ///< with commas between
+    integers, ///< separated by commas
     number
 };
 
-/// The value of an option: how it is shown, and what the parser accepts.
+/// The value of an option: its display, and what the parser accepts.
 struct Value {
     Kind kind = Kind::none;
     const char* shown = "";   ///< "N", "OUT.csv"; of a choice empty: the choices
-    const char* is = "";      ///< what it must be: "a length in mm"
-    const char* choices = ""; ///< with spaces between; of a text those that are proposed
-    double low = 0, high = 0; ///< of a number
+    const char* is = "";      ///< expected value: "a length in mm"
+    const char* choices = ""; ///< separated by spaces; for a text the proposed ones
+    double low = 0, high = 0; ///< bounds of a number
 };
 
 inline constexpr double aboveZero = 1e-9; ///< the lowest number that is "above 0"
@@ -77,21 +77,21 @@ struct Option {
     const char* shortName = ""; ///< "-h"
     Value value{};
     bool isRequired = false;
-    const char* needs = ""; ///< options, with spaces between, of which one must stand beside it
-    const char* group = ""; ///< of the options of a group one alone may be given
-    Text text;              ///< what it does
+    const char* needs = ""; ///< options, separated by spaces, one of which is required with it
+    const char* group = ""; ///< at most one option of a group may be given
+    Text text;              ///< its effect
 
     [[nodiscard]] bool isNamed(std::string_view word) const {
         return word == name || (!word.empty() && word == shortName);
     }
 };
 
-/// Of every program and command.
+/// The option of every program and command.
 inline constexpr Option helpOption{.name = "--help",
                                    .shortName = "-h",
                                    .text = {"prints this text", "печатает список параметров"}};
 
-/// What a command takes beside options.
+/// The operands of a command.
 struct Operands {
     const char* shown = ""; ///< "FILE"
     Kind kind = Kind::none;
@@ -101,7 +101,7 @@ struct Operands {
 
 inline constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
 
-/// It has commands of its own, or does something.
+/// A command with subcommands, or one that can be run.
 struct Command {
     const char* name = ""; ///< in full: "course grade"
     Operands operands{};
@@ -117,9 +117,9 @@ struct Status {
     Text text;
 };
 
-/// Its text is its purpose, in half a line.
+/// A program, whose text is its purpose in half a line.
 struct Program : Command {
-    std::vector<const char*> forms; ///< of a program without commands: lines as typed
+    std::vector<const char*> forms; ///< usage lines of a program without commands
     Text description;
     std::vector<Text> notes; ///< paragraphs
     std::vector<Status> statuses;
@@ -128,14 +128,14 @@ struct Program : Command {
 [[nodiscard]] const Program& windowProgram();      ///< sparkout
 [[nodiscard]] const Program& commandLineProgram(); ///< sparkout-cli
 
-/// Null: it has no command or option of that name.
+/// Null if there is no command or option with this name.
 [[nodiscard]] const Command* commandNamed(const Command& among, std::string_view lastWord);
 [[nodiscard]] const Option* optionNamed(const Command& command, std::string_view name);
 
-/// Of a command, with --help.
+/// The options of a command, including --help.
 [[nodiscard]] std::vector<Option> optionsOf(const Command& command);
 
-/// The command and all below it, each before its own.
+/// The command and all its subcommands, each before its own.
 [[nodiscard]] std::vector<const Command*> withAllBelow(const Command& command);
 
 /// The words of "a b c".

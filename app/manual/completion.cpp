@@ -10,7 +10,7 @@ namespace {
 
 const std::string notice = "written from the table of the program's options (app/manual)\n";
 
-/// What a shell shows of a description: its beginning.
+/// The beginning of a description, as shown by shells.
 std::string briefly(const Text& text) {
     const std::string_view all = text.english;
     return std::string(all.substr(0, all.find_first_of(";:.(\"")));
@@ -32,7 +32,7 @@ std::string commandNames(const Command& command) {
     return all;
 }
 
-/// How a value completes: as a choice also where other values are taken, too.
+/// The completion of a value: choices are offered even if other values are allowed.
 Kind completionOf(const Value& value) {
     return *value.choices != '\0' ? Kind::choice : value.kind;
 }
@@ -56,7 +56,7 @@ std::string functionName(const Program& program) {
 // --- bash
 // -----------------------------------------------------------------------------------------
 
-/// What stands after an option, by the word before.
+/// Completes the value of an option, by the previous word.
 std::string bashValues(const Command& command, const std::string& indent) {
     std::string all;
     for (const Option& option : command.options) {
@@ -73,10 +73,10 @@ std::string bashValues(const Command& command, const std::string& indent) {
     return all.empty() ? all : indent + "case $prev in\n" + all + indent + "esac\n";
 }
 
-/// Goes down to the command that is typed, the word of which has this number.
+/// Selects the typed command; `word` is the index of its word.
 std::string bashLevel(const Command& command, int word, const std::string& indent) {
     if (command.commands.empty()) {
-        const bool isWord = command.operands.kind == Kind::anything; // beside which options stand
+        const bool isWord = command.operands.kind == Kind::anything; // options are allowed, too
         return indent + "kind=\"" + (isWord ? "word" : kindName(command.operands.kind))
                + "\" options=\"" + namesOf(command) + "\"\n" + bashValues(command, indent);
     }
@@ -130,7 +130,7 @@ std::string bashCompletion(const Program& program) {
 
 namespace {
 
-/// In single quotes and in a specification of _arguments.
+/// Text for single quotes in a specification of _arguments.
 std::string zshText(std::string_view text) {
     std::string all;
     for (const char c : text) {
@@ -204,7 +204,7 @@ std::string fishQuoted(std::string_view text) {
     return all + '\'';
 }
 
-/// What an operand or a value completes to; empty: it is files, or nothing that could be listed.
+/// The candidates of an operand or a value; empty for files and for values that cannot be listed.
 std::string fishCandidates(Kind kind, const char* choices) {
     return kind == Kind::project  ? "(__fish_complete_suffix .sparkout)"
            : kind == Kind::folder ? "(__fish_complete_directories)"
@@ -237,7 +237,7 @@ std::string fishOperand(const std::string& begin, Kind kind) {
     return begin + (candidates.empty() ? " -F" : " -k -a " + fishQuoted(candidates)) + '\n';
 }
 
-/// `here` is true once the words down to the command are typed.
+/// `here` is true once the words of the command are typed.
 std::string fishLevel(const std::string& begin, const Command& command, const std::string& here) {
     const auto where = [&begin](const std::string& condition) {
         return begin + (condition.empty() ? "" : " -n " + fishQuoted(condition));

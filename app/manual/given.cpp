@@ -30,7 +30,7 @@ std::string numberText(double value) {
     return {text.begin(), end.ptr};
 }
 
-/// "a number from 1 to 1024", "plunge or traverse".
+/// The accepted values: "a number from 1 to 1024", "plunge or traverse".
 std::string whatIsNeeded(const Value& value) {
     switch (value.kind) {
     case Kind::choice: {
@@ -63,7 +63,7 @@ std::optional<Number> numberIn(std::string_view text, const Value& value) {
                                                                   : std::nullopt;
 }
 
-/// Empty: one of them is none.
+/// Parses integers; empty if one is invalid.
 std::vector<int> integersIn(std::string_view text, const Value& value) {
     std::vector<int> numbers;
     while (true) {
@@ -91,7 +91,7 @@ bool isValue(const std::string& text, const Value& value) {
     }
 }
 
-/// How many letters are to be put in, left out, replaced or exchanged with the next.
+/// The number of letters to insert, remove, replace or exchange with the next.
 std::size_t slipsBetween(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before, last, row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -109,8 +109,8 @@ std::size_t slipsBetween(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-/// " (did you mean --json?)": the names with a slip in three letters at most, and those that begin
-/// so; empty: there are none.
+/// " (did you mean --json?)": the names with at most one slip in three letters, and those with this
+/// beginning; empty if there are none.
 std::string nearOnes(std::string_view word, const std::vector<std::string>& names) {
     constexpr std::size_t lettersToASlip = 3, enoughToBegin = 4; // with the dashes
     const std::size_t letters = word.size() - std::min(word.find_first_not_of('-'), word.size());
@@ -199,8 +199,8 @@ Reading::Reading(const Program& program, const std::vector<std::string>& words) 
     }
 }
 
-/// Goes down to the command that is named; returns the place of the first word behind it. An option
-/// in the place of a command, as --version, stands alone.
+/// Finds the named command; returns the index of the first word after it. An option in the place of
+/// a command, such as --version, must be the only one.
 std::size_t Reading::readCommand(const std::vector<std::string>& words) {
     const Command* const program = &given.command();
     for (std::size_t at = 0;; ++at) {
@@ -261,7 +261,7 @@ std::size_t Reading::readOption(const std::vector<std::string>& words, std::size
     return at + (equals == std::string::npos ? 2 : 1);
 }
 
-/// What is missing, and options that contradict each other.
+/// Checks for missing options and for options that contradict each other.
 void Reading::checkTogether() {
     const Command& command = given.command();
     if (given.operands.size() < command.operands.least) {
@@ -284,7 +284,7 @@ void Reading::checkTogether() {
     }
 }
 
-/// Of an option that was given; empty: there is none.
+/// The contradiction of a given option; empty if there is none.
 std::string Reading::contradictionOf(const Option& option) const {
     std::vector<std::string> group, needed;
     std::size_t givenOfGroup = 0;

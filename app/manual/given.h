@@ -11,15 +11,14 @@
 
 namespace sparkout::manual {
 
-/// A command with the options and operands it was given. To ask for an option that the table does
-/// not give to the command, or for a value of another kind, is a mistake of the program: it throws
-/// std::logic_error.
+/// A command with the given options and operands. Requesting an option that the command does not
+/// have, or a value of another kind, is a programming error and throws std::logic_error.
 class Given {
 public:
     explicit Given(const Command& of) : m_command(&of) {}
 
     [[nodiscard]] const Command& command() const { return *m_command; }
-    std::vector<std::string> operands; ///< as many as the table says
+    std::vector<std::string> operands; ///< their number is as in the table
 
     [[nodiscard]] bool has(std::string_view option) const;
     [[nodiscard]] const std::string& text(std::string_view option) const; ///< empty: not given
@@ -27,7 +26,7 @@ public:
     [[nodiscard]] std::optional<double> number(std::string_view option) const;
     [[nodiscard]] std::vector<int> integers(std::string_view option) const; ///< empty: not given
 
-    /// Why the text of an option is refused, where the command reads it itself: "--shard needs I/N,
+    /// The refusal of an option's text, for commands that parse it themselves: "--shard needs I/N,
     /// not “3”".
     [[nodiscard]] std::string refusal(std::string_view option) const;
 
@@ -37,15 +36,15 @@ private:
     [[nodiscard]] const Value& value(std::string_view option, Kind kind) const;
 
     const Command* m_command;
-    std::map<std::string_view, std::string> m_values; ///< by the name of the row
+    std::map<std::string_view, std::string> m_values; ///< values by the name of the row
 };
 
-/// The words after the program's name, read by its table.
+/// Parses the words after the program's name by its table.
 struct Reading {
     Reading(const Program& program, const std::vector<std::string>& words);
 
     Given given;
-    std::string fault; ///< what is wrong with them, in half a sentence; empty: nothing
+    std::string fault; ///< fault of the words, in half a sentence; empty without one
     bool asksForHelp = false;
 
 private:

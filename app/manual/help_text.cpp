@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t lineWidth = 96, commandColumn = 12, optionColumn = 24, statusColumn = 12;
 
-/// Signs, not bytes.
+/// The number of characters, not bytes.
 std::size_t widthOf(std::string_view text) {
     std::size_t width = 0;
     for (const char c : text) {
@@ -19,7 +19,7 @@ std::size_t widthOf(std::string_view text) {
     return width;
 }
 
-/// A term and what it means, which stands in its column and is broken there.
+/// A term and its description, which is wrapped in a column.
 std::string entry(const std::string& term, std::string_view text, std::size_t column) {
     std::string all = term;
     std::size_t at = widthOf(term);
@@ -50,7 +50,7 @@ std::string entryOf(const Option& option) {
     return entry("  " + asTyped(option) + other, option.text.english, optionColumn);
 }
 
-/// A command and what it takes, broken at the width with what follows below what it takes.
+/// A command and its operands and options, wrapped at the width and indented below them.
 std::string broken(const std::string& begin, const std::vector<std::string>& parts,
                    std::size_t width) {
     std::string all = begin;
@@ -66,8 +66,7 @@ std::string broken(const std::string& begin, const std::vector<std::string>& par
     return all + '\n';
 }
 
-/// The operands of a command and its options, in brackets those that may be left out; those that
-/// exclude each other stand together.
+/// The operands and options of a command, with optional ones in brackets; alternatives are grouped.
 std::vector<std::string> partsOf(const Command& command) {
     std::vector<std::string> parts{command.operands.shown};
     for (const Option& option : command.options) {
@@ -87,7 +86,7 @@ std::vector<std::string> partsOf(const Command& command) {
     return parts;
 }
 
-/// The words of a line as typed; what stands in brackets is one.
+/// The words of a usage line; a part in brackets is one word.
 std::vector<std::string> partsOf(std::string_view form) {
     std::vector<std::string> parts;
     for (const std::string_view word : wordsOf(form)) {

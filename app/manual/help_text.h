@@ -8,10 +8,10 @@
 
 namespace sparkout::manual {
 
-/// What `--help` prints in English, of the whole program or of a command of it.
+/// The output of `--help` in English, for the whole program or one of its commands.
 [[nodiscard]] std::string helpText(const Program& program, const Command& command);
 
-/// The command, or all below it, as typed, a line each that is broken at the width.
+/// The usage of the command, or of all below it: a line for each, wrapped at the width.
 [[nodiscard]] std::string usageLines(const Program& program, const Command& command,
                                      std::size_t width, const std::string& indent = {});
 

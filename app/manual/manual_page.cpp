@@ -18,7 +18,7 @@ constexpr Text nameHead{"NAME", "ИМЯ"}, synopsisHead{"SYNOPSIS", "ОБЗОР"
     statusHead{"EXIT STATUS", "КОД ЗАВЕРШЕНИЯ"}, seeHead{"SEE ALSO", "СМ. ТАКЖЕ"},
     manualName{"User Commands", "Пользовательские команды"};
 
-/// As text: what roff would take for a request or an escape is none.
+/// Escapes a text so that roff finds no request or escape in it.
 std::string roff(std::string_view text) {
     std::string all;
     bool begins = true;
@@ -64,7 +64,7 @@ std::string commandsOf(const Program& program, Tongue tongue) {
     return all;
 }
 
-/// The other program.
+/// A reference to the other program.
 std::string seeAlso(const Program& program) {
     const Program& other = &program == &windowProgram() ? commandLineProgram() : windowProgram();
     return "\\fB" + roff(other.name) + "\\fR(1)\n";
@@ -100,7 +100,7 @@ std::string manualPage(const Program& program, Tongue tongue, const std::string&
     for (const Text& note : program.notes) {
         all += roff(note.in(tongue)) + "\n.PP\n";
     }
-    all.erase(all.size() - 4); // no paragraph follows the last one
+    all.erase(all.size() - 4); // removes the paragraph after the last one
     all += head(statusHead, tongue);
     for (const Status& status : program.statuses) {
         all += entry(std::string("\\fB") + status.codes + "\\fR", status.text.in(tongue));

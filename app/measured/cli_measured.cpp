@@ -40,7 +40,7 @@ namespace sparkout::cli {
 
 namespace {
 
-/// Reads a table of measurements into a project; its faults are said by line and column.
+/// Reads a table of measurements into a project; reports faults by line and column.
 bool readInto(Project& project, const std::string& file) {
     const auto text = readOrSay(file, limits::measuredBytes);
     if (!text) {
@@ -76,7 +76,7 @@ std::string rowText(const Project& project, const AdequacyRow& row) {
                 + " µm, limit " + fixed(row.biasLimit, 2) + " µm";
     }
     if (row.scatter) {
-        constexpr double most = 1e4; // where next to nothing is predicted to scatter
+        constexpr double most = 1e4; // exceeded if almost no scatter is predicted
         text += "; F = " + (row.scatter->ratio > most ? "over 10000" : fixed(row.scatter->ratio, 2))
                 + " (" + fixed(row.scatter->low, 2) + "…" + fixed(row.scatter->high, 2) + ")";
     }
@@ -166,7 +166,7 @@ std::string holdOutText(const Project& project, const HoldOutRow& row) {
            + number(row.difference95.high) + (row.agrees() ? ": agrees\n" : ": does not agree\n");
 }
 
-/// Runs the batch that predicts, and judges; the exit status.
+/// Runs the batch for the prediction and judges; returns the exit status.
 int judge(const Project& project, const std::string& name, const manual::Given& given,
           MeasuredAnswer& answer) {
     if (statisticsOfMeasured(project).empty()) {
@@ -207,7 +207,7 @@ int statusOf(const MeasuredAnswer& answer, const manual::Given& given) {
                                                                             : done;
 }
 
-/// Saves the inputs that were found, in the set-up that they are of.
+/// Saves the fitted inputs in their set-up.
 int saveFound(const Project& project, const Identification& found, Setup setup, std::size_t surface,
               const manual::Given& given) {
     const std::string& data = !given.has("--data") ? given.operands.front() : given.text("--data");

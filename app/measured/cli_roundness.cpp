@@ -64,7 +64,7 @@ std::string readingsText(const std::string& where, const std::vector<double>& ra
     return text;
 }
 
-/// The recorded profile; nothing where it cannot be read, which is said.
+/// The recorded profile; if it cannot be read, reports it and returns an empty value.
 std::optional<ClosedProfile> readProfile(const Project& project, const std::string& file) {
     const auto text = readOrSay(file, limits::measuredBytes);
     if (!text) {

@@ -8,7 +8,7 @@
 
 namespace sparkout::cli {
 
-/// `measured --roundness`, with `--profile` beside a recorded section; returns the exit status.
+/// `measured --roundness`, with `--profile` for a recorded section; returns the exit status.
 [[nodiscard]] int stateRoundness(const Project& project, const std::string& name,
                                  const manual::Given& given);
 

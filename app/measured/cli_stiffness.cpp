@@ -142,7 +142,7 @@ int findStiffness(const Project& project, const std::string& name, const manual:
         print(stderr, printable(name) + ": " + wordsOf(trial.status).text + units + '\n');
         return refused;
     }
-    // Without the wheel head's stiffness the whole γ is not known.
+    // The whole γ is unknown without the wheel head's stiffness.
     std::vector<CompliantPoint> points;
     if (project.machine->stiffness_n_um) {
         points = compliantPoints(

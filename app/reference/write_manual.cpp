@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the manual pages of the programs in both languages and the completion of their command
-// lines, below a folder as below share/: sparkout-manual FOLDER. With --options it prints a line
-// for each option instead: program, the words of the command, name.
+// lines into a folder with the layout of share/: sparkout-manual FOLDER. With --options it prints a
+// line for each option instead: program, the words of the command, name.
 #include "app/manual/command_line.h"
 #include "app/manual/completion.h"
 #include "app/manual/manual_page.h"
@@ -20,7 +20,7 @@ using namespace sparkout::manual;
 namespace {
 
 bool write(const std::string& file, const std::string& text) {
-    std::error_code error; // a folder that cannot be made is reported by its file
+    std::error_code error; // a folder that cannot be created is reported by its file
     std::filesystem::create_directories(std::filesystem::path(file).parent_path(), error);
     if (const auto failed = writeFileSafely(file, text)) {
         std::fprintf(stderr, "%s: %s\n", failed->path.c_str(), fileStepText(failed->step));

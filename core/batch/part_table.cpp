@@ -74,7 +74,7 @@ std::string PartTable::line(const PartRecord& record) const {
     }
     for (const ConstraintKind kind : m_columns.requirements) {
         const auto at = static_cast<std::size_t>(kind);
-        const bool known = whole || !requirementOf(kind).isOfSurface(); // otherwise not known
+        const bool known = whole || !requirementOf(kind).isOfSurface(); // otherwise: not met
         line.text(done && outcome.asked[at] ? word(known && !outcome.fails[at]) : std::string());
     }
     return line.end(m_dialect.lineEnd);

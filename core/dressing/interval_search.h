@@ -21,16 +21,18 @@
 /// all searches compare. The cost of a part, f(t, N) = partCost(), grows with t and never grows
 /// with N. Let T(N) be the least t(c) of the cycles with L(c) ≥ N, none: ∞.
 ///
-/// 1. T never falls: the cycles that hold for N + 1 parts are among those that hold for N. 2. The
-/// least cost of all cycles and intervals they hold for is the least f(T(N), N) of all N,
-/// since of the cycles that hold for N parts that of the time T(N) is the cheapest. 3. Let a search
-/// for m parts find c, with the life l ≥ m. Then T(N) = t(c) for all N from m to l:
-/// not less by (1), not more as c holds for them. Of these l is the best. The remaining
-/// numbers lie below m, or beyond l with T no less than t(c). If it finds nothing, no cycle holds
-/// for m parts or more. 4. Of the numbers from a to b with T no less than τ none is better than
-/// f(τ, b): they are left out if that is not better than the best so far. The numbers with the
-/// best such bound are searched next, so a stopped search knows a bound of all. 5. For the wheel's
-/// life, f is −N, and all this holds as well.
+/// 1. T never falls: the cycles that are fit for N + 1 parts are among those that are fit for N.
+/// 2. The least cost over all cycles and the intervals they are fit for is the least f(T(N), N)
+///    over all N, since among the cycles that are fit for N parts that of the time T(N) is the
+///    cheapest.
+/// 3. Let a search for m parts find c, with the life l ≥ m. Then T(N) = t(c) for all N from m to l:
+///    not less by (1), not more as c is fit for them. Of these l is the best. The remaining numbers
+///    lie below m, or beyond l with T no less than t(c). If the search finds nothing, no cycle is
+///    fit for m parts or more.
+/// 4. Among the numbers from a to b with T no less than τ none is better than f(τ, b): they are
+///    left out if that is not better than the best so far. The numbers with the best such bound are
+///    searched next, so a stopped search knows a bound of all.
+/// 5. For the wheel's life, f is −N, and all this holds as well.
 ///
 /// Each search leaves fewer numbers, so it ends. It does not rely on a wheel that gets duller from
 /// part to part: a cycle may fail for one part and hold for a later one. All parts are tried, first

@@ -12,7 +12,7 @@ struct Cost;
 
 /// The cost of a part [GILBERT1950], in the currency of the rates:
 ///
-/// C = C_m·(T + t_h + t_d/N) + C_d/N
+///     C = C_m·(T + t_h + t_d/N) + C_d/N
 ///
 /// C_m the rate of machine and operator, T the mean time of the cycle, t_h handling, t_d the time
 /// and C_d the wheel and diamond of a dressing, N the parts between dressings; without N there is

@@ -17,7 +17,7 @@
 /// feed of the search. A cell [n, m] is the state in which level n was reached with feed m. The
 /// quickest of all admissible moves into it from the states [n − 1, m'] is kept (eq. 27),
 ///
-/// T[n,m] = min over m' of ( T[n−1,m'] + τ ),   T[0,0] = 0,   m* = the m' of the least,
+///     T[n,m] = min over m' of ( T[n−1,m'] + τ ),   T[0,0] = 0,   m* = the m' of the least,
 ///
 /// the least T[N,m] is the time of the cycle, and its feeds are read back along m*.
 ///

@@ -51,7 +51,7 @@ double runout(std::span<const SectionShape> sections, double geometricRunout_mm,
               FormulaSheet* sheet) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const SectionShape& section : sections) {
-        for (const double radius : section.radii_mm) { // NaN in a gap, and no extreme
+        for (const double radius : section.radii_mm) { // min and max ignore NaN, as in a gap
             low = std::min(low, radius);
             high = std::max(high, radius);
         }

@@ -42,7 +42,7 @@ struct ZoneForm {
 
 /// A part against the drawing.
 struct PartAccuracy {
-    std::vector<SectionAccuracy> sections; ///< one per zone: its least round section
+    std::vector<SectionAccuracy> sections; ///< by place; of a divided zone the least round one
     std::vector<ZoneForm> zones;           ///< for zones with several sections
     CylinderZone leastSquares;
     CylinderZone minimumZone;

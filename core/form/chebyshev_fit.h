@@ -34,7 +34,7 @@ struct AxisFit {
 /// Best uniform approximation of the distances by {1, nx, ny, nx·ζ, ny·ζ}: the linear programme min
 /// level with |d_i − fit_i| ≤ level, by the simplex method on its dual,
 ///
-/// max Σ y_i·s_i·d_i,   Σ y_i·s_i·g_i = 0,  Σ y_i = 1,  y ≥ 0,   g = (1, nx, ny, nx·ζ, ny·ζ)
+///     max Σ y_i·s_i·d_i,   Σ y_i·s_i·g_i = 0,  Σ y_i = 1,  y ≥ 0,   g = (1, nx, ny, nx·ζ, ny·ζ)
 ///
 /// A basis is six points with signs s; any six points of full rank have signs that make it
 /// feasible. The point with the largest excess enters; where weights are zero and the level stalls,

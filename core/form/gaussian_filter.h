@@ -11,7 +11,7 @@ namespace sparkout {
 /// Share of a wave's amplitude that the Gaussian filter for closed profiles transmits, half at the
 /// cut-off n_c [undulations per revolution] [ISO16610-21]:
 ///
-/// a_1/a_0 = exp( −ln 2·(n/n_c)² )
+///     a_1/a_0 = exp( −ln 2·(n/n_c)² )
 [[nodiscard]] double gaussianTransmission(double lobes, double cutoff_upr);
 
 /// A section's K radii after that low-pass filter: the convolution of the closed profile that the

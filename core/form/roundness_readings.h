@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-/// Roundness readings as of measuring machines [ISO12181, ISO16610-21].
+/// Roundness readings as measuring machines report them [ISO12181, ISO16610-21].
 namespace sparkout {
 
 /// Usual cut-offs of the low-pass filter [undulations per revolution].
@@ -21,7 +21,7 @@ struct RoundnessReading {
     RoundnessZone minimumZone;                  ///< MZC
     RoundnessZone leastSquares;                 ///< LSC
     std::optional<RoundnessZone> inscribed;     ///< MIC
-    std::optional<RoundnessZone> circumscribed; ///< MCC; both are undefined beside wide gaps
+    std::optional<RoundnessZone> circumscribed; ///< MCC; both are undefined with wide gaps
 };
 
 [[nodiscard]] RoundnessReading roundnessReading(std::span<const double> radii_mm,

@@ -42,7 +42,7 @@ struct PlaceMean {
     bool isSummary = false;
 };
 
-/// The derivatives of the means by the parameters.
+/// The agreement of parameters with the measured means.
 struct Meeting {
     double criterion = std::numeric_limits<double>::infinity();
     double setting_um = 0;     ///< setting of the gauge, relative to the project's
@@ -419,8 +419,8 @@ private:
         }
     }
 
-    /// For a single factor the interval over which the criterion rises by t², if no other place of
-    /// the scan is lower; for several factors that of their covariance.
+    /// For a single factor the interval outside which no place of the scan has a criterion within
+    /// t² of the best; for several factors that of their covariance.
     Interval profileOf(std::size_t at, double t, double error) {
         if (m_factors.size() > 1) {
             return {m_at[at] - t * error, m_at[at] + t * error};

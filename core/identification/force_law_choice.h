@@ -12,8 +12,8 @@
 ///
 /// From revolution to revolution the deflection D decreases by the cut, D_m = D_{m−1} − a_m:
 ///
-/// sources     (1 + α)·a + β·√a = D_{m−1},  α = γ·b·k_s,  β = γ·b·k_r
-/// threshold   D_m = D_∞ + (D_0 − D_∞)·r^m
+///     sources     (1 + α)·a + β·√a = D_{m−1},  α = γ·b·k_s,  β = γ·b·k_r
+///     threshold   D_m = D_∞ + (D_0 − D_∞)·r^m
 ///
 /// and the size is s_∞ + 2·D. The first falls as 1/m in the long run, the second ends: they diverge
 /// with time. With β = 0 the first is an exponential too; β/α is therefore limited to k_r/k_s of

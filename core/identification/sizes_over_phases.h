@@ -13,11 +13,11 @@ namespace sparkout {
 /// section the mean diameter less the nominal one.
 struct SizesOverPhases {
     std::vector<double> means_um;      ///< empty: no cycle reached size
-    std::vector<double> deviations_um; ///< deviations of one part
+    std::vector<double> deviations_um; ///< standard deviations of single parts
 };
 
-/// Over usualPhases(), one infeed of stock, with this number of evenly spaced stocks: a step of the
-/// size over the stock is resolved to a 256th of the range.
+/// Computes the sizes over usualPhases(), one infeed of stock, for 256 evenly spaced stocks: a step
+/// of the size over the stock is located to a 256th of the range.
 [[nodiscard]] SizesOverPhases sizesOverPhases(const Project& project, const CycleFactors& factors,
                                               const std::stop_token& stop = {});
 

@@ -15,7 +15,7 @@ namespace sparkout {
 /// dressing.
 struct RoughnessCalibration {
     double factor = 1;                  ///< geometric mean over the measured values
-    std::optional<Interval> interval95; ///< Student's, of the logarithms of two or more
+    std::optional<Interval> interval95; ///< Student's, by the logarithms of two or more values
     std::size_t count = 0;
     std::string wheel, dressing; ///< the wheel and dressing to which it applies
 };

@@ -221,7 +221,7 @@ const StructInfo& tableOf<TextGoal>() {
     static const std::array rows{
         SPARKOUT_FIELD(TextGoal, least_letters, .label = SPARKOUT_NOOP("Input", "Minimum length"),
                        .hard = {1, 10000},
-                       .hint = SPARKOUT_NOOP("Input", "Letters that an answer is to have.")),
+                       .hint = SPARKOUT_NOOP("Input", "Least number of letters of an answer.")),
     };
     static const StructInfo info =
         makeTable<TextGoal>(SPARKOUT_NOOP("Struct", "Answer in words"), rows);

@@ -58,7 +58,7 @@ const StructInfo& tableOf<HiddenThing>() {
                            "Input", "A view by its name for `--view`, or a panel or command.")),
     };
     static const StructInfo info =
-        makeTable<HiddenThing>(SPARKOUT_NOOP("Struct", "What is hidden"), rows);
+        makeTable<HiddenThing>(SPARKOUT_NOOP("Struct", "Hidden parts"), rows);
     return info;
 }
 

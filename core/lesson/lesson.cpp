@@ -217,9 +217,9 @@ const StructInfo& tableOf<LessonStep>() {
             LessonStep, values, .label = SPARKOUT_NOOP("Input", "Values"), .hard = {0, 100},
             .sparse = true,
             .hint = SPARKOUT_NOOP("Input", "Values put into the project when the step begins.")),
-        SPARKOUT_FIELD(LessonStep, others, .label = SPARKOUT_NOOP("Input", "Other inputs"),
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "What a student may do with inputs that are not named.")),
+        SPARKOUT_FIELD(
+            LessonStep, others, .label = SPARKOUT_NOOP("Input", "Other inputs"),
+            .hint = SPARKOUT_NOOP("Input", "The access of students to inputs that are not named.")),
         SPARKOUT_FIELD(LessonStep, inputs, .label = SPARKOUT_NOOP("Input", "Inputs"),
                        .hard = {0, 1000}),
         SPARKOUT_FIELD(LessonStep, hidden, .label = SPARKOUT_NOOP("Input", "Hidden"),

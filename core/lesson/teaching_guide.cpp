@@ -23,7 +23,7 @@ const StructInfo& tableOf<TypicalMistake>() {
     static const std::array rows{
         SPARKOUT_FIELD(TypicalMistake, text, .label = SPARKOUT_NOOP("Input", "Text"),
                        .hint = SPARKOUT_NOOP(
-                           "Input", "What students often get wrong, and how to respond to it.")),
+                           "Input", "Frequent mistakes of students, and how to respond to them.")),
     };
     static const StructInfo info =
         makeTable<TypicalMistake>(SPARKOUT_NOOP("Struct", "Typical mistake"), rows);

@@ -149,11 +149,11 @@ const StructInfo& tableOf<VariantRules>() {
         SPARKOUT_FIELD(
             VariantRules, difficulty, .label = SPARKOUT_NOOP("Input", "Difficulty"),
             .hint = SPARKOUT_NOOP("Input", "Permitted difference between the best answers.")),
-        SPARKOUT_FIELD(
-            VariantRules, figures, .label = SPARKOUT_NOOP("Input", "Figures"), .hard = {0, 100},
-            .sparse = true,
-            .hint = SPARKOUT_NOOP("Input", "What every variant has within bounds as given, so that "
-                                           "the questions are true of it.")),
+        SPARKOUT_FIELD(VariantRules, figures, .label = SPARKOUT_NOOP("Input", "Figures"),
+                       .hard = {0, 100}, .sparse = true,
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "Results that lie within bounds for every variant as "
+                                             "given, so that the questions apply to it.")),
         SPARKOUT_FIELD(
             VariantRules, surface, .label = SPARKOUT_NOOP("Input", "Surface"), .hard = {1, 20},
             .hint =

@@ -99,8 +99,9 @@ double BurnModel::burnFreeDepth(double U, FormulaSheet* sheet) const {
 }
 
 // T(h) = U for the x = h/(2√(Ωτ)) of the contact itself is the cubic with U/(√π·ierfc(x)) on its
-// right side. Its root w rises with x,     w'/w = (k_t·w² + μk_r)/(3k_t·w² +
-// μk_r)·erfc(x)/ierfc(x), and so do √a = w² and the depth h = 2·x·√(Ωτ) = 2·x·diffusion·w.
+// right side. Its root w rises with x,
+//     w'/w = (k_t·w² + μk_r)/(3k_t·w² + μk_r)·erfc(x)/ierfc(x),
+// and so do √a = w² and the depth h = 2·x·√(Ωτ) = 2·x·diffusion·w.
 BurnLimitPoint BurnModel::limitPoint(double U, double x) const {
     const double kt = m_cutting.law.kt, mukr = m_cutting.law.mu * m_cutting.law.kr;
     const double y = ierfc(x);

@@ -63,7 +63,7 @@ void stateRecipe(FormulaSheet* sheet, const Wheel& wheel) {
     }
 }
 
-/// k_s or k_t: σ_i·V_d/V_k times a coefficient, and κ if a recipe is given.
+/// Shows k_s or k_t: σ_i·V_d/V_k times a coefficient, and times κ if a recipe gives the cut width.
 void stateShear(FormulaSheet* sheet, const Project& project, const Cutting& cutting,
                 const FormulaTerm& result, const FormulaTerm& coefficient, const char* plain,
                 const char* byRecipe) {

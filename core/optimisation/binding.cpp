@@ -154,7 +154,7 @@ std::vector<ConstraintKind> kindsOf(const KindMask& mask) {
     return kinds;
 }
 
-/// The kinds of the least relative margin of what is added.
+/// Collects the kinds with the least relative margin.
 class LeastMargins {
 public:
     void add(const ConstraintResult& each) {
@@ -199,7 +199,8 @@ bool runCases(const Project& best, bool isRobust, const std::vector<Project>& sc
     return true;
 }
 
-/// What breaks in those that are quicker than so long; nothing: stopped before all were run.
+/// The requirements violated by the cycles that are quicker than `time_us`; nullopt if stopped
+/// before all were run.
 std::optional<std::vector<ConstraintKind>> brokenIn(const std::vector<Neighbour>& others,
                                                     std::int64_t time_us, const Project& project,
                                                     const std::vector<Project>& scenarios,

@@ -110,9 +110,9 @@ private:
         }
     }
 
-    /// Drops labels that take longer than the best, which can neither beat it nor exclude a better
-    /// one. Labels dropped by a proven bound might do the latter before the last stage: these are
-    /// left to the published rule.
+    /// Whether a label is dropped since it takes longer than the best: it can neither beat that nor
+    /// exclude a better one. One that takes longer only by a proven bound could exclude others
+    /// before the last stage, so under the published rule the bound counts only there.
     [[nodiscard]] bool isDropped(const CyclePrefix& from, const Run& run, std::size_t setting,
                                  int taken) const {
         const double least_s = m_rule == LabelRule::quickest && !from.isBeforeLast()

@@ -11,7 +11,7 @@
 /// reached with a feed. Among all moves into a state that violate no requirement only the quickest
 /// is kept, with its predecessor (eq. 27):
 ///
-/// T[n,m] = min over m' of ( T[n−1,m'] + τ )
+///     T[n,m] = min over m' of ( T[n−1,m'] + τ )
 ///
 /// The rule would be exact if everything after a state were independent of how the state was
 /// reached. In an elastic system it is not: the deflection stored by every radius of every section

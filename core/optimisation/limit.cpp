@@ -34,7 +34,7 @@ namespace sparkout {
 namespace {
 
 constexpr int stockCells = 100, feedCells = 120;
-constexpr double slowestShare = 1e-3; ///< relative to the fastest axial feed
+constexpr double slowestShare = 1e-3; ///< share of the fastest axial feed at which the cells begin
 
 /// The greatest possible feed: of the machine's range, or of the project and the search.
 double greatest(const Project& project, const StageFeed& feed) {

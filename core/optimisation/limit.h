@@ -46,7 +46,7 @@ struct LimitedCycles {
 struct SteplessLimit {
     double time_s = 0; ///< steplessLimit_s()
     LimitBy by = LimitBy::steps;
-    CountedRadius counted{}; ///< counted passes of the radius
+    CountedRadius counted{}; ///< the counted radius, for LimitBy::passes
     /// Pieces in the order of falling stock, adjacent, each with another bound than its neighbour;
     /// their times add up to the limit. Empty where the limit is 0 or a stop cut the computation
     /// short.
@@ -86,11 +86,11 @@ struct SteplessLimit {
 /// traverse the gauged zone sees two passes in a double stroke, whose dwells and two strokes at the
 /// axial feed v, b = min(v/n, B), are charged in halves. With
 ///
-/// ρ(s) = max over v of L_b(s)/τ(v),
+///     ρ(s) = max over v of L_b(s)/τ(v),
 ///
 /// which does not fall with s, a pass from s₁ to s₂ < s₁ has
 ///
-/// ∫_{s₂}^{s₁} ds/ρ(s) ≤ (s₁ − s₂)/ρ(s₂) = a/ρ(s₂) ≤ τ(v),
+///     ∫_{s₂}^{s₁} ds/ρ(s) ≤ (s₁ − s₂)/ρ(s₂) = a/ρ(s₂) ≤ τ(v),
 ///
 /// and the sum over all passes is T_lim = ∫₀^Π ds/ρ(s) ≤ T. The integral is taken as its lower sum,
 /// with ρ at the upper end of each cell; over a cell of v, L_b at its lower and τ at its upper end
@@ -107,7 +107,7 @@ struct SteplessLimit {
 /// reversal or at both. The total infeed is at least |R_first − R_t|, so plunging in adds to either
 /// bound
 ///
-/// Σ⌈n·x_i/S_rad⌉ ≥ ⌈n·Σx_i/S_rad⌉ ≥ ⌈n·|R_first − R_t|/S_rad⌉
+///     Σ⌈n·x_i/S_rad⌉ ≥ ⌈n·Σx_i/S_rad⌉ ≥ ⌈n·|R_first − R_t|/S_rad⌉
 ///
 /// revolutions.
 ///
@@ -116,8 +116,8 @@ struct SteplessLimit {
 /// the reversals: S_rad·τ_p at most, and N·f in N double strokes, of which each takes c. So a time
 /// T = τ + τ_p has
 ///
-/// T ≥ τ,   S_c·T + S_rad·(T − τ) ≥ |R_first − R_t|,   S_c·T + N·f ≥ |R_first − R_t|,   τ ≥
-/// N·c.
+///     T ≥ τ,   S_c·T + S_rad·(T − τ) ≥ |R_first − R_t|,   S_c·T + N·f ≥ |R_first − R_t|,   τ ≥
+///     N·c.
 ///
 /// The first two add to the bound of the integral, which is one of τ; all four are the second
 /// bound, the least over N. Its third side falls with N, the others rise, so the least T is at the
@@ -129,11 +129,12 @@ struct SteplessLimit {
 /// stop κ above the target:
 ///
 /// (1) in the gauged section one that ends within the slack of target, its stock at least that of
-/// the blank's deepest radius; (2) in every section, on the diameter of which the deeper end of the
-/// blank is the shallowest,
-/// one of the two opposite radii stands at most δ before target, κ = δ; (3) in the gauged section
-/// each of these two, κ = r plus the slack: all radii are that near to
-/// (1); (4) in every section each of these two, κ = δ + r/2, as their mean is δ at the most.
+///     the blank's deepest radius;
+/// (2) in every section, on the diameter of which the deeper end of the blank is the shallowest,
+///     one of the two opposite radii, at most δ before target, κ = δ;
+/// (3) in the gauged section each of these two, κ = r plus the slack: all radii are that near to
+///     (1);
+/// (4) in every section each of these two, κ = δ + r/2, as their mean is at most δ.
 ///
 /// For (2) and (4) the gauged and the most compliant section are taken. Each pass of such a radius
 /// keeps a + γ·P(a) = γ·P(a_before) + Δt, Δt ≤ f, starting from zero deflection, or it cuts

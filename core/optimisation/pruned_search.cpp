@@ -535,13 +535,13 @@ private:
     bool m_freeLast;                    ///< the last stage's stock has no bounds
     bool m_mayMerge;                    ///< ends of stages before the one before the last
     int m_leastSteps;                   ///< for each stage; all before the last have stock and feed
-    int m_mostSince; ///< number of steps that are repeated as quickly as more are kept
-    /// Settings by the number of stages, the previous stage and its setting.
+    int m_mostSince; ///< steps up to which repeating is no slower than keeping another copy
+    /// Next settings by the number of stages, the number of finished ones and the last setting.
     std::map<std::array<std::size_t, 3>, std::vector<std::size_t>> m_followers;
     std::vector<std::size_t> m_settings, m_refuted; ///< for the branch being opened
     std::vector<Branch> m_branches;                 ///< a heap
     bool m_isFirstTaken = false;                    ///< the first of the heap has to be replaced
-    std::vector<Branch> m_newest;                   ///< branches beyond the greatest ordered number
+    std::vector<Branch> m_newest;                   ///< branches that the heap has no room for
     std::size_t m_mostWithSteps, m_most;            ///< in order
     std::size_t m_withSteps = 0;                    ///< branches in order whose prefix is whole
     long long m_order = 0;

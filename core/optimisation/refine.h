@@ -10,13 +10,13 @@
 /// Refinement of a cycle of the grid to a quicker one between its levels.
 ///
 /// 1. A search without derivatives (NLopt's Subplex) varies the feeds of all stages and the stocks
-/// of all but the last, from the given cycle and then from the best so far, between the least
-/// and the greatest level of the grid and within the machine's ranges. It minimises the time,
-/// less a little for the depth that the last step cuts below size, plus a penalty for every
-/// violated requirement, so that there is a slope where the time, a number of steps, has none. 2.
-/// The result is rounded to values that can be set: the steps of the machine's ranges, or else
-/// three significant digits of a feed; 0.0001 mm of stock. From there, and from the best so far,
-/// single settings, or a setting and a stock, are changed by such steps as long as that helps.
+///    of all but the last, from the given cycle and then from the best so far, between the least
+///    and the greatest level of the grid and within the machine's ranges. It minimises the time,
+///    less a little for the depth that the last step cuts below size, plus a penalty for every
+///    violated requirement, so that there is a slope where the time, a number of steps, has none.
+/// 2. The result is rounded to values that can be set: the steps of the machine's ranges, or else
+///    three significant digits of a feed; 0.0001 mm of stock. From there, and from the best so far,
+///    single settings, or a setting and a stock, are changed by such steps as long as that helps.
 ///
 /// Every trial is a full run by simulateUnchecked(), on the part and in every scenario, decided by
 /// evaluateConstraints(): the answer is feasible, and it is the given cycle if no quicker one was

@@ -331,7 +331,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         std::ranges::move(summary.search.addedCases, std::back_inserter(search.cases));
         if (summary.search.isStale && !options.search.stop.stop_requested()) {
             search.incumbent.reset(); // it may be the one that fails in a part added later
-            continue;                 // with its best in none of them
+            continue;                 // repeats the search with the added parts
         }
         if (!summary.search.best || summary.search.status == SearchStatus::stopped) {
             if (summary.search.isStale) {

@@ -18,7 +18,8 @@ struct LagStep {
     double lag_mm = 0, after_mm = 0;
 };
 
-/// Searches near the steady lag for a lag that steps W do not cross; ∞ if none is found.
+/// Finds a lag near the steady one, from which a step W does not lead to a greater lag; ∞ if none
+/// is found.
 template <class Next>
 LagStep above(double infeed_mm, const Next& next) {
     constexpr double further = 4;

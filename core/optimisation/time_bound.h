@@ -15,7 +15,7 @@ namespace sparkout {
 /// needs that infeed. With the stock L < Π of the later stages, as all in the grid have, the end of
 /// a stage satisfies
 ///
-/// t_П ≥ |R_first − R_t| − L − slack,
+///     t_П ≥ |R_first − R_t| − L − slack,
 ///
 /// and under position control this is its end. A step of infeed x takes at least c(v) + x/S_rad in
 /// traverse (c: dwells and both strokes at the axial feed v; N_E1 ≥ n·x/S_rad), 1/n in plunge.

@@ -16,7 +16,7 @@ struct FailingShare {
 /// Computes the shares from a decision and the distribution of the stock, F(x) being the share of
 /// parts with a smaller stock:
 ///
-/// failing = Σ (F(to) − F(from)) over the stocks that fail,  undecided = 1 − (F(to) − F(from))
+///     failing = Σ (F(to) − F(from)) over the stocks that fail,  undecided = 1 − (F(to) − F(from))
 ///
 /// of the range. A stock in overlapping pieces counts once. No stock is sampled.
 [[nodiscard]] FailingShare failingShare(const PhaseDecision& decision,

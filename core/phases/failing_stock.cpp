@@ -63,7 +63,7 @@ public:
     [[nodiscard]] bool holdsIfNotBurned() const { return !m_fails && !m_isNear; }
     double leastMargin = std::numeric_limits<double>::infinity(); ///< relative, at the worse end
     StockRange failing;          ///< stocks of the piece for which the worst diameter fails
-    bool failsAtLargest = false; ///< by the largest amount
+    bool failsAtLargest = false; ///< the largest stock of the piece fails by more than the least
 
 private:
     void take(const ConstraintResult& each) {

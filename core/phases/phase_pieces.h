@@ -25,7 +25,7 @@ struct PhasePiece {
 /// stock Π while the same stages run: with G_m, how deep the gauge's section is cut after m steps,
 /// the reading is Π_rem = Π + ΔR − G_m, and stage z ends at the first step with
 ///
-/// Π ≤ G_m − ΔR + Σ_{j>z} Π_j.
+///     Π ≤ G_m − ΔR + Σ_{j>z} Π_j.
 ///
 /// All stocks of the interval therefore share one run up to a step where the right side lies within
 /// the interval. There the stocks up to it end the stage and the others continue; each part is

@@ -47,9 +47,10 @@ struct ComplianceParts {
 /// headstock end of the shaft (centre or chuck face) and lie on the shaft. With M_x(xi) the bending
 /// moment from a unit force at x and I = pi d^4/64,
 ///
-/// centres: G = 1/j_w + (1-x/L)(1-s/L)/j_h + (x/L)(s/L)/j_t + integral of M_x M_s/(E I) over
-/// the shaft chuck:   G = 1/j_w + 1/j_h                               + the same integral, M_x
-/// = max(0, x - xi)
+///     centres: G = 1/j_w + (1-x/L)(1-s/L)/j_h + (x/L)(s/L)/j_t + integral of M_x M_s/(E I),
+///     chuck:   G = 1/j_w + 1/j_h + the same integral, M_x = max(0, x - xi);
+///
+/// the integrals extend over the shaft.
 ///
 /// Each rest (stiffness k at p) then changes the part of the shaft, g = G - 1/j_w, to g(x,s) -
 /// g(x,p) g(p,s)/(1/k + g(p,p)). Exact for stepped shafts up to rounding: the integrand is
@@ -59,8 +60,8 @@ struct ComplianceParts {
 /// With many segments or rests the same integrals are taken as running sums along the shaft: with
 /// the moment M_s under a load, unit force or evenly spread, the shaft bends at x by
 ///
-/// centres: (1-x/L) integral_0^x xi M_s/(E I) + (x/L) integral_x^L (L-xi) M_s/(E I)
-/// chuck:   y(x), y' = integral_0^x M_s/(E I)
+///     centres: (1-x/L) integral_0^x xi M_s/(E I) + (x/L) integral_x^L (L-xi) M_s/(E I)
+///     chuck:   y(x), y' = integral_0^x M_s/(E I)
 ///
 /// Every term is positive, so nothing cancels and the sums agree with the integrals to rounding.
 /// The rests remain the Cholesky factor of 1/k + g(p,p'). (A stiffness matrix of the shaft's joints

@@ -79,8 +79,9 @@ double ContactCompliance::cutWithThreshold(Lanes& lanes, const LaneCoefficients&
     return largest;
 }
 
-// The left side rises with x, and v rises up to 1 or a from 0; its slope is at least that of the
-// rigid contact, so the root lies between 0 and that of the rigid contact.
+// The left side rises with x, which is v, up to 1, below the threshold and a, from 0 on, above it.
+// Its slope is at least that of the rigid contact, so the root lies between 0 and that of the rigid
+// contact.
 ThresholdState ContactCompliance::state(const Balance& balance, double h) const {
     const auto& [A, C, bks, bkr] = balance;
     if (h <= 0) {

@@ -14,13 +14,13 @@ namespace sparkout {
 /// is pressed; an option beyond the sources, off by default [MODEL-7, HASHIMOTO2020]. Under the
 /// normal force P the wheel's surface deflects by
 ///
-/// δ_c(P) = ∫₀^P dF/k(F)
+///     δ_c(P) = ∫₀^P dF/k(F)
 ///
 /// with k(F) given at some forces, linear between them and constant before the first and after the
 /// last; δ_c in closed form on each piece, ΔF/k₀·ln(1 + x)/x, x = (k₁ − k₀)/k₀·ΔF/(F₁ − F₀). The
 /// elastic balance [MODEL-3] becomes
 ///
-/// a + γ·P_y(a) + δ_c(P_y(a)) = h
+///     a + γ·P_y(a) + δ_c(P_y(a)) = h
 ///
 /// whose left side rises strictly from 0 with a, so there is one root, between 0 and the root
 /// without the contact.

@@ -15,22 +15,22 @@ class SectionInfluence;
 /// The balances of CoupledSections of twelve radii side by side, where every section cuts and no
 /// wheel contact yields: Newton's steps in u = √a, with f_j(u) = Δx_j·(k_s·u² + k_r·u),
 ///
-/// r_j = u_j² + Σ_l G_jl·f_l − h_j = 0
+///     r_j = u_j² + Σ_l G_jl·f_l − h_j = 0
 ///
 /// in time proportional to J: G is semiseparable (SectionInfluence), and D + G = L·Δ·Lᵀ with L of
 /// the same form, D = 2u/f′. u² and f are quadratic, so the tangents give the forces they lead to
 /// without r being formed, and without a difference in them:
 ///
-/// (D + G)·f̂ = h + u²·Δx·k_r/f′,      û = (Δx·k_s·u² + f̂)/f′
+///     (D + G)·f̂ = h + u²·Δx·k_r/f′,      û = (Δx·k_s·u² + f̂)/f′
 ///
 /// G being linear, r is then just what u² and f have beyond their tangents, δu² and Δx·k_s·δu² with
 /// δu = û − u, but for rounding. The same L·Δ·Lᵀ takes that away in a correction,
 ///
-/// (D + G)·y = δu²·Δx·k_r/f′,         ε = −(Δx·k_s·δu² + y)/f′,       u ← û + ε
+///     (D + G)·y = δu²·Δx·k_r/f′,         ε = −(Δx·k_s·δu² + y)/f′,       u ← û + ε
 ///
 /// and leaves (δu + ε)² − δu² in its place: together a step of third order. So
 ///
-/// |r_j| ≤ (1 + max_j Σ_l |G_jl|·Δx_l·k_s)·max_l |δu_l² or ε_l·(2δu_l + ε_l)|
+///     |r_j| ≤ (1 + max_j Σ_l |G_jl|·Δx_l·k_s)·max_l |δu_l² or ε_l·(2δu_l + ε_l)|
 ///
 /// decides which step is the last. A radius that does not converge to a solution with all u > 0 is
 /// left to CoupledSections::solve().
@@ -74,7 +74,7 @@ public:
         std::size_t first = 0; ///< first of the radii used
         Row moving{};          ///< > 0: this radius moves
         Row least{};           ///< the smallest u after the step
-        Row most{};            ///< the largest that u² is beyond the tangents
+        Row most{};            ///< largest deviation of u² from the tangents
     };
     using Kernel = void (*)(Balance& balance, Step& step);
     struct Kernels { ///< kernels for one, two and three adjacent thirds

@@ -19,12 +19,12 @@ class SectionInfluence;
 /// width of the force law, p(a) = k_s·a + k_r·√a [N/mm]. With the influence function G [mm/N] at
 /// the sections' middles and the lag h_j = t_П − depth_j [mm], find a_j ≥ 0 such that
 ///
-/// r_j = a_j + Σ_l G_jl·p(a_l)·Δx_l − h_j ≥ 0,     a_j·r_j = 0
+///     r_j = a_j + Σ_l G_jl·p(a_l)·Δx_l − h_j ≥ 0,     a_j·r_j = 0
 ///
 /// There is exactly one solution. In the slice forces f_j = p_j·Δx_j, with φ(p) the depth at which
 /// the pressure is p (φ(0) = 0, strictly increasing), r is the gradient of
 ///
-/// Ψ(f) = Σ Δx_j·∫₀^{p_j} φ dp + ½·fᵀGf − hᵀf
+///     Ψ(f) = Σ Δx_j·∫₀^{p_j} φ dp + ½·fᵀGf − hᵀf
 ///
 /// G is symmetric and positive semidefinite (½·fᵀGf is the strain energy), each ∫φ is strictly
 /// convex and outgrows every linear function, so Ψ is strictly convex and coercive on f ≥ 0; the
@@ -53,10 +53,10 @@ class SectionInfluence;
 /// follows, which converges from everywhere:
 ///
 /// 1. a sweep: section by section f_j becomes the minimum of Ψ along f_j ≥ 0, the root of w(f_j) +
-/// G_jj·f_j = h_j − Σ_{l≠j} G_jl·f_l (w = a + δ_c), or 0 where the right side is not positive; 2.
-/// Newton's steps over the sections with f_j > 0, as far as the first force that they bring to
-/// 0, each cut back until it lowers Ψ, up to where these sections are in balance, at most 50;
-/// then again 1.
+///    G_jj·f_j = h_j − Σ_{l≠j} G_jl·f_l (w = a + δ_c), or 0 where the right side is not positive;
+/// 2. Newton's steps over the sections with f_j > 0, as far as the first force that they bring to
+///    0, each cut back until it lowers Ψ, up to where these sections are in balance, at most 50;
+///    then again 1.
 ///
 /// Proof. No step raises Ψ, so all points lie in a bounded set (Ψ is coercive). A sweep is
 /// continuous in f, for each of its roots is; and it lowers Ψ unless no f_j alone can lower it,

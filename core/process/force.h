@@ -15,8 +15,8 @@ enum class Surface; // core/project/part.h
 ///     P_y(a) = b·( k_s·a + k_r·√a )             normal force [N]
 ///     P_z(a) = b·( k_t·a + μ·k_r·√a )           tangential force [N]
 ///
-/// b effective width of cut [mm], a depth of cut [mm]; valid for a ≥ 0. By the wheel's recipe κ,
-/// see RecipeShares, stands before k_s and k_t.
+/// b effective width of cut [mm], a depth of cut [mm]; valid for a ≥ 0. With the wheel's
+/// recipe k_s and k_t are multiplied by κ, see RecipeShares.
 ///
 /// With a threshold, as an option [HON585], a width is in one of three states:
 ///
@@ -25,8 +25,8 @@ enum class Surface; // core/project/part.h
 ///     off         P_y = P_z = 0
 ///
 /// v = min(P_y/(b·F'_0), 1) is the rubbing share, 1 where it cuts. So both laws are
-/// P_y = b·(k_s·a + k_r·v), P_z = b·(k_t·a + μ·k_r·v): of the sources' v is √a, and k_s, k_r and
-/// k_t stand for K, F'_0 and K_z of the other.
+/// P_y = b·(k_s·a + k_r·v), P_z = b·(k_t·a + μ·k_r·v): in the sources' law v is √a; in the law with
+/// a threshold k_s, k_r and k_t are K, F'_0 and K_z.
 struct ForceLaw {
     double ks = 0;          ///< k_s = ε_i·tg β·σ_i·V_d/V_k; K = K_0·V_d/V_k [N/mm²]
     double kr = 0;          ///< k_r = η·σ_i·√D_e/3 [N/mm^1.5]; F'_0 [N/mm]

@@ -10,10 +10,10 @@
 /// One pass under the wheel for many independent lanes (a lane is one radius of one zone, section
 /// or scenario): the elastic balance [MODEL-3]
 ///
-/// a + γ·P_y(a) = h,    h = t_П − depth,    a = 0 if h ≤ 0
-/// A = 1 + γ·b·k_s,  C = γ·b·k_r
-/// √a = ( √(C² + 4·A·h) − C ) / (2·A)
-/// depth ← depth + a
+///     a + γ·P_y(a) = h,    h = t_П − depth,    a = 0 if h ≤ 0
+///     A = 1 + γ·b·k_s,  C = γ·b·k_r
+///     √a = ( √(C² + 4·A·h) − C ) / (2·A)
+///     depth ← depth + a
 ///
 /// This multiplied form loses at most ε·C/A ≤ ε·k_r/k_s in √a, hence 2ε·√a·k_r/k_s in a: with
 /// k_r/k_s up to `multipliedFormLimit` that is below 1e-13 mm. Beyond it (a very dull wheel on very

@@ -11,7 +11,7 @@ namespace sparkout {
 /// whatever the force's position: a line and the shape under a moment; each rest adds one. So G is
 /// semiseparable: with a few numbers for each section
 ///
-/// G_jl = row_j·column_l     for l < j.
+///     G_jl = row_j·column_l     for l < j.
 ///
 /// The exactness of its products is checked; a matrix of another form, or of few sections, is
 /// handled in the usual way.

@@ -6,9 +6,9 @@
 /// The pass of PassFunction for a force with a threshold [MODEL-2, MODEL-3]. A lane cuts, touches
 /// or is off:
 ///
-/// a = (h − C)/A,  v = 1     where h > C,  C = γ·b·F'_0,  A = 1 + γ·b·K
-/// a = 0,  v = h/C           where 0 < h ≤ C: the wheel presses with h/γ without cutting
-/// a = 0,  v = 0             where h ≤ 0
+///     a = (h − C)/A,  v = 1     where h > C,  C = γ·b·F'_0,  A = 1 + γ·b·K
+///     a = 0,  v = h/C           where 0 < h ≤ C: the wheel presses with h/γ without cutting
+///     a = 0,  v = 0             where h ≤ 0
 ///
 /// The lanes keep v beside √a, see Lanes::keepRubbing().
 namespace sparkout {

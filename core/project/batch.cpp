@@ -167,31 +167,30 @@ const StructInfo& tableOf<Batch>() {
             .symbol = "δΠ", .unit = "mm", .hard = {-5, 5},
             .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"), .count = 2, .sparse = true,
             .page = Page::batch,
-            .hint = SPARKOUT_NOOP(
-                "Input",
-                "Minimum and maximum difference of each zone or section from the stock of the "
-                "part, "
-                "in their order; each scatters by itself, evenly. Twice the same is a constant."),
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Minimum and maximum difference of each zone or section from the "
+                                  "stock of the part, in their order; they scatter independently "
+                                  "and uniformly. Two equal values are a constant."),
             .source = "MODEL-8"),
-        SPARKOUT_FIELD(Batch, zone_runout_mm,
-                       .label = SPARKOUT_NOOP("Input", "Further runout by zone"), .symbol = "δ(ΔR)",
-                       .unit = "mm", .hard = {-5, 5},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"), .count = 2,
-                       .sparse = true, .page = Page::batch,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Minimum and maximum difference of each zone or section from "
-                                    "the initial runout of the part, in their order; each "
-                                    "scatters by itself, evenly. Twice the same is a constant."),
-                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Batch, zone_runout_mm, .label = SPARKOUT_NOOP("Input", "Further runout by zone"),
+            .symbol = "δ(ΔR)", .unit = "mm", .hard = {-5, 5},
+            .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"), .count = 2, .sparse = true,
+            .page = Page::batch,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Minimum and maximum difference of each zone or section from the "
+                                  "initial runout of the part, in their order; they scatter "
+                                  "independently and uniformly. Two equal values are a constant."),
+            .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Batch, zone_compliance, .label = SPARKOUT_NOOP("Input", "Compliance factor by zone"),
             .symbol = "f_γ", .hard = {1e-3, 1e3},
             .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"), .count = 2, .sparse = true,
             .page = Page::batch,
-            .hint = SPARKOUT_NOOP(
-                "Input",
-                "Minimum and maximum factor on the compliance of each zone or section, in their "
-                "order; each scatters by itself, evenly. Twice the same is a constant."),
+            .hint =
+                SPARKOUT_NOOP("Input", "Minimum and maximum factor on the compliance of each zone "
+                                       "or section, in their order; they scatter independently and "
+                                       "uniformly. Two equal values are a constant."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Batch, correlation, .label = SPARKOUT_NOOP("Input", "Correlation"), .hard = {-1, 1},

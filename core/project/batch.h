@@ -31,7 +31,7 @@ struct Factors {
     std::optional<Factor> contact_width_mm;
     std::optional<Factor> machine_form;
     std::optional<Factor> runout_at_deg;
-    std::optional<Factor> gauge_error;   ///< standard deviation of the machine's gauge is the unit
+    std::optional<Factor> gauge_error;   ///< in standard deviations of the machine's gauge
     std::optional<Factor> gauge_age_h;   ///< since the machine's gauge was set: it drifts
     std::optional<Factor> part_warmer_k; ///< ΔT at the gauge
 };
@@ -48,7 +48,7 @@ struct Batch {
     NumberRows zone_compliance;
     NumberRows correlation; ///< correlation matrix of the factors, in the order of the table
     double least_ppk = 1;   ///< least lower 95 % bound of Ppk of a fit cycle
-    std::optional<double> most_outside_share; ///< greatest share of rejected parts
+    std::optional<double> most_outside_share; ///< greatest share of rejects, found and expected
     // The comparison of measured parts with the batch.
     double measuring_uncertainty_um = 0; ///< standard uncertainty u of one measured value
     std::optional<double> bias_limit_um; ///< greatest difference of means that counts as agreement

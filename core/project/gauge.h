@@ -17,7 +17,7 @@ struct Gauge {
     std::optional<int> section;        ///< 0-based plunge section; not given: the middle one
     std::optional<double> position_mm; ///< free position along the ground length [mm]
     std::optional<double> compliance_mm_per_n; ///< γ at the free position [mm/N]
-    std::optional<double> datum_mm; ///< R − R_t at the zero of feeding, position control [mm]
+    std::optional<double> datum_mm; ///< R − R_t from which the feed counts, position control [mm]
     bool spans_gaps = true;         ///< reads across the gaps of an interrupted surface
     int commands = 5;               ///< stages the gauge can switch
     std::optional<double> delay_s;  ///< delay from the reading to the command; not given: none [s]

@@ -31,8 +31,8 @@ enum class FactorKind {
     partWarmer
 };
 
-/// Whether the factor is an error of the gauge's reading. Corners keep these at their mean: they
-/// are random and independent, and no cycle compensates them.
+/// Whether the factor is an error of the gauge's reading. Corners keep these at factorMiddle():
+/// they are random and independent, and no cycle compensates them.
 [[nodiscard]] constexpr bool isOfReading(FactorKind kind) {
     return kind >= FactorKind::gaugeError;
 }
@@ -66,7 +66,7 @@ struct GivenFactor {
 }
 
 /// The usual causes of scatter that the project's batch leaves out, in the order of their table:
-/// not given, or without the machine value that they multiply, or kept at their mean by corners.
+/// not given, or without the machine value that they multiply, or kept at their middle by corners.
 /// Without a batch these are all causes; errors of the reading count only where the gauge ends a
 /// stage.
 [[nodiscard]] std::vector<FactorKind> notCounted(const Project& project);

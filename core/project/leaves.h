@@ -16,7 +16,8 @@ struct Leaf {
     const void* owner;
 };
 
-/// All values below a struct in the order of its table; only the row of what is not given.
+/// All values below a struct in the order of its table; for a struct that is not given only its
+/// row.
 [[nodiscard]] std::vector<Leaf> leavesOf(const StructInfo& table, const void* owner);
 
 } // namespace sparkout

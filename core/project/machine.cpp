@@ -247,11 +247,12 @@ Field wheelSpeedControl() {
     return SPARKOUT_FIELD(
         Machine, wheel_speed_control, .label = SPARKOUT_NOOP("Input", "Worn wheel runs at"),
         .sparse = true, .page = Page::machine,
-        .hint = SPARKOUT_NOOP("Input", "What the drive keeps when the wheel gets smaller, in a "
-                                       "batch, a sweep, a set-up and from dressing to dressing: "
-                                       "the peripheral speed, or the revolutions, so that the "
-                                       "speed falls with the diameter. The wheel speed is that of "
-                                       "the wheel diameter as it is given."),
+        .hint =
+            SPARKOUT_NOOP("Input", "The quantity that the drive keeps when the wheel gets smaller, "
+                                   "in a batch, a sweep, a set-up and from dressing to dressing: "
+                                   "the peripheral speed, or the revolutions, so that the "
+                                   "speed falls with the diameter. The wheel speed is that of "
+                                   "the wheel diameter as it is given."),
         .formula = "V_k = π·D·n_k", .source = "MODEL-8");
 }
 
@@ -291,8 +292,8 @@ Field machineForm() {
     return SPARKOUT_FIELD(
         Machine, form, .label = SPARKOUT_NOOP("Input", "Machine's form"),
         .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
-        .hint = SPARKOUT_NOOP("Input", "What centres, headstock and spindle print onto every part, "
-                                       "by zone or section."),
+        .hint = SPARKOUT_NOOP("Input", "The form error that centres, headstock and spindle "
+                                       "transfer to every part, by zone or section."),
         .formula = "R_k − c(φ_k), c = A_1·cos(φ − φ_1) + A_j·cos jφ", .source = "MODEL-7");
 }
 

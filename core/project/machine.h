@@ -42,8 +42,8 @@ struct MachineLimits {
 /// [MODEL-7].
 struct MachineForm {
     std::optional<std::vector<double>> roundness_um; ///< 2·A_j; not given: not known [µm]
-    std::optional<std::vector<double>> runout_um; ///< of A_1 plus A_j; not given: not known [µm]
-    std::optional<int> lobes;                     ///< j; not given: not known
+    std::optional<std::vector<double>> runout_um;    ///< of A_1 and A_j; not given: not known [µm]
+    std::optional<int> lobes;                        ///< j; not given: not known
     /// Angle from a lobe's deepest point to that of A_1; not given: the one that gives the stated
     /// runout [°]
     std::optional<double> runout_at_deg;
@@ -71,7 +71,8 @@ struct Machine {
     std::optional<std::vector<double>> zone_compliance; ///< factor on γ of each zone or section
     double geometric_runout_um = 0;  ///< runout of centres and spindle, added to every runout [µm]
     std::optional<MachineForm> form; ///< if given, geometric_runout_um is not used
-    // Repeatability of the in-process gauge; not given: not known, and no scatter of a batch.
+    // Repeatability and drift of the in-process gauge; not given: unknown, without scatter in a
+    // batch.
     std::optional<double> gauge_repeatability_um; ///< s_g, standard deviation of a reading [µm]
     std::optional<double> gauge_drift_um_h; ///< v_g, drift of the reading since it was set [µm/h]
     std::optional<double> wheel_drive_kw;   ///< [kW]; not given: not limited

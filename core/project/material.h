@@ -25,7 +25,7 @@ struct Material {
     ForceLawKind force_law = ForceLawKind::sources;
     double threshold_force_n_mm = 0.5;                   ///< F'_0, a width that just cuts [N/mm]
     double specific_force_mpa = 50000;                   ///< K_0, K = K_0·V_d/V_k [N/mm²]
-    std::optional<double> specific_tangential_force_mpa; ///< of K_z, too [N/mm²]
+    std::optional<double> specific_tangential_force_mpa; ///< likewise for K_z [N/mm²]
     double conductivity_w_mk = 36;                       ///< λ [W/(m·K)]
     double diffusivity_mm2_s = 9;                        ///< Ω [mm²/s]
     std::optional<double> burn_rise_k; ///< U_burn, temperature rise that burns [K]

@@ -21,11 +21,11 @@ std::string_view takeKey(std::string_view& path) {
     return key;
 }
 
-/// What becomes of a struct that is not given; the last two are only read from.
+/// The treatment of a struct that is not given; with the last two nothing is written.
 enum class Missing { stop, create, defaults, none };
 
-/// The struct a path goes on in below an object row; null when there is none. What is only read
-/// from stays shared with other projects.
+/// The struct in which a path continues below an object row; null if there is none. A struct that
+/// is only read stays shared with other projects.
 void* descend(const Field& field, void* owner, std::string_view& path, Missing missing) {
     if (field.kind == Kind::object || field.kind == Kind::optionalObject) {
         return missing == Missing::defaults || missing == Missing::none

@@ -33,8 +33,8 @@ struct ConstMember {
 /// The member for reading; optional structs that are not given answer with their defaults.
 [[nodiscard]] ConstMember findMember(const Project& project, std::string_view path);
 
-/// The same in any struct; nothing is created, and what is below an optional struct that is not
-/// given has no owner.
+/// The member at a path of any struct; nothing is created, and a member below an optional struct
+/// that is not given has no owner.
 [[nodiscard]] Member memberIn(const StructInfo& table, void* root, std::string_view path);
 [[nodiscard]] ConstMember memberIn(const StructInfo& table, const void* root,
                                    std::string_view path);

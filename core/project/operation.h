@@ -29,11 +29,11 @@ struct StageFeed {
 struct OperationTraits {
     Choice choice;                    ///< its key in the file and its label
     std::span<const StageFeed> feeds; ///< the radial one, and an axial one if any
-    /// The feed that a stage may replace by a continuous one; null if there is none.
+    /// The continuous feed, which may replace the radial one of a stage; null if there is none.
     const StageFeed* continuous = nullptr;
     double usualRadial = 0;     ///< usual radial feed of an added stage
     int usualLeastSteps = 0;    ///< usual least number of steps of a stage with stock
-    bool perMinute = false;     ///< the feed is in mm/min, otherwise in mm per step
+    bool perMinute = false;     ///< the radial feed is in mm/min, otherwise in mm per step
     bool countsStrokes = false; ///< a step of the cycle is a double stroke, otherwise a revolution
     /// The wheel travels along the part between reversals with overruns and dwells; otherwise it
     /// covers the whole ground length.

@@ -26,8 +26,8 @@ enum class SearchObjective { time, cost, wheel_life };
 /// The cost of a part, in any currency: reported, and minimised if it is the objective.
 struct Cost {
     double machine_per_h = 0;                   ///< hourly cost of machine and operator [1/h]
-    double handling_s = 0;                      ///< loading and measuring, a part [s]
-    double dressing_s = 0;                      ///< a dressing [s]
+    double handling_s = 0;                      ///< loading and measuring, per part [s]
+    double dressing_s = 0;                      ///< time of a dressing [s]
     double dressing_cost = 0;                   ///< wheel and diamond worn by a dressing
     std::optional<int> parts_between_dressings; ///< not given: see costPerPart()
 };

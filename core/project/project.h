@@ -80,7 +80,7 @@ struct Project {
 /// The number of zones or sections of the ground length.
 [[nodiscard]] int placeCount(const Project& project);
 
-/// The number of sections in addition to the zones' middles, zone by zone; 0 where each zone is its
+/// The number of sections of all zones, in addition to the zones' middles; 0 where each zone is its
 /// middle.
 [[nodiscard]] int zoneSectionCount(const Project& project);
 

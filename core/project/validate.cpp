@@ -756,7 +756,7 @@ private:
             known = known && sound({"/cycle/stages/" + std::to_string(i) + "/stock_mm"});
         }
         if (known && std::abs(sum - project().part->stock_mm) > 1e-9) {
-            sum = std::round(sum * 1e9) / 1e9; // rounds the sum as by hand
+            sum = std::round(sum * 1e9) / 1e9; // removes binary rounding
             warn(IssueCode::stocksDoNotSumUp, "/cycle/stages", mm(sum),
                  mm(project().part->stock_mm));
         }

@@ -213,7 +213,7 @@ LimitPoints releaseCurve(const ForceLaw& law, double b, double gamma, double las
                 stock += a;
                 a = depthBefore(law, b, gamma, a);
             }
-            if (stock > points.back().stock_mm) { // not lower, except by rounding
+            if (stock > points.back().stock_mm) { // depths must not fall by rounding
                 points.push_back({stock, std::max(a, points.back().depth_mm)});
             }
             if (stock >= deepest) {

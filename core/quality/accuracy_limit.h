@@ -15,7 +15,7 @@
 /// Release. A pass of a radius keeps a + γ·P(a) = γ·P(a_before) + Δt. Where the wheel head never
 /// retracts, Δt ≥ 0, each cut is bounded from below by the one before:
 ///
-/// a ≥ σ(a_before),   σ(a) + γ·P(σ(a)) = γ·P(a),   σ rising.
+///     a ≥ σ(a_before),   σ(a) + γ·P(σ(a)) = γ·P(a),   σ rising.
 ///
 /// So where the last cut is at most a*, a cut that is followed by n others is σ^(−n)(a*) at most.
 /// The stock removed after it is at least σ(a) + σ²(a) + … until a* is reached: a cut with the
@@ -26,7 +26,7 @@
 /// and with γ, so D_2 ≥ D_1 after every pass. Both lanes end at t_П less D, so their radii differ
 /// by D_2 − D_1; where that is at most s, a_1 − a_2 = (D_2 − D_1) − (D_2 − D_1)_before ≤ s, and
 ///
-/// γ_2·P(a_2) − γ_1·P(a_2 + s) ≤ D_2 − D_1 ≤ s,
+///     γ_2·P(a_2) − γ_1·P(a_2 + s) ≤ D_2 − D_1 ≤ s,
 ///
 /// whose left side rises with a_2: its root bounds the last cut of the compliant lane, and the root
 /// plus s that of the others. s is the total runout, less the machine's, for every radius; or half
@@ -41,8 +41,8 @@
 /// The last cuts together. A last cut as great as this follows a small one. Let x and y be the last
 /// cut of the compliant lane and the one before, e = D_2 − D_1 after each pass:
 ///
-/// e_n = γ_2·P(x) − γ_1·P(a_1) ≤ s,  so  a_1 ≥ g(x),  γ_1·P(g(x)) = max(γ_2·P(x) − s, 0),
-/// e_(n−1) = e_n + x − a_1 ≤ s + x − g(x),  and  y ≤ σ^(−1)(x).
+///     e_n = γ_2·P(x) − γ_1·P(a_1) ≤ s,  so  a_1 ≥ g(x),  γ_1·P(g(x)) = max(γ_2·P(x) − s, 0),
+///     e_(n−1) = e_n + x − a_1 ≤ s + x − g(x),  and  y ≤ σ^(−1)(x).
 ///
 /// So y is a last cut where the radii may differ by s' = s + x − g(x); the same applies to the cut
 /// before it. All terms rise with x except −g, which falls: over x₁ … x₂ the bounds are at most

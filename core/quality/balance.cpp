@@ -45,8 +45,8 @@ FormulaSheet balanceSheet(const Project& project, double b, double gamma, double
         return thresholdSheet(project, cutting, b, gamma, h);
     }
     const double ks = cutting.law.ks, kr = cutting.law.kr;
-    // The root in the form printed below: a pass uses a quicker form that, with a dull wheel, loses
-    // some hundred roundings.
+    // The root in the form printed below: a pass uses a quicker form which, with a dull wheel, has
+    // an error of some hundred roundings.
     const double A = 1 + gamma * (b * ks), C = gamma * (b * kr);
     const double u = h > 0 ? 2 * h / (C + std::sqrt(C * C + 4 * A * h)) : 0;
     const double a = u * u, Py = b * (ks * u * u + kr * u);

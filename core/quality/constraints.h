@@ -14,7 +14,7 @@ inline constexpr double diameterSlack_mm = 1e-9;
 /// The result of checking one requirement, in the unit of its row. `limit` is the limit that the
 /// value is compared with, so that always
 ///
-/// margin = limit − value,  where the limit is a minimum  margin = value − limit
+///     margin = limit − value,  or, where the limit is a minimum,  margin = value − limit
 ///
 /// * burn: the depth of cut nearest to the greatest one whose damaged layer stays within the stock
 ///   left, and that depth;

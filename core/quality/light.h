@@ -27,15 +27,15 @@ inline constexpr double closeMargin = 0.1;
 enum class MarginKnown {
     exactly,
     atMost, ///< the value is a lower bound
-    no      ///< of a part of the surface, of an open estimate, or of a value that rounds to 0
+    no      ///< value of a part of the surface, of an open estimate, or one that rounds to 0
 };
 [[nodiscard]] MarginKnown marginKnown(const ConstraintResult& constraint);
 /// The margin as it is stated: of an estimate that is met, that of its upper end.
 [[nodiscard]] double statedMargin(const ConstraintResult& constraint);
 
-/// Whether the first is to be spoken of before the second: what fails before what holds, of that
-/// the overlap, on which the others wait where strips stay uncut; then what is close; then by the
-/// relative margin.
+/// Whether the first is more important than the second: unmet before met, among the unmet the
+/// overlap first, on which the others depend where strips stay uncut; then close before others;
+/// then by the relative margin.
 [[nodiscard]] bool isWorse(const ConstraintResult& first, const ConstraintResult& second);
 
 /// The most important one: the worst unmet, otherwise the closest; null without any.

@@ -94,7 +94,8 @@ struct BoundCurve {
 
 /// Whether a limit that binds every cut is on.
 [[nodiscard]] bool limitsFeed(const LimitSeries& series);
-/// Whether the limits apply to each zone or section by itself: coupled sections share the power.
+/// Whether a limit that binds every cut of a single zone or section is on: coupled sections share
+/// the power.
 [[nodiscard]] bool limitsGroups(const LimitSeries& series, const Project& project);
 
 /// Stock left by the latest cut of a group at a moment of the cycle, at its deepest radius [mm].

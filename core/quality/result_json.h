@@ -10,8 +10,8 @@ namespace sparkout {
 /// A result as one JSON object: the output of `sparkout-cli simulate --json` and of the window's
 /// export; its named keys are fixed. "shop" holds the shop's numbers:
 ///
-/// { "stages": [ {…}, … ], "cycle": {…},
-/// "wheel_speed_rpm", "rotation_ratio", "rotation_ratio_near_integer" }
+///     { "stages": [ {…}, … ], "cycle": {…},
+///       "wheel_speed_rpm", "rotation_ratio", "rotation_ratio_near_integer" }
 ///
 /// with, for each stage and for the cycle, removal_rate_mm3_mm_s (Q'_w), equivalent_chip_um (h_eq)
 /// and aggressiveness at largest_depth_um; mean_removal_rate_mm3_mm_s; overlap_ratio;

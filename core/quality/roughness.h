@@ -16,7 +16,7 @@ inline constexpr double roughnessSpread = std::numbers::sqrt3;
 struct RoughnessFactor {
     double least = 1, most = 1;
     [[nodiscard]] bool isMeasured() const { return least == most; }
-    /// The greatest Ra of an estimate by its least one; nothing where the factor is measured.
+    /// The greatest Ra of an estimate by its least one; empty if the factor is measured.
     [[nodiscard]] std::optional<double> greatestOf(double leastRa) const {
         return isMeasured() ? std::nullopt : std::optional(leastRa * most / least);
     }
@@ -42,15 +42,15 @@ struct RoughnessFactor {
 
 /// Roughness after Isakov [MODEL-8, PEREVERZEV1999]:
 ///
-/// Ra = f·0.2·( (d_g/tg φ)·√(Δ/(4·N_s))·( √(η + s) − √η ) )^(2/3)
-/// s = (π²/V_k)·√(d(d + D)·n·S_ф/D) = π·(V_d/V_k)·√(a/D_e),   N_s = 0.5·(62 − 100·W_g)
+///     Ra = f·0.2·( (d_g/tg φ)·√(Δ/(4·N_s))·( √(η + s) − √η ) )^(2/3)
+///     s = (π²/V_k)·√(d(d + D)·n·S_ф/D) = π·(V_d/V_k)·√(a/D_e),   N_s = 0.5·(62 − 100·W_g)
 ///
 /// with S_ф = a·n, a = a_s/u the share of a revolution in the depth a_s of the last revolution or
 /// double stroke with infeed [mm], u = 1 in plunge and the overlap B·n/S_ax in a stroke, f the
 /// factor. The form with D_e is the printed one for external grinding and carries it to bores. Ra
 /// rises with a from 0 on: a limit of Ra is a limit of a. In the spark-out after it
 ///
-/// Ra_e = Ra·( r + (1 − r)·exp(−t/τ) ),   τ = 2·T·h/a_s,   r = ½
+///     Ra_e = Ra·( r + (1 − r)·exp(−t/τ) ),   τ = 2·T·h/a_s,   r = ½
 ///
 /// falls towards a remainder: T·h/a_s is the time in which the system would release the lag of that
 /// step at its rate, no less than the time constant of its deflection.
@@ -60,7 +60,7 @@ public:
     explicit RoughnessModel(const Project& project);
     RoughnessModel(const Project& project, double factor);
 
-    /// Ra [mm] immediately after infeed of a per revolution [mm].
+    /// Ra [mm] immediately after an infeed that cuts `a` per revolution [mm].
     double roughness(double a, FormulaSheet* sheet = nullptr) const;
     /// Ra [mm] at the end of the cycle.
     double roughness(const LastCut& cut, FormulaSheet* sheet = nullptr) const;

@@ -12,7 +12,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double dullingShare = 0.25; ///< share of the critical force; below, grains dull
+constexpr double dullingShare = 0.25; ///< share of the critical force up to which grains only dull
 constexpr double grainCrack = 2;      ///< d_g over the grain's crack length
 constexpr double bondCrack = 1.7;     ///< D_b over the bridge's crack length
 constexpr double joules_m2 = 1e-3;    ///< J/m² in N/mm

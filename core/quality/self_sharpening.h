@@ -10,9 +10,9 @@ namespace sparkout {
 /// The wheel's critical force, Umino's lattice with Griffith strengths [MODEL-8, PEREVERZEV1999 23,
 /// 24]. Above a quarter of it the wheel sheds or breaks its grains:
 ///
-/// S_b = d_g²·W_b/(3·W_g^⅔·(1 − W_g^⅓)),  D_b = √(4·S_b/π),  n_g = W_g^⅔/d_g²
-/// f_g = d_g²·√(2·γ_g·E_g/d_g),  f_b = S_b·√(1.7·γ_b·E_b/D_b),  f_cr = f_g·(1 − e^(−f_b/f_g))
-/// P_y ≤ 0.25·f_cr·n_g·b·L,  hence  √a ≤ (F − k_r)/k_s  with  F = 0.25·f_cr·n_g·√D_e
+///     S_b = d_g²·W_b/(3·W_g^⅔·(1 − W_g^⅓)),  D_b = √(4·S_b/π),  n_g = W_g^⅔/d_g²
+///     f_g = d_g²·√(2·γ_g·E_g/d_g),  f_b = S_b·√(1.7·γ_b·E_b/D_b),  f_cr = f_g·(1 − e^(−f_b/f_g))
+///     P_y ≤ 0.25·f_cr·n_g·b·L,  hence  √a ≤ (F − k_r)/k_s  with  F = 0.25·f_cr·n_g·√D_e
 ///
 /// A D_b or n_g of the project replaces the lattice's; S_b remains that of the lattice.
 struct SelfSharpening {

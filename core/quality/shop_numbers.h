@@ -20,9 +20,9 @@
 /// draws each zone as ground once by each stroke. It takes ℓ/b revolutions, so for the mean ⟨ ⟩
 /// over the radii of a pass
 ///
-/// volume   V = π·d·ℓ·⟨a⟩                      d nominal, as in V_d = π·d·n
-/// energy   E = ∫P_z·V_k dt = ⟨P_z(a)⟩·V_k·ℓ/(b·n)
-/// E/V at one depth = P_z(a)·V_k/(b·a·V_d)     b cancels: P_z is proportional to it
+///     volume   V = π·d·ℓ·⟨a⟩                      d nominal, as in V_d = π·d·n
+///     energy   E = ∫P_z·V_k dt = ⟨P_z(a)⟩·V_k·ℓ/(b·n)
+///     E/V at one depth = P_z(a)·V_k/(b·a·V_d)     b cancels: P_z is proportional to it
 ///
 /// and a stage sums both over the same passes. V is the ring to first order: π(R0² − R1²)·ℓ differs
 /// by the factor (R0 + R1)/d, half a percent for 0.15 mm of stock on 30 mm. The wheel grinds in

@@ -11,8 +11,8 @@ namespace sparkout {
 /// to its nearer end: ½ for a setting twice the least one.
 [[nodiscard]] double usageOf(const ConstraintResult& requirement);
 
-/// The position of a setting within its range of the machine, from 0 to 1: by ratios, or from 0 by
-/// distances. Empty for other requirements.
+/// The position of a setting within its range of the machine, from 0 to 1: by its ratios to the
+/// ends, for a range from 0 by its distances. Empty for other requirements.
 [[nodiscard]] std::optional<double> placeInRange(const ConstraintResult& requirement);
 
 } // namespace sparkout

@@ -20,7 +20,7 @@ struct PieceTime {
     bool isPieceEntered = false;
 };
 
-/// The time of a piece with so many surfaces whose cycles take `main_min` together.
+/// The time of a piece with so many surfaces whose cycles take `cycles_min` together.
 [[nodiscard]] PieceTime pieceTime(const SetupTimes& times, std::size_t surfaces, double cycles_min);
 
 } // namespace sparkout

@@ -27,8 +27,8 @@ void copyShared(const Project& from, Project& to);
 [[nodiscard]] bool haveSameSharedCalibrations(const Project& a, const Project& b);
 
 /// Returns the factor of Ra that follows from the measured Ra of the wheel, which all surfaces
-/// share: by the cycle of the first surface from which it follows. Nothing: it has a factor
-/// already, or none follows.
+/// share: by the cycle of the first surface for which it can be computed. Empty if the wheel has a
+/// factor already, or if none can be computed.
 [[nodiscard]] std::optional<double> factorOfMeasuredRa(const Setup& setup);
 /// Gives the wheel of every surface this factor.
 void shareMeasuredRa(Setup& setup);

@@ -21,7 +21,7 @@ double nominalVolume_mm3(const Project& project) {
 }
 
 Setup dressedSetup(Setup setup) {
-    shareMeasuredRa(setup); // it stays while the wheel dulls
+    shareMeasuredRa(setup); // the factor of Ra is kept while the wheel dulls
     for (GroundSurface& each : setup.surfaces) {
         each.project.wheel->radius_wear_um = 0;
     }

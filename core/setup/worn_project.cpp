@@ -26,7 +26,7 @@ Issues errorsOf(const Project& project) {
 WornProject wornProject(const Setup& setup, std::size_t surface, const RemovedMetal& removed) {
     WornProject made{surface, setup.surfaces[surface].project, {}};
     const bool isWorn = removed.volume_mm3 > 0 && setup.wear.isGiven();
-    if (isWorn || setup.surfaces.size() > 1) { // one wheel, as it was measured
+    if (isWorn || setup.surfaces.size() > 1) { // all surfaces share the factor of the measured Ra
         if (const std::optional<double> factor = factorOfMeasuredRa(setup)) {
             made.project.wheel->roughness_factor = *factor;
         }

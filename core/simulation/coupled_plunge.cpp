@@ -57,9 +57,9 @@ double dividedC2(double root, double lag_mm) {
 
 using Row = CoupledRadii::Row;
 
-// Moves the depth of cut of a block of radii in the last revolution to `depth`, sets its lag, and
-// extrapolates the roots of the last three revolutions by a parabola: `root` has those of the third
-// and receives these. All arrays have a row for each section.
+// Adds the depths of cut of a block of radii in the last revolution to `depth`, computes the lags,
+// and extrapolates the roots of the last three revolutions by a parabola: `root` has those of the
+// third-last and receives the result. All arrays have a row for each section.
 [[gnu::always_inline]] inline void expectRoots(std::size_t sections, const Row* last,
                                                const Row* second, const Row& fedTo, Row* depth,
                                                Row* lag, Row* root) {

@@ -319,7 +319,7 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
     }
     section.peakNormalForce_n = m_peakForces.of(m_lanes, point);
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const double radius : section.radii_mm) { // NaN in a gap, and no extreme
+    for (const double radius : section.radii_mm) { // min and max ignore NaN, as in a gap
         low = std::min(low, radius);
         high = std::max(high, radius);
     }

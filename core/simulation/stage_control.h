@@ -76,7 +76,8 @@ private:
 [[nodiscard]] double remainingStock(const double* depth_mm, int radii, GaugeRule rule,
                                     double sizeDepth_mm);
 
-/// Returns it only for the diameters with these k, at least one, which no gap interrupts.
+/// Returns the remaining stock by only the diameters with these k, at least one, which no gap
+/// interrupts.
 [[nodiscard]] double remainingStock(const double* depth_mm, int radii,
                                     std::span<const std::size_t> diameters, GaugeRule rule,
                                     double sizeDepth_mm);

@@ -267,7 +267,7 @@ private:
         bool there = true;                 ///< for a stroke: from the entry
     };
 
-    /// Calls `doPass` for the passes of a double stroke in order, until one returns false. `fed` is
+    /// Calls `pass` for the passes of a double stroke in order, until one returns false. `fed` is
     /// t_П, which grows meanwhile.
     template <class Do>
     bool doubleStroke(double& fed, const StrokeFeed& feed, const Do& pass) const {

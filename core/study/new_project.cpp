@@ -65,7 +65,7 @@ Project undrawnProject(Operation operation) {
     project.part->diameter_mm += never;
     project.part->upper_deviation_um += never;
     project.part->lower_deviation_um -= never;
-    project.part->length_mm -= never; // the length that the wheel covers
+    project.part->length_mm -= never; // not added, since the wheel must cover a plunge
     project.part->stock_mm += never;
     return project;
 }

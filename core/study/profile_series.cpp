@@ -117,7 +117,7 @@ void measure(Profile& profile, double nominal_mm, double geometricRunout_mm) {
     const int half = static_cast<int>(profile.radii_mm.size()) / 2;
     profile.diameterMin_mm = std::numeric_limits<double>::infinity();
     profile.diameterMax_mm = -profile.diameterMin_mm;
-    for (int k = 0; k < half; ++k) { // NaN across a gap, and no extreme
+    for (int k = 0; k < half; ++k) { // min and max ignore NaN, as across a gap
         const double deviation = diameterAt(profile, k) - nominal_mm;
         profile.diameterMin_mm = std::min(profile.diameterMin_mm, deviation);
         profile.diameterMax_mm = std::max(profile.diameterMax_mm, deviation);

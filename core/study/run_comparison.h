@@ -67,7 +67,7 @@ std::vector<RunValue> inputsRead(Project&&) = delete; // its leaves would dangle
 
 /// Returns the results in a summary in the order of its table, then its margins, the worst margin
 /// and the verdict. Missing values are left out; where strips stay uncut, so are all values of the
-/// surface. By the inputs of the run, where they are given, it is known what is not decided.
+/// surface. The inputs of the run, if given, decide which results are undecided.
 [[nodiscard]] std::vector<RunValue> resultsStated(const ReadSummary& summary,
                                                   const Project* inputs = nullptr);
 std::vector<RunValue> resultsStated(ReadSummary&&, const Project* inputs = nullptr) = delete;
@@ -77,22 +77,22 @@ std::vector<RunValue> resultsStated(ReadSummary&&, const Project* inputs = nullp
 /// run without inputs and summary differs in nothing.
 [[nodiscard]] std::vector<ComparedRow> compareRuns(const std::vector<ComparedRun>& runs);
 
-/// Converts a requirement of a summary to that of the verdict; nothing: this version does not know
-/// it. The summary has no bounds of the value: they follow from the inputs, where they are given.
+/// Converts a requirement of a summary to that of the verdict; empty if this version does not know
+/// it. The summary has no bounds of the value: they follow from the inputs, if given.
 [[nodiscard]] std::optional<ConstraintResult> constraintOf(const RequirementSummary& requirement,
                                                            bool isWhole = true,
                                                            const Project* inputs = nullptr);
 
 /// Returns the requirement with the least relative margin of those whose margin is known; machine
 /// ranges and the least number of steps, which may be used up to their ends, count only where they
-/// fail. Nothing: no margin is known.
+/// fail. Empty if no margin is known.
 [[nodiscard]] std::optional<ConstraintResult> leastMargin(const RunSummary& summary,
                                                           const Project* inputs = nullptr);
 [[nodiscard]] std::optional<ConstraintResult>
 leastMargin(std::span<const ConstraintResult> constraints);
 
-/// Returns the verdict by a summary and, where they are given, the inputs of the run; nothing: the
-/// summary contains no requirement.
+/// Returns the verdict by a summary and, if given, the inputs of the run; empty if the summary
+/// contains no requirement.
 [[nodiscard]] std::optional<Light> verdictOf(const RunSummary& summary,
                                              const Project* inputs = nullptr);
 

@@ -280,7 +280,7 @@ private:
                 .value_or(std::vector<ConstraintKind>());
     }
 
-    /// What simulating the answer would remark.
+    /// Adds the remarks of a simulation of the answer.
     void remark() {
         const FoundCycle* const answer = m_outcome->answer();
         if (!answer) {

@@ -93,7 +93,7 @@ struct GivenCycle {
 
 /// Warnings that a simulation of the answer gives.
 struct AnswerRemarks {
-    /// Requirements at whose limits the quickest cycle stands: their margin is 0.0 %.
+    /// Requirements that the quickest cycle just meets, with a margin of 0.0 %.
     std::vector<ConstraintKind> noMargin;
     Issues issues; ///< warnings of remarksOn()
     /// Ratio of the wheel's revolutions to the work's, where it is near a whole number: waviness.
@@ -120,7 +120,7 @@ struct SearchOutcome {
     int rounds = 1;                 ///< number of rounds of SearchLevels
     bool areLevelsCutShort = false; ///< a further round was stopped
     std::vector<LevelEdge> edges;   ///< edges of the grid that its best cycle reaches
-    std::vector<SettingEdge> settingEdges; ///< likewise for machine settings and spark-out
+    std::vector<SettingEdge> settingEdges; ///< edges of machine settings and spark-out
     SearchSummary search;                  ///< summary of the last round
     std::optional<RobustSummary> robust;   ///< `search` is its last one
     std::optional<IntervalSummary>

@@ -97,7 +97,8 @@ ordered_json settingEdgesJson(const SearchOutcome& outcome) {
     return edges;
 }
 
-/// What the answer stands at the limit of, and the inputs that simulating it would remark on.
+/// The requirements that the answer just meets, and the inputs on which its simulation would
+/// remark.
 ordered_json remarksJson(const SearchOutcome& outcome) {
     ordered_json paths = ordered_json::array();
     for (const Issue& issue : outcome.remarks.issues) {

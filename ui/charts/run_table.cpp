@@ -184,7 +184,7 @@ QString inOneLine(QString text) {
 CsvTable sheetOf(const std::vector<RunRow>& rows, const QStringList& runs) {
     CsvTable table;
     table.ownUnits = true;
-    table.header << RunTable::tr("What differs") << RunTable::tr("Unit") << runs;
+    table.header << RunTable::tr("Quantity") << RunTable::tr("Unit") << runs;
     for (const RunRow& row : rows) {
         std::vector<CsvCell> cells{row.what, row.unit};
         cells.insert(cells.end(), row.cells.begin(), row.cells.end());
@@ -235,7 +235,7 @@ ValueTable runTable(const std::vector<RunRow>& rows, const QStringList& runs) {
     if (rows.empty()) {
         return table;
     }
-    table.columns.push_back({.text = RunTable::tr("What differs"), .isText = true});
+    table.columns.push_back({.text = RunTable::tr("Quantity"), .isText = true});
     for (const QString& run : runs) {
         table.columns.push_back({.text = briefly(run, longestHead), .name = run});
     }

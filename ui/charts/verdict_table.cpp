@@ -79,8 +79,8 @@ QString groupName(const ConstraintResult& constraint) {
 
 std::vector<ValueHead> heads() {
     return {{.text = VerdictTable::tr("Requirement"),
-             .tip = VerdictTable::tr("What the drawing, the process or the machine asks of the "
-                                     "cycle"),
+             .tip = VerdictTable::tr(
+                 "Requirement of the drawing, the process or the machine on the cycle"),
              .isText = true},
             {.text = VerdictTable::tr("Value"), .tip = VerdictTable::tr("Worst value")},
             {.text = VerdictTable::tr("Limit"), .tip = VerdictTable::tr("Allowed value")},

@@ -98,7 +98,7 @@ CsvTable batchFacts(const BatchOutcome& outcome) {
     if (summary.isSample) {
         addFact(table, StudyBook::tr("Seed"), static_cast<double>(batch.seed));
     }
-    addFact(table, StudyBook::tr("What was run"), BatchText::run(outcome));
+    addFact(table, StudyBook::tr("Extent of the run"), BatchText::run(outcome));
     addFact(table, StudyBook::tr("Verdict: the cycle"),
             BatchText::fitness(weigh(summary, outcome.result).fitness));
     addFact(table, StudyBook::tr("Deciding result"), BatchText::decision(outcome));
@@ -186,7 +186,7 @@ CsvTable pointsTable(const SweepResult& sweep) {
 CsvTable sweepFacts(const SweepResult& sweep) {
     CsvTable table = facts();
     addOrigin(table, sweep.project);
-    addFact(table, StudyBook::tr("What came out"), SweepText::run(sweep));
+    addFact(table, StudyBook::tr("Results"), SweepText::run(sweep));
     const CsvTable own = inputTable(sweep.project);
     for (const SweptInput& input : sweep.inputs) {
         const QString name = SweepText::input(input.axis.input),
@@ -312,7 +312,7 @@ std::vector<NamedSheet> searchSheets(const Study& study) {
     if (!outcome.front().empty()) {
         sheets.push_back({StudyBook::tr("Margin by time"), MarginFrontPlot::tableOf(outcome)});
     }
-    sheets.push_back({StudyBook::tr("What binds"), bindingTable(outcome)});
+    sheets.push_back({StudyBook::tr("Binding requirements"), bindingTable(outcome)});
     return sheets;
 }
 

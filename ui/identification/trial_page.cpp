@@ -84,7 +84,7 @@ QWidget* TrialPage::buildChoices() {
     auto* page = new QWidget(this);
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
-    auto* box = new QGroupBox(tr("What the trial is for"), page);
+    auto* box = new QGroupBox(tr("Purpose of the trial"), page);
     auto* list = new QVBoxLayout(box);
     list->setSpacing(metrics::row);
     const bool isSplit = areApplicable(m_project, {{FittedKind::alpha, {}, {}}});

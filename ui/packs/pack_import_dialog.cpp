@@ -48,7 +48,7 @@ PackImportDialog::PackImportDialog(Pack pack, Settings& settings, QWidget* paren
     : QDialog(parent)
     , m_settings(settings)
     , m_plan(std::move(pack), settings)
-    , m_lines(newTree("packLines", tr("What is in the pack"),
+    , m_lines(newTree("packLines", tr("Contents of the pack"),
                       {tr("Item"), tr("Name"), tr("You have"), tr("Action")}, this))
     , m_differences(newTree("packDifferences", tr("The chosen line in detail"),
                             {tr("Input"), tr("Yours"), tr("In the pack")}, this))

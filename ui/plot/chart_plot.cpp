@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int lastNumberRoom = 20; ///< beside a lying chart, for half of the last number
+constexpr int lastNumberRoom = 20; ///< space beside a lying chart, for half of the last number
 constexpr int chartTick = 5;       ///< [px]
 
 QCPScatterStyle markOfSeries(const ChartSeries& series, const QColor& colour) {
@@ -133,7 +133,7 @@ ChartPlot::ChartPlot(QWidget* parent, int row) : ViewPlot(parent), m_rect(addRec
         clickPlace(at);
     });
     connect(this, &QCustomPlot::mousePress, this, [clickPlace](QMouseEvent* event) {
-        if (event->button() == Qt::RightButton) { // its menu is about this place
+        if (event->button() == Qt::RightButton) { // opens the menu for this place
             clickPlace(event->position());
         }
     });

@@ -15,21 +15,21 @@ class ChartPlot : public ViewPlot {
 public:
     using Maker = std::function<LineChart()>;
 
-    /// Its cell stands in a row of the layout.
+    /// `row` is the row of its cell in the layout.
     explicit ChartPlot(QWidget* parent = nullptr, int row = 0);
     ~ChartPlot() override;
 
-    void setChart(Maker make); ///< made anew in every language; shows all of it; no replot
-    void remake();             ///< its state has changed; what is in sight stays; no replot
+    void setChart(Maker make); ///< called again for each language; shows everything; no replot
+    void remake(); ///< updates the content after a change; keeps the visible range; no replot
     [[nodiscard]] const LineChart& chart() const { return m_chart; }
     [[nodiscard]] QCPAxisRect& cell() const { return *m_rect; }
-    [[nodiscard]] QCPAxis& across() const; ///< of the places
-    [[nodiscard]] QCPAxis& up() const;     ///< of the values
+    [[nodiscard]] QCPAxis& across() const; ///< axis of the places
+    [[nodiscard]] QCPAxis& up() const;     ///< axis of the values
     [[nodiscard]] QPointF pixelOf(const XY& point) const;
     using ViewPlot::shows;
 
     void fit() override;
-    virtual void fitValues(); ///< the axis of the values alone
+    virtual void fitValues(); ///< fits only the axis of the values
     void restyle() override;
     [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] CsvTable table() const override;
@@ -38,7 +38,7 @@ public:
 
 signals:
     void pointClicked(std::size_t series, std::size_t point);
-    void placeClicked(double place); ///< within the cell, with the right button too
+    void placeClicked(double place); ///< within the cell, also with the right button
 
 protected:
     void setTexts() override;
@@ -58,7 +58,7 @@ private:
     [[nodiscard]] std::optional<Point> pointAt(const QPointF& at) const;
     [[nodiscard]] std::optional<double> placeAt(const QPointF& at) const; ///< within the cell
     void setUpAxes();
-    void draw(); ///< what is shown
+    void draw(); ///< draws the chart
     void drawSeries(const ChartSeries& series);
     void drawBars(const ChartSeries& series);
     void drawArea(const ChartSeries& series);
@@ -68,7 +68,7 @@ private:
     LineChart m_chart;
     QCPAxisRect* m_rect;
     std::vector<std::unique_ptr<ZoneLayer>> m_zones;
-    QCPGraph* m_stacked = nullptr; ///< the upper edge of the stack so far
+    QCPGraph* m_stacked = nullptr; ///< upper edge of the current stack
 };
 
 } // namespace sparkout

@@ -28,7 +28,7 @@ struct LegendEntry {
     QColor halo = {};             ///< outline of the line; none by default
     Swatch swatch = Swatch::area; ///< used without a line
     Hatch hatch = Hatch::none;    ///< pattern over a swatch
-    QColor hatchLine = {};        ///< … and its lines
+    QColor hatchLine = {};        ///< colour of the pattern's lines
     double weight = 2;            ///< width of the line
 };
 using LegendEntries = std::vector<LegendEntry>;

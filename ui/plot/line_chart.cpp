@@ -35,7 +35,7 @@ const ChartSeries* LineChart::find(int key) const {
 
 namespace {
 
-/// What is always in sight, then what is near it.
+/// Adds what is always included, then the nearby objects.
 ChartSpan spanOf(const LineChart& chart, bool isUpright, bool onSecond) {
     ChartSpan all;
     for (const InSight sight : {InSight::always, InSight::nearby}) {

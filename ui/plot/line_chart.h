@@ -21,11 +21,11 @@ class QCPAxisTicker;
 
 namespace sparkout {
 
-/// A colour by the palette that is drawn with: of a thing, of a tone, else that of texts.
+/// A colour taken from the current palette: that of a drawn object, a tone, or that of texts.
 using ChartColour = std::variant<std::monostate, style::Drawn, Tone>;
 [[nodiscard]] QColor chartColour(const ChartColour& colour, const QPalette& palette);
 
-/// The least and the greatest of some values; what is not finite does not count.
+/// The least and the greatest of some values; non-finite values are ignored.
 struct ChartSpan {
     double low = std::numeric_limits<double>::infinity(), high = -low;
 
@@ -34,48 +34,48 @@ struct ChartSpan {
     [[nodiscard]] double size() const { return high - low; }
 };
 
-/// Whether something is in sight where all of a chart is shown.
+/// Whether an object is included in the range when a whole chart is shown.
 enum class InSight {
     always,
-    nearby, ///< where it does not squeeze what is always in sight
+    nearby, ///< if it does not shrink the objects that are always included
     never,
 };
 
-/// An axis, and what of it is shown at first, with room at both ends: a share of the range, and of
-/// the values themselves at least.
+/// An axis and its initial range, with room at both ends: the share `room` of the range, at least
+/// the share `leastRoom` of the values.
 struct ChartAxis {
-    QString label = {};   ///< with its unit
-    ChartSpan range = {}; ///< empty: of what is drawn
+    QString label = {};   ///< with the unit
+    ChartSpan range = {}; ///< empty: the range of the drawn data
     double room = 0.05, leastRoom = 0;
-    bool isSymmetric = false;                  ///< about 0
-    bool isCounted = false;                    ///< whole numbers alone
-    std::optional<QStringList> names = {};     ///< in place of numbers, at 0, 1, …
-    QSharedPointer<QCPAxisTicker> ticker = {}; ///< in place of the usual ones
+    bool isSymmetric = false;                  ///< symmetric about 0
+    bool isCounted = false;                    ///< only whole numbers
+    std::optional<QStringList> names = {};     ///< replace the numbers 0, 1, …
+    QSharedPointer<QCPAxisTicker> ticker = {}; ///< replaces the usual ticker
 };
 
-/// Points over places, which rise but for loose points; a value that is no number is a gap.
+/// Points in the order of their places, except for separate points; a NaN value is a gap.
 struct ChartSeries {
     enum class Kind {
         bars,
-        stack, ///< an area on those of this kind before it, as far as they are shown
+        stack, ///< an area on top of the visible earlier ones of this kind
         band,  ///< an area from `points` down to `lower`
         line,
-        steps,    ///< a value stands to the next place
-        points,   ///< loose
+        steps,    ///< a value applies up to the next place
+        points,   ///< separate points
         impulses, ///< lines from 0
     };
     enum class Mark { none, disc, square, diamond, triangle, ring, cross };
 
-    int key = -1;      ///< of the legend; several may share it
-    QString name = {}; ///< in the legend; empty: it has no entry
+    int key = -1;      ///< key of the legend; several series may share it
+    QString name = {}; ///< name in the legend; empty: no entry
     Kind kind = Kind::line;
     ChartColour colour = {};
-    QPen pen = QPen(Qt::black, 1.5); ///< but for its colour
+    QPen pen = QPen(Qt::black, 1.5); ///< without its colour
     std::vector<XY> points = {}, lower = {};
     Mark mark = Mark::none;
     double markSize = 0; ///< [px]
     double barWidth = 1;
-    int alpha = 255; ///< of an area
+    int alpha = 255; ///< opacity of an area
     bool onSecond = false;
     InSight sight = InSight::always;
 
@@ -94,8 +94,7 @@ struct ChartRule {
     InSight sight = InSight::nearby;
 };
 
-/// Ranges of one axis, shaded through the cell, and never narrower than a line where they have
-/// edges.
+/// Shaded ranges of one axis through the cell; with edges they are never narrower than a line.
 struct ChartZone {
     std::vector<ChartSpan> ranges = {};
     bool isUpright = true;
@@ -108,44 +107,44 @@ struct ChartZone {
     InSight sight = InSight::never;
 };
 
-/// A curve that the cursors read, while its key is shown.
+/// A curve that the cursors can read while its key is shown.
 struct ChartReading {
     int key = -1;
     ReadCurve curve = {};
 };
 
-/// The table of a chart, and where each row of it is drawn; a row without a place is always shown.
+/// The table of a chart, with the place of each row; a row without a place is always included.
 struct ChartTable {
     struct Place {
         ChartSpan across = {}, up = {}; ///< empty: anywhere
-        int key = -1;                   ///< of what it is drawn as
+        int key = -1;                   ///< key of the drawn object
     };
     CsvTable cells = {};
     std::vector<Place> places = {};
 };
 
-/// A chart over one axis as a value: what is drawn, named in the legend, read and tabulated.
+/// A chart over one axis as a value: its drawn objects, legend, readings and table.
 struct LineChart {
     ChartAxis across = {}, up = {}, second = {};
-    bool isLying = false;  ///< places from the top down, values to the right, the second axis above
-    bool isFramed = false; ///< lines above and to the right, too
+    bool isLying = false;  ///< places downwards, values to the right, the second axis at the top
+    bool isFramed = false; ///< also lines at the top and on the right
     std::vector<ChartSeries> series = {};
-    std::vector<ChartZone> zones = {}; ///< behind the series, in the legend after them
-    std::vector<ChartRule> rules = {}; ///< in the legend the last
+    std::vector<ChartZone> zones = {}; ///< drawn behind the series, listed after them in the legend
+    std::vector<ChartRule> rules = {}; ///< last in the legend
     std::vector<ChartReading> readings = {};
-    ChartSpan readSpan = {};                       ///< where the cursors can be put
-    std::function<ChartTable()> table = {};        ///< none: there is nothing to copy
-    std::function<QString(double)> placeText = {}; ///< what the mouse reads at a place …
-    /// … or at the nearest point of the first series, if it is so near [px].
+    ChartSpan readSpan = {};                       ///< range of the cursors
+    std::function<ChartTable()> table = {};        ///< empty: nothing to copy
+    std::function<QString(double)> placeText = {}; ///< text for the mouse at a place …
+    /// … or for the nearest point of the first series, if it is within `reach` [px].
     std::function<QString(std::size_t series, std::size_t point)> pointText = {};
     std::size_t pointed = 0;
     double reach = 8;
 
-    /// A series as it is drawn, straight from point to point, is read under a name.
+    /// Makes a series readable under a name, with linear interpolation between its points.
     void read(const ChartSeries& of, const QString& name, Digits digits);
-    /// What a key of the legend is drawn as, if it is drawn; for one series.
+    /// The series with a key of the legend, if it is drawn; for a key of one series.
     [[nodiscard]] const ChartSeries* find(int key) const;
-    [[nodiscard]] ChartSpan places() const; ///< in sight where all is shown
+    [[nodiscard]] ChartSpan places() const; ///< range of the places when all is shown
     [[nodiscard]] ChartSpan values(bool onSecond = false) const;
 };
 

@@ -41,8 +41,8 @@ bool fitValueAxes(QCPAxisRect& rect, const QFont& font);
 /// ranges are ignored.
 void setSafeRange(QCPAxis& axis, double low, double high);
 
-/// Sets a range with a margin at both ends: a share of the range, or at least of the values
-/// themselves.
+/// Sets a range with a margin at both ends: the share `room` of the range, at least the share
+/// `leastRoom` of the values.
 void setRoomyRange(QCPAxis& axis, double low, double high, double room, double leastRoom);
 
 } // namespace sparkout::style

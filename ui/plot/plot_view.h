@@ -47,7 +47,7 @@ protected:
     /// `name` is that of the view, and the prefix of the names of its parts.
     PlotView(const QString& name, QWidget* parent, Settings* settings);
 
-    // Adds a plot that is always visible; its legend is the view's.
+    /// Adds a plot that is always visible; its legend is the view's.
     void addPlot(ViewPlot& plot, PlotSubject subject = {});
     void addCursors(ViewPlot& plot); ///< requires addPlot()
     /// Adds one of several plots, of which one is shown at a time, with buttons to fit and export
@@ -88,12 +88,12 @@ protected:
         addPageButtons(*row);
         return bar;
     }
-    /// Adds a table beside the plots, to copy and to save. @param text the copied text, with tabs
-    /// [the table itself]
+    /// Adds a table beside the plots, to copy and to save.
+    /// @param text the copied text, with tabs [the table itself]
     CopyTable* addTable(QAbstractItemModel& model, std::function<CsvTable()> table,
                         std::function<QString()> text = {});
-    /// Adds a table given as a value. @param saved the saved table, also copied as a whole [the
-    /// table itself]
+    /// Adds a table given as a value.
+    /// @param saved the saved table, also copied as a whole [the table itself]
     CopyTable* addTable(ValueModel& model, std::function<CsvTable()> saved = {});
     /// Sets translated texts and keeps the current entry.
     static void fillChoice(QComboBox& box, const QStringList& texts);
@@ -113,8 +113,7 @@ protected:
     [[nodiscard]] const std::vector<ViewPlot*>& plots() const { return m_plots; }
     [[nodiscard]] ViewPlot& front() const { return *m_front; } ///< with the legend and the tools
 
-    // The outcome that is drawn; null if there is none.
-    [[nodiscard]] const OutcomePtr& good() const { return m_good; } ///< null: nothing yet
+    [[nodiscard]] const OutcomePtr& good() const { return m_good; } ///< the drawn outcome, or null
     [[nodiscard]] bool refused() const;                             ///< the newest one
     /// Whether good() is of another operation, or of other zones or sections, than that one.
     [[nodiscard]] bool hasOtherPlaces(const OutcomePtr& before) const;

@@ -34,7 +34,7 @@ public:
     /// Whether so many runs with so many radii each take at most about two seconds of one
     /// processor, so that they may start automatically.
     [[nodiscard]] static bool areQuick(std::int64_t runs, std::int64_t radii);
-    void takeTurns() { m_turns = true; } ///< the two buttons, in one place
+    void takeTurns() { m_turns = true; } ///< shows one of the two buttons at a time
     /// Shows the progress of a job whose parts are counted, and stops it.
     void follow(Job& job);
     void showProgress(qint64 done, qint64 parts, double left_s = -1);

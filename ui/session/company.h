@@ -28,7 +28,7 @@ struct CompanyTexts {
     friend bool operator==(const CompanyTexts&, const CompanyTexts&) = default;
 };
 
-/// The same with its logo.
+/// The texts and the logo of a company.
 struct Company : CompanyTexts {
     QByteArray logo; ///< contents of a file that satisfies Logo
 

@@ -61,7 +61,7 @@ bool breaksRules(const Project& before, const Project& after) {
 
 namespace {
 
-/// The factor of Ra follows from a measured one as when the document is opened.
+/// Derives the factor of Ra from a measured Ra, as when a document is opened.
 SetupState withMeasuredRa(SetupState state) {
     const Wheel& wheel = *state.inFront().project.wheel;
     if (!wheel.measured_ra || wheel.roughness_factor != 1) {

@@ -6,11 +6,11 @@
 #include <QString>
 #include <QVariantMap>
 
-/// Structs of texts as the settings keep them: each text in one line under the key of its row, the
-/// empty ones left out, none longer than its row allows.
+/// Structs of texts in the settings: each text is one line under the key of its row, without empty
+/// ones and limited to the length that its row allows.
 namespace sparkout {
 
-[[nodiscard]] QString textIn(const Field& field, const void* owner); ///< in one line
+[[nodiscard]] QString textIn(const Field& field, const void* owner); ///< converted to one line
 
 [[nodiscard]] QVariantMap keptTexts(const StructInfo& table, const void* owner);
 void readKeptTexts(const QVariantMap& kept, const StructInfo& table, void* owner);

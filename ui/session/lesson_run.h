@@ -111,7 +111,7 @@ private:
     std::size_t m_step = 0;
     std::map<std::size_t, Answer> m_drafts;
     std::map<std::size_t, GoalResult> m_results; ///< results of the answers that count
-    std::optional<std::size_t> m_savedEntries;   ///< nothing: there is no file yet
+    std::optional<std::size_t> m_savedEntries;   ///< empty: there is no file yet
     Background m_disk;
     NewestJob m_job; ///< last: stopped before the members that it uses are destroyed
 };

@@ -27,7 +27,7 @@ public:
     ProgramLog();
     ~ProgramLog() override;
 
-    /// may be called on any thread
+    /// Adds a line to the current log, if there is one; may be called on any thread.
     static void note(const QString& text);
     [[nodiscard]] static ProgramLog* current(); ///< may be null
 

@@ -42,7 +42,7 @@ struct SavedContent {
     QByteArray hash; ///< hash of the bytes to be written
 };
 
-/// Returns the contents of a file; nothing: its reader would refuse them.
+/// Returns the contents of a file; empty if its reader would refuse them.
 using MakeContent = std::function<std::optional<std::string>()>;
 
 /// Makes the contents, writes them, reads the file again and compares the hash; only then is it
@@ -50,7 +50,7 @@ using MakeContent = std::function<std::optional<std::string>()>;
 [[nodiscard]] SavedContent saveContent(const MakeContent& make, const QString& path,
                                        const WriteOptions& options = {});
 
-/// Returns the text of a set-up, read back and compared; nothing: it differs or is refused.
+/// Returns the text of a set-up, read back and compared; empty if it differs or is refused.
 [[nodiscard]] std::optional<std::string> projectText(const Setup& setup);
 
 } // namespace sparkout

@@ -38,8 +38,8 @@ public:
     [[nodiscard]] const Runner& runner() const { return m_runner; }
     [[nodiscard]] bool running() const { return m_running; }
     [[nodiscard]] double lastRun_ms() const { return m_lastRun_ms; }
-    /// Returns the decision on the stocks of the last finished outcome; nothing: not decided, or
-    /// not yet.
+    /// Returns the decision on the stocks of the last finished outcome; empty if it is not decided,
+    /// or not yet.
     [[nodiscard]] const std::optional<JudgedStocks>& stocks() const { return m_stocks; }
     [[nodiscard]] bool areStocksComing() const { return m_areStocksComing; }
 

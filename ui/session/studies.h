@@ -51,7 +51,7 @@ public:
         return m_result && m_same(studied(*m_result), project);
     }
 
-    /// Sets the current inputs, null: there are none. A running computation for other inputs is
+    /// Sets the current inputs, or null without any. A running computation for other inputs is
     /// discarded.
     void follow(const Project* present) {
         m_present = present ? std::optional(*present) : std::nullopt;
@@ -141,7 +141,7 @@ struct Studies {
 
     /// Returns the complete prediction for the current inputs; null if there is none.
     [[nodiscard]] BatchOutcomePtr currentPrediction() const;
-    /// Returns the indices of the batch that is shown; null: none were requested, or there are
+    /// Returns the indices of the displayed batch; null if none were requested, or if there are
     /// none.
     [[nodiscard]] const SobolIndicesPtr& indices() const { return m_indices; }
     [[nodiscard]] Job& indexJob() { return m_indexJob; }

@@ -269,7 +269,7 @@ void PlaybackBar::retranslate() {
     tell(m_previous, tr("One step back"));
     tell(m_next, tr("One step on"));
     tell(m_last, tr("To the end of the cycle"));
-    tell(m_unit, tr("What one step of the playback is"));
+    tell(m_unit, tr("Step of the playback"));
     tell(m_speed, tr("Speed of the playback, steps a second"));
     tell(m_slider, tr("Place in the cycle"));
     m_place->setAccessibleName(tr("Place in the cycle"));

@@ -95,7 +95,7 @@ std::vector<TourStep> tourSteps(QMainWindow& window, InputsPanel& inputs, ViewTa
              "cell; everything is computed again at once. The pages above hold part, "
              "material, wheel, machine, gauge and batch."))},
         {[&] { return placeOfView(tabs, "feeds"); },
-         tourText(QT_TRANSLATE_NOOP("Tour", "What is fed and what is cut")),
+         tourText(QT_TRANSLATE_NOOP("Tour", "Programmed feed and actual cut")),
          tourText(QT_TRANSLATE_NOOP(
              "Tour", "Dashed: the feed of the program. Solid: what the part really gets, zone by "
                      "zone, because everything yields. The first tab sums the cycle up in bars; "

@@ -952,7 +952,8 @@ private slots:
         for (const auto& [share, sentence] :
              {std::pair(0.9, "helps: with Spark-out as one more stage: double strokes = 1, "
                              "all requirements are met, but the change brings a warning."),
-              std::pair(1.02, "gives room: with Spark-out as one more stage: double strokes = 1, "
+              std::pair(1.02, "gives a sufficient margin: with Spark-out as one more stage: double "
+                              "strokes = 1, "
                               "nothing is close to its limit, but the change brings a warning.")}) {
             project.part->tolerance.radial_runout_um = share * runout_um;
             const RemedyResult found = remediesOf(project);
@@ -978,7 +979,7 @@ private slots:
         QVERIFY(says(holds, ", one step nearer to the current 160 rev/min, is not enough."));
         remedy.failing = remedy.setting.before;
         QVERIFY(says(holds, "The current value is not enough."));
-        QVERIFY(says(room, "The current value leaves too little room."));
+        QVERIFY(says(room, "With the current value the margin is too small."));
         remedy.failing.reset();
         QVERIFY(!says(holds, "current"));
         QVERIFY(!says(holds, "of the batch"));
@@ -994,7 +995,7 @@ private slots:
         remedy.setting = {RemedyKind::addSparkOut, 1, 0, 0, 1, 64, SettingScale::steps(0, 1)};
         remedy.failing = 0;
         QVERIFY(says(holds, "Without this stage the cycle is unfit."));
-        QVERIFY(says(room, "Without this stage there is too little room."));
+        QVERIFY(says(room, "Without this stage the margin is too small."));
         remedy.setting = remedyOf(found, RemedyKind::addFeed)->setting;
         remedy.failing = remedy.setting.before;
         QVERIFY(says(holds, "With the current feed the added stage does not help."));

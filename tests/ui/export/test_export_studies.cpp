@@ -214,7 +214,8 @@ private slots:
                  (QStringList{QStringLiteral("Search"), QStringLiteral("Answer"),
                               QStringLiteral("Settings"), QStringLiteral("Cycle found"),
                               QStringLiteral("Best cycles"), QStringLiteral("Time by stages"),
-                              QStringLiteral("Margin by time"), QStringLiteral("What binds")}));
+                              QStringLiteral("Margin by time"),
+                              QStringLiteral("Binding requirements")}));
         QCOMPARE(book.text(0, rowOf(book, 0, QStringLiteral("Notes")), 1),
                  OptimiseText::notes(outcome));
         const ValueTable answer = answerTable(outcome, study.before_s);

@@ -228,7 +228,7 @@ QWidget* CatalogueDialog::buildPreview() {
     auto* part = new QWidget(this);
     setUp(*m_preview);
     m_preview->setObjectName(QStringLiteral("cataloguePreview"));
-    m_preview->setAccessibleName(tr("What it would change"));
+    m_preview->setAccessibleName(tr("Resulting changes"));
     m_preview->setHeaderLabels({tr("Input"), tr("Now"), tr("Then"), tr("Source")});
     m_note->setObjectName(QStringLiteral("catalogueNote"));
     m_note->setAccessibleName(tr("The chosen entry"));

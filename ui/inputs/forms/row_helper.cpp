@@ -76,7 +76,7 @@ const Offer usualBatch{
     [](const Project& project) { return project.batch.has_value(); },
     withUsualBatch,
     {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a batch")},
-    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "What a batch is for"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Purpose of a batch"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
                       "A batch shows which share of many parts meets the drawing when stock, "
                       "runout, dullness and other factors scatter. The view Batch runs it."),
@@ -91,7 +91,7 @@ const Offer searchOffer{
     [](const Project& project) { return project.optimisation.has_value(); },
     usualSearch,
     {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")},
-    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "What a search is for"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Purpose of a search"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
                       "A search finds the quickest cycle that meets every requirement, among all "
                       "feeds and stocks listed here. The view Optimise runs it."),
@@ -231,7 +231,7 @@ void MarkingHelper::fill() {
 }
 
 void MarkingHelper::retranslate() {
-    m_meaning->setAccessibleName(tr("What the marking means"));
+    m_meaning->setAccessibleName(tr("Meaning of the marking"));
     sayWhatIsDone(*m_fill, tr("Fill in from the marking"),
                   tr("Take grain, grain share and sizes as far as the marking gives them"));
     showMarking();
@@ -345,7 +345,7 @@ void SizeHelper::retranslate() {
                                                                 : QStringLiteral("30h6")));
     m_size->setAccessibleName(tr("Size with its tolerance class"));
     m_size->setToolTip(tr("ISO 286: 30h6 fills diameter and limits; h6 keeps the diameter"));
-    m_meaning->setAccessibleName(tr("What the tolerance class means"));
+    m_meaning->setAccessibleName(tr("Meaning of the tolerance class"));
     showPart();
 }
 
@@ -426,7 +426,7 @@ void KeywayHelper::retranslate() {
     m_keyway->setAccessibleName(m_label->text());
     m_keyway->setToolTip(tr("12P9 × 45 makes a gap of the surface; 12P9 × 45, 90° also sets the "
                             "angle of its first edge"));
-    m_meaning->setAccessibleName(tr("What the keyway is to the model"));
+    m_meaning->setAccessibleName(tr("Keyway in the model"));
     showTyped();
 }
 

@@ -36,7 +36,7 @@ public:
         m_paper.lesson(m_lesson.aim);
         m_paper.section(tr("Theory"));
         m_paper.lesson(m_lesson.theory);
-        m_paper.section(tr("What is needed"));
+        m_paper.section(tr("Equipment"));
         m_paper.say(tr("A computer for each student with the program %1; no network. The student "
                        "gets a file of his variant and hands the same file in; the report is "
                        "printed from it.")
@@ -95,7 +95,7 @@ private:
                 tr("The work takes %1 min, the defence included.").arg(m_lesson.guide->minutes));
         }
         Table table;
-        table.head = {tr("Step"), tr("What is asked"), tr("Points"), tr("Hints, price in points")};
+        table.head = {tr("Step"), tr("Task"), tr("Points"), tr("Hints, price in points")};
         table.texts = {true, true, false, true};
         for (std::size_t i = 0; i < m_lesson.steps.size(); ++i) {
             const LessonStep& step = m_lesson.steps[i];

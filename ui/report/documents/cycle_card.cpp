@@ -166,7 +166,7 @@ Report CycleCard::write(const OutcomePtr& outcome, const QString& file, const QD
         heading(tr("Calibrated inputs"));
         blocks.push_back(std::move(calibrated));
     }
-    texts(tr("What rests on estimates"), OutcomeRemarks::estimates(*outcome));
+    texts(tr("Values based on estimates"), OutcomeRemarks::estimates(*outcome));
     texts(tr("Remarks"), OutcomeRemarks::remarks(*outcome));
     const QString notes = manyLines(exampleNotes(project.notes)).trimmed();
     texts(tr("Notes"), notes.isEmpty() ? QStringList() : QStringList{notes});

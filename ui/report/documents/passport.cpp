@@ -185,7 +185,7 @@ private:
     }
 
     void addTexts() {
-        lines(tr("What rests on estimates"), OutcomeRemarks::estimates(m_outcome));
+        lines(tr("Values based on estimates"), OutcomeRemarks::estimates(m_outcome));
         lines(tr("Remarks"), OutcomeRemarks::remarks(m_outcome));
         const QString notes = manyLines(exampleNotes(m_project.notes)).trimmed();
         lines(tr("Notes"), notes.isEmpty() ? QStringList() : QStringList{notes});

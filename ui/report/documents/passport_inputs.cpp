@@ -229,7 +229,7 @@ std::vector<Block> PassportInputs::recomputing(const Subject& subject) {
                  {tr("Version of the engine"),
                   QString::fromStdString(subject.outcome->result.engineVersion)}}};
     if (subject.batch) {
-        facts.facts.emplace_back(tr("What was run"), BatchText::run(*subject.batch));
+        facts.facts.emplace_back(tr("Extent of the run"), BatchText::run(*subject.batch));
     }
     facts.facts.emplace_back(tr("Command to recompute it"), command);
     const QString how =

@@ -134,7 +134,7 @@ StepBlocks WorkedStep::formulas(const Outcome& outcome, const HandoutStep& step,
     for (const FormulaSheet& sheet : forces) {
         formulas.add(sheet);
     }
-    formulas.add(Heading{tr("What limits the feed at this step")});
+    formulas.add(Heading{tr("Limits of the feed at this step")});
     const bool limitsRa = project.part->tolerance.roughness_ra_um.has_value();
     const bool calibrated = isRoughnessCalibrated(project);
     if (limitsRa && !calibrated) {

@@ -15,11 +15,11 @@ namespace {
 
 using style::Drawn;
 
-constexpr double causeBar = 0.7;          ///< of a row
-constexpr double roomBesideCauses = 1.05; ///< beside the longest bar
+constexpr double causeBar = 0.7;          ///< width of a bar relative to its row
+constexpr double roomBesideCauses = 1.05; ///< room beside the longest bar
 constexpr double causeShareSize = 6;      ///< [px]
 constexpr double wholePercent = 100;      ///< [%]
-constexpr qsizetype leastCauseRows = 5;   ///< so that a single bar is no wall
+constexpr qsizetype leastCauseRows = 5;   ///< keeps a single bar thin
 
 constexpr double partPointSize = 5, worstRingSize = 11; ///< [px]
 

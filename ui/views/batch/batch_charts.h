@@ -8,24 +8,24 @@
 
 namespace sparkout {
 
-/// A factor or a characteristic of a batch, by its number among the factors and then the
+/// A factor or a characteristic of a batch: its index among the factors followed by the
 /// characteristics.
 using BatchQuantity = std::size_t;
 
-/// What the view of the batch draws, as values.
+/// The charts of the batch view, as values.
 class BatchCharts {
     Q_DECLARE_TR_FUNCTIONS(BatchCharts)
 public:
-    enum Key { partsKey, sumKey, goodKey, outsideKey, worstKey, limitsKey }; ///< of the legends
+    enum Key { partsKey, sumKey, goodKey, outsideKey, worstKey, limitsKey }; ///< legend keys
 
-    /// Why parts fail: a row a requirement, the most frequent at the top, with the share that the
-    /// causes so far have of all. A part that fails several counts at each of them. No batch, or no
-    /// part that fails: no series.
+    /// Causes of rejected parts: a row for each requirement, the most frequent at the top, with the
+    /// cumulative share. A part that fails several counts for each. Without series if there is no
+    /// batch or no rejected part.
     static LineChart rejects(const BatchOutcomePtr& outcome);
     static CsvTable rejectsTable(const BatchSummary& summary);
 
-    /// Any two quantities against each other: a point a part that is kept one by one, those beyond
-    /// a limit of either and the worst part marked, with the limits.
+    /// Any two quantities against each other: a point for each recorded part, with the limits;
+    /// parts beyond a limit and the worst part are marked.
     static LineChart scatter(const BatchOutcomePtr& outcome, BatchQuantity across,
                              BatchQuantity up);
     static QString quantityName(const BatchOutcome& outcome, BatchQuantity quantity);

@@ -11,7 +11,7 @@
 namespace sparkout {
 
 /// The figures of one characteristic of a batch: a column for each zone or section, a row for each
-/// figure. Without `tellsIndices` the interval of the mean, Pp and Ppk are dashes.
+/// figure. Unless `tellsIndices` is set, the interval of the mean, Pp and Ppk are dashes.
 [[nodiscard]] ValueTable batchFigures(const BatchSummary& summary, const std::string& name,
                                       bool tellsIndices);
 

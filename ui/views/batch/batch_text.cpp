@@ -20,7 +20,7 @@ namespace {
 
 constexpr double doubtful = 0.05; ///< probability below which a distribution is called not normal
 
-/// Never rounds to 0 or to 100 %.
+/// Formats a share that never rounds to 0 or to 100 %.
 QString percent(double share) {
     const double hundredth = 100 * share;
     const double toEnd = std::min(hundredth, 100 - hundredth);

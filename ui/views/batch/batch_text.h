@@ -20,13 +20,13 @@ public:
     static QString factor(const GivenFactor& factor);           ///< "Stock per side"
     static QString factorAxis(const GivenFactor& factor);       ///< "Stock per side, mm"
 
-    /// Without unit; an estimate with one digit; only 0 reads as 0.
+    /// The value without unit; an estimate has one digit; only 0 is shown as 0.
     static QString value(double value, const Characteristic& characteristic);
     static QString scatter(double deviation, const Characteristic& characteristic);
-    /// With the same number of decimals for all ticks of an axis.
+    /// The value with the same number of decimals for all ticks of an axis.
     static QString mark(double value, const Characteristic& characteristic);
     static QString range(const Interval& interval, const Characteristic& characteristic);
-    /// A dash if there are too few values to distinguish it from the extremes.
+    /// The percentile, or a dash if there are too few values to distinguish it from the extremes.
     static QString percentile(const Percentile& percentile, const CharacteristicSummary& of);
     static QString capability(const std::optional<Estimate>& capability); ///< "1.42 (1.2…1.6)"
     static QString brief(const Estimate& capability);                     ///< "1.42"

@@ -122,7 +122,7 @@ CopyTable* BatchView::buildFigures() {
     return m_table;
 }
 
-/// A menu with the two CSV formats.
+/// Builds the button for the rows of all parts with a menu of the two CSV formats.
 void BatchView::buildRows() {
     auto* menu = new QMenu(m_rows);
     for (const TableFormat format : {TableFormat::csvRussian, TableFormat::csvEnglish}) {
@@ -455,11 +455,9 @@ QString BatchView::remark() const {
         const QString content = contentNotice();
         return content.isEmpty() ? Names::uncutStrips(batch()->result.project) : content;
     }
-    return studies().batch.running()
-               ? QString()
-               : tr(
-                   "This batch takes a while: press “Run”. It can be stopped at any time and keeps "
-                   "what was done.");
+    return studies().batch.running() ? QString()
+                                     : tr("This batch takes a while: press “Run”. It can be "
+                                          "stopped at any time and keeps the finished parts.");
 }
 
 QStringList BatchView::subheading() const {
@@ -473,7 +471,7 @@ void BatchView::nameParts() {
     m_sensitivity->setAccessibleName(tr("Which factor matters most"));
     m_scatter->setAccessibleName(tr("Parts, one quantity over another"));
     m_pareto->setAccessibleName(tr("Rejects by cause, the most frequent first"));
-    m_bar->state()->setAccessibleName(tr("What was run"));
+    m_bar->state()->setAccessibleName(tr("Extent of the run"));
     m_bar->progress()->setAccessibleName(tr("Progress of the batch"));
     m_table->setAccessibleName(tr("Figures of the batch"));
     fillChoice(*content(),
@@ -486,7 +484,7 @@ void BatchView::nameParts() {
            "shares of the variance, from additional parts."));
     tell(*m_across, tr("Quantity across"));
     tell(*m_up, tr("Quantity upwards"));
-    tell(*content(), tr("What is shown of the batch"));
+    tell(*content(), tr("Displayed results of the batch"));
     tell(*m_name, tr("Characteristic"));
     nameButtons();
     m_table->retranslate();

@@ -45,7 +45,7 @@ public:
     [[nodiscard]] QString title() const override;
 
 signals:
-    /// A run of such inputs is to be kept with the project, under a name.
+    /// Requests a run of these inputs, to be kept with the project under a name.
     void runWanted(const std::function<std::optional<sparkout::Project>(sparkout::Project)>& inputs,
                    const QString& name);
 
@@ -76,7 +76,7 @@ private:
     void runBatch();
     void takeBatch();
     void takeWorst();
-    [[nodiscard]] bool showsIndices() const; ///< Sobol's are chosen
+    [[nodiscard]] bool showsIndices() const; ///< Sobol indices are chosen
     [[nodiscard]] bool wantsIndices() const; ///< they are needed, but not computed yet
     void runIndices();
     void takeIndices();
@@ -92,7 +92,7 @@ private:
     SensitivityPlot* m_sensitivity;
     ChartPlot* m_scatter;
     ChartPlot* m_pareto;
-    QWidget* m_choice = nullptr; ///< of what is drawn, and how it leaves
+    QWidget* m_choice = nullptr; ///< content and exports
     QSplitter* m_splitter;
     ValueModel* m_figures;
     CopyTable* m_table = nullptr;
@@ -105,7 +105,7 @@ private:
     QPushButton* m_rows; ///< writes all parts to a file
     QPushButton* m_add;
     std::string m_wanted = "diameter"; ///< characteristic the user chose
-    BatchOutcomePtr m_shown;           ///< the drawn one
+    BatchOutcomePtr m_shown;           ///< the drawn batch
     bool m_tellsIndices = true;
 };
 

@@ -17,14 +17,14 @@ namespace sparkout {
 
 namespace {
 
-constexpr double barRoom = 0.05; ///< beside the outermost bar or limit, of what is between them
-constexpr QSize legibleCell(120, 80); ///< at the least
-constexpr int cellGap = 8;            ///< beside a cell, for half the number at its corner
-constexpr double countRoom = 1.08;    ///< above the highest bar
+constexpr double barRoom = 0.05; ///< room beside the outermost bar or limit, relative to the range
+constexpr QSize legibleCell(120, 80); ///< least size
+constexpr int cellGap = 8;            ///< space beside a cell, for half the number at its corner
+constexpr double countRoom = 1.08;    ///< room above the highest bar
 constexpr double leastOutlined = 6;   ///< width of a bar with an outline [px]
-constexpr int valueTicks = 3;         ///< have room below narrow cells
-constexpr double tickRoom = 1.6;      ///< of a value below the axis, of its width
-constexpr std::size_t mostNamed = 4;  ///< cells beside each other that have room for a name
+constexpr int valueTicks = 3;         ///< ticks below narrow cells
+constexpr double tickRoom = 1.6;      ///< width of a tick label with spacing, relative to the text
+constexpr std::size_t mostNamed = 4;  ///< greatest number of adjacent cells with axis names
 
 } // namespace
 
@@ -76,7 +76,7 @@ void HistogramPlot::build(Cell& cell, int column) {
     cell.rect->setMinimumSize(legibleCell);
     cell.rect->setMinimumMargins(QMargins(column == 0 ? 0 : cellGap, cellGap, cellGap, 0));
     cell.rect->axis(QCPAxis::atLeft)->setTicker(QSharedPointer<WholeTicker>::create());
-    cell.rect->axis(QCPAxis::atLeft)->setTickLabels(column == 0); // all have the range of the first
+    cell.rect->axis(QCPAxis::atLeft)->setTickLabels(column == 0); // all have the same range
     QCPAxis* values = cell.rect->axis(QCPAxis::atBottom);
     values->grid()->setVisible(false);
     values->ticker()->setTickCount(valueTicks);
@@ -84,7 +84,7 @@ void HistogramPlot::build(Cell& cell, int column) {
     QVector<double> at, counts;
     for (const HistogramBar& bar : cell.summary.histogram) {
         cell.bars->setWidth(bar.high - bar.low);
-        if (bar.count > 0) { // nothing stands where none is, not even an outline
+        if (bar.count > 0) { // an empty bar would still have an outline
             at << (bar.low + bar.high) / 2;
             counts << static_cast<double>(bar.count);
         }
@@ -208,7 +208,8 @@ void HistogramPlot::restyle() {
     }
 }
 
-/// All cells alike, though the first one has the numbers of all beside it.
+/// Gives all cells the same width, although the first one also has the numbers on the left; returns
+/// whether the layout has changed.
 bool HistogramPlot::shareWidth() {
     double room = 0;
     for (const Cell& cell : m_cells) {
@@ -224,8 +225,8 @@ bool HistogramPlot::shareWidth() {
     return !alike;
 }
 
-/// All axes alike: the name where each cell has the room for it, else their unit, which the box
-/// above names.
+/// Whether all axes show their names; otherwise they show the unit, since the box above has the
+/// name.
 bool HistogramPlot::hasRoomForNames() const {
     const QFontMetrics text(font());
     return m_cells.size() <= mostNamed && std::ranges::all_of(m_cells, [&text](const Cell& cell) {
@@ -234,9 +235,9 @@ bool HistogramPlot::hasRoomForNames() const {
            });
 }
 
-/// A name and ticks that have no room below a cell give way to the unit and to fewer ticks.
-/// Bars are set apart where that leaves something of them; narrow ones are an area of one colour,
-/// each at least a pixel wide.
+/// Adapts names, ticks and bars to the width of the cells: a name without room is replaced by the
+/// unit, and the ticks become fewer. Bars are separated if enough of them is left; narrow ones form
+/// an area of one colour, each at least a pixel wide.
 void HistogramPlot::outline() {
     const QFontMetrics text(font());
     bool changed = shareWidth();

@@ -8,24 +8,25 @@
 
 namespace sparkout {
 
-/// One characteristic of a batch, zone beside zone: how many parts came out where, against the
-/// drawing limits, with the mean. All cells have the same axes.
+/// One characteristic of a batch, with a histogram for each zone, the drawing limits and the mean.
+/// All cells have the same axes.
 class HistogramPlot : public ViewPlot {
     Q_OBJECT
 public:
-    enum Key { partsKey, limitsKey, meanKey }; ///< of the legend
+    enum Key { partsKey, limitsKey, meanKey }; ///< keys of the legend
 
     explicit HistogramPlot(QWidget* parent = nullptr);
 
-    /// Of one characteristic; no replot. What was in sight stays while it is the same one.
+    /// Sets the summaries of one characteristic without a replot. The visible range is kept if the
+    /// characteristic is the same.
     void setSummaries(std::vector<CharacteristicSummary> summaries);
-    void tellIndices(bool tells) { m_tellsIndices = tells; } ///< from the next summaries on
+    void tellIndices(bool tells) { m_tellsIndices = tells; } ///< applies to the next summaries
     void fit() override;
     void restyle() override;
 
     [[nodiscard]] int cellCount() const { return static_cast<int>(m_cells.size()); }
     [[nodiscard]] QCPBars* bars(int cell) const { return at(cell).bars; }
-    [[nodiscard]] QCPItemStraightLine* low(int cell) const { return at(cell).low; } ///< null: none
+    [[nodiscard]] QCPItemStraightLine* low(int cell) const { return at(cell).low; } ///< or null
     [[nodiscard]] QCPItemStraightLine* high(int cell) const { return at(cell).high; }
     [[nodiscard]] QCPItemStraightLine* mean(int cell) const { return at(cell).mean; }
     [[nodiscard]] QCPAxis* valueAxis(int cell) const {
@@ -36,8 +37,8 @@ public:
     }
     [[nodiscard]] QString heading(int cell) const { return at(cell).header->text(); }
     [[nodiscard]] LegendEntries legendEntries() const override;
-    [[nodiscard]] CsvTable table() const override;                      ///< the bars in sight
-    [[nodiscard]] static CsvTable tableOf(const BatchSummary& summary); ///< of every characteristic
+    [[nodiscard]] CsvTable table() const override;                      ///< the visible bars
+    [[nodiscard]] static CsvTable tableOf(const BatchSummary& summary); ///< all characteristics
 
 private:
     void setTexts() override;
@@ -54,14 +55,14 @@ private:
 
     [[nodiscard]] const Cell& at(int cell) const { return m_cells[static_cast<std::size_t>(cell)]; }
     void build(Cell& cell, int column);
-    bool shareWidth(); ///< the cells are alike; whether another layout is needed
+    bool shareWidth(); ///< makes the cells equally wide; true if another layout is needed
     [[nodiscard]] bool hasRoomForNames() const;
     void outline();
     [[nodiscard]] QString headingOf(const CharacteristicSummary& summary) const;
 
     std::vector<Cell> m_cells;
     bool m_tellsIndices = true;
-    QCPRange m_fitted; ///< of the values, as they were fitted last
+    QCPRange m_fitted; ///< value range of the last fit
 };
 
 } // namespace sparkout

@@ -56,7 +56,7 @@ std::vector<std::string> headOfParts(const PartColumns& columns) {
 bool writeRows(const Project& project, TableFormat format, const std::filesystem::path& path,
                const KeepGoing& keepGoing, const std::stop_token& stop,
                std::optional<FileError>& error) {
-    PartRowsFile file(path, SafeFileWriter::Existing::replaced, // the dialog has asked already
+    PartRowsFile file(path, SafeFileWriter::Existing::replaced, // the dialog has asked before
                       {dialectOfParts(format), headOfParts});
     BatchOptions options;
     options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);

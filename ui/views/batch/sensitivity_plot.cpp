@@ -56,7 +56,7 @@ std::size_t SensitivityPlot::seriesOfPlace() const {
     return m_kind == SensitivityKind::ranks ? 1 : 2;
 }
 
-/// Of ranks a bar a place, of Sobol indices two: alone, and hatched with interactions.
+/// Makes one bar per place for ranks, two for Sobol indices: first-order, and hatched total ones.
 BarChart SensitivityPlot::makeChart() const {
     BarChart chart;
     if (m_bars.empty()) {
@@ -159,7 +159,7 @@ QString SensitivityPlot::described(const BarPart& part) const {
                           number(bars.outer[part.category]));
 }
 
-/// The chart is full of words.
+/// Redraws everything, since the chart contains texts.
 void SensitivityPlot::setTexts() {
     BarPlot::setTexts();
     setChart(makeChart());

@@ -37,8 +37,8 @@ namespace {
 
 constexpr int runsWidth = 184, curvesWidth = 500;
 constexpr int curvesHeight = 330, tableHeight = 170;
-constexpr int widestValue = 120, leastName = 130, wantedName = 220; ///< columns, at usual type
-constexpr int mostChanges = 3; ///< named of a run in the notice; the list's tooltip has all
+constexpr int widestValue = 120, leastName = 130, wantedName = 220; ///< columns, usual font size
+constexpr int mostChanges = 3; ///< named for a run in the notice; the list's tool tip has all
 
 } // namespace
 
@@ -67,7 +67,7 @@ CompareView::CompareView(KeptRuns& kept, QWidget* parent, Settings* settings)
 
 void CompareView::build() {
     setUpNotice(*m_empty);
-    setTextLines(*m_empty, 3, 2); // a wrapped text tells a splitter one
+    setTextLines(*m_empty, 3, 2); // a splitter would give a wrapped text only one line
     m_columns->addWidget(m_runs);
     m_columns->addWidget(buildCurves());
     m_columns->setStretchFactor(1, 1);
@@ -89,13 +89,13 @@ void CompareView::build() {
                  {m_keepHere, "compareStart"}});
 }
 
-/// Tools and legend have the whole width: beside the list the curves need what height there is.
+/// Tools and legend take the whole width, which leaves more height for the curves beside the list.
 QWidget* CompareView::buildUpper() {
     auto* upper = new QWidget(this);
     auto* column = rowIn<QVBoxLayout>(upper);
     auto* row = new ToolRow;
     column->addLayout(row);
-    row->setSpacing(metrics::hair); // many stand in it
+    row->setSpacing(metrics::hair); // to fit many widgets
     addBoxes(*row, {m_zone, m_axis});
     row->addStretch(1);
     QToolButton* second = PlotTools::button(m_second->menuAction(), upper);
@@ -121,7 +121,7 @@ QWidget* CompareView::buildCurves() {
     return panel;
 }
 
-/// What differs, or what to do to see it.
+/// The table of differences, or a text on how to get them.
 QWidget* CompareView::buildTable() {
     auto* panel = new QWidget(this);
     auto* column = rowIn<QVBoxLayout>(panel);
@@ -196,7 +196,7 @@ void CompareView::setJudged(const JudgedRun& judged) {
     showJudged();
 }
 
-/// What has come may be of a run that this view does not show yet.
+/// The judgement may belong to a run that this view does not show yet.
 void CompareView::showJudged() {
     m_runs->setJudgement(good() && m_judged.outcome == good() ? &m_judged.judgement : nullptr);
 }
@@ -208,8 +208,9 @@ void CompareView::dropOutcome() {
     fillZones();
 }
 
-/// Of the zone or section the user chose: of an alike run the same one, of another the nearest
-/// along the part. Nothing while it is not computed or when it was not recorded.
+/// The feeds of the zone or section chosen by the user: the same one if both runs have the same
+/// places, otherwise the nearest along the part. Empty until they are computed, or if they were not
+/// recorded.
 std::optional<ComparedFeeds> CompareView::feedsOf(int run) const {
     const RecalledRun* const now = m_kept.recalled(run);
     const Project* const inputs = m_kept.inputs(run);
@@ -232,7 +233,7 @@ void CompareView::showCurves() {
         runs.push_back({tr("Current run"), {good(), &good()->feeds}, m_wanted});
         int number = 0;
         for (const int run : chosenRuns()) {
-            ++number; // also of one that is not drawn yet
+            ++number; // counts runs that are not drawn yet, too
             if (auto feeds = feedsOf(run)) {
                 feeds->number = number;
                 runs.push_back(std::move(*feeds));
@@ -244,7 +245,7 @@ void CompareView::showCurves() {
     }
 }
 
-/// A run that comes out differently now stands there as it was kept and as it is computed.
+/// A run whose repetition gives other results has two columns: as kept and as computed.
 void CompareView::showTable() {
     std::vector<ComparedRun> runs;
     QStringList names;
@@ -275,7 +276,7 @@ void CompareView::followCycle() {
     m_plot->setMoment(at && !at->atEnd() ? std::optional(at->time_s()) : std::nullopt);
 }
 
-/// Without a table the curves have its room.
+/// Without a table the curves take its space.
 void CompareView::shareHeight(bool withTable) {
     const bool had = !m_table->isHidden();
     m_table->setVisible(withTable);
@@ -289,9 +290,9 @@ void CompareView::shareHeight(bool withTable) {
     }
 }
 
-/// Heads and long values are wrapped where the columns would not all be in sight.
+/// Wraps heads and long values if the columns would not all be visible.
 void CompareView::fitTable() {
-    const QAbstractItemView& table = *m_table; // where it is public
+    const QAbstractItemView& table = *m_table; // the base class makes it public
     QHeaderView* const head = m_table->horizontalHeader();
     const int columns = m_tableModel->columnCount() - 1;
     std::vector<int> least, wanted;
@@ -316,7 +317,7 @@ void CompareView::fitTable() {
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents); // measures
 }
 
-/// Of the longest word in a column, with its margins.
+/// The width of the longest word in a column, with its margins.
 int CompareView::widthOfWords(int column) const {
     const QHeaderView& head = *m_table->horizontalHeader();
     int words = 0, heads = 0;
@@ -414,7 +415,7 @@ QString CompareView::noticeText() const {
     return joined(lines, QStringLiteral("\n"));
 }
 
-/// Why a run is not drawn as it was kept.
+/// The reasons why a run is not drawn as it was kept.
 QStringList CompareView::runNotes(int run) const {
     const KeptRun& kept = m_kept.run(run);
     const RecalledRun* const now = m_kept.recalled(run);
@@ -471,7 +472,7 @@ void CompareView::nameParts() {
     m_runs->retranslate();
     m_plot->setAccessibleName(tr("Curves of the compared runs"));
     m_table->setAccessibleName(tr("Inputs and results that differ"));
-    m_empty->setAccessibleName(tr("What to do"));
+    m_empty->setAccessibleName(tr("Next step"));
     tell(*m_zone, tr("Zone or section whose curves are drawn"));
     tell(*m_axis, tr("Horizontal axis"));
     m_keepHere->setText(tr("Keep the current run"));

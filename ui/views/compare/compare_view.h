@@ -23,25 +23,25 @@ class SecondAxisMenu;
 class ValueModel;
 struct ComparedFeeds;
 
-/// The view "Compare": kept runs laid over the present one, and a table of the inputs and results
-/// in which they differ. Runs are kept, renamed, deleted and restored from its list.
+/// The view "Compare": the curves of kept runs and the current run, and a table of the inputs and
+/// results that differ. Its list keeps, renames, deletes and restores runs.
 class CompareView : public PlotView {
     Q_OBJECT
 public:
     explicit CompareView(KeptRuns& kept, QWidget* parent = nullptr, Settings* settings = nullptr);
 
-    /// Of the newest run; one that was refused leaves the last.
+    /// Sets the newest run; a refused one keeps the previous.
     void setJudged(const JudgedRun& judged);
     [[nodiscard]] ComparePlot* plot() const { return m_plot; }
     [[nodiscard]] ValueModel* table() const { return m_tableModel; }
-    [[nodiscard]] const std::vector<RunRow>& rows() const { return m_rows; } ///< of the table
+    [[nodiscard]] const std::vector<RunRow>& rows() const { return m_rows; } ///< rows of the table
     [[nodiscard]] QListView* list() const;
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool showsMoment() const override { return true; }
 
 signals:
-    void keepWanted(); ///< the present run
+    void keepWanted(); ///< requests keeping the current run
 
 protected:
     [[nodiscard]] QString hint() const override;
@@ -49,7 +49,7 @@ protected:
     void takeOutcome(const OutcomePtr& before) override;
     void dropOutcome() override;
     [[nodiscard]] bool drawn() const override;
-    void showState() override; ///< and the kept runs of now, which change by themselves
+    void showState() override; ///< also updates the kept runs, which may change independently
     void followCycle() override;
     [[nodiscard]] QString noticeText() const override;
     [[nodiscard]] QString keptText() const override;
@@ -66,7 +66,7 @@ private:
     void showCurves();
     void showTable();
     void shareHeight(bool withTable);
-    void fitTable(); ///< the values are in sight, what differs has the rest
+    void fitTable(); ///< sizes the columns to show the values; the first takes the rest
     [[nodiscard]] int widthOfWords(int column) const;
     [[nodiscard]] int heightOfHeads() const;
     void fillAxes();
@@ -82,17 +82,17 @@ private:
     QComboBox* m_zone;
     QComboBox* m_axis;
     RunsPanel* m_runs;
-    std::vector<RunRow> m_rows; ///< of the table
+    std::vector<RunRow> m_rows; ///< rows of the table
     ValueModel* m_tableModel;
     CopyTable* m_table;
     QLabel* m_empty;
     QPushButton* m_keepHere;
     QSplitter* m_columns;
     QSplitter* m_halves;
-    QList<int> m_heights;                 ///< of the halves, while there is a table
-    std::optional<ReadSummary> m_present; ///< of the present run
+    QList<int> m_heights;                 ///< heights of the two parts while there is a table
+    std::optional<ReadSummary> m_present; ///< summary of the current run
     JudgedRun m_judged;
-    std::size_t m_wanted = 1; ///< zone or section the user chose, of the present run
+    std::size_t m_wanted = 1; ///< zone or section of the current run chosen by the user
 };
 
 } // namespace sparkout

@@ -28,7 +28,7 @@ namespace sparkout {
 
 namespace {
 
-/// Lets a name that is being typed be, unless the row itself gets another name.
+/// Keeps a name that is being typed, unless the row itself gets another name.
 class RunDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -91,7 +91,7 @@ void RunsPanel::build() {
     m_list->setTextElideMode(Qt::ElideRight);
     m_list->setWordWrap(true);
     m_list->setResizeMode(QListView::Adjust);
-    m_list->setLayoutMode(QListView::Batched); // a project may keep a thousand runs
+    m_list->setLayoutMode(QListView::Batched); // fast for a thousand kept runs
     setTextMinimumWidth(*m_list, 150);
     m_list->addActions({m_restore, m_rename, m_delete});
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
@@ -101,7 +101,7 @@ void RunsPanel::connectParts() {
     connect(m_runs, &RunsModel::chosen, &m_kept, &KeptRuns::choose);
     connect(m_runs, &RunsModel::renamed, &m_kept, &KeptRuns::rename);
     connect(m_rename, &QAction::triggered, this, [this] {
-        if (!m_list->isPersistentEditorOpen(m_list->currentIndex())) { // nor any other editor
+        if (!m_list->isPersistentEditorOpen(m_list->currentIndex())) { // no other editor is open
             m_list->edit(m_list->currentIndex());
         }
     });
@@ -120,7 +120,7 @@ void RunsPanel::connectParts() {
 }
 
 int RunsPanel::selected() const {
-    const int run = m_list->currentIndex().row() - 1; // below the present one
+    const int run = m_list->currentIndex().row() - 1; // row 0 is the current run
     return run >= 0 && run < m_kept.listed() ? run : -1;
 }
 
@@ -169,7 +169,7 @@ const ReadSummary* RunsPanel::summaryOf(int run) const {
     return run >= 0 ? m_kept.summary(run) : m_present;
 }
 
-/// The time, and below it what there is to say.
+/// The time, followed by notes on the run.
 QString RunsPanel::detailOf(int run) const {
     const ReadSummary* const read = summaryOf(run);
     if (!read) {

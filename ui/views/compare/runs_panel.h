@@ -13,32 +13,32 @@ class QListView;
 
 namespace sparkout {
 
-/// The list of the view "Compare": the present run and the kept ones, each with what came out. A
+/// The list of the view "Compare": the current run and the kept ones, each with its results. A
 /// check mark chooses a kept run; buttons and keys keep, restore, rename and delete.
 class RunsPanel : public QWidget {
     Q_OBJECT
 public:
     explicit RunsPanel(KeptRuns& kept, QWidget* parent = nullptr);
 
-    /// The kept ones of now and the present one; null: none is computed.
+    /// Sets the current run, which may be null, and updates the kept ones.
     void setRuns(const ReadSummary* present, const Project* inputs);
-    /// Of the present run, whose mark and words stand in place of the light by its summary; null:
-    /// it is not known.
+    /// Sets the judgement of the current run, whose mark and text replace the light of its summary;
+    /// null if unknown.
     void setJudgement(const Judgement* judgement);
     void retranslate();
 
     [[nodiscard]] QListView* list() const { return m_list; }
     [[nodiscard]] QAction* keep() const { return m_keep; }
-    [[nodiscard]] QString nameOf(int run) const; ///< with that of another surface
+    [[nodiscard]] QString nameOf(int run) const; ///< including the name of another surface
 
 private:
     QAction* makeAction(const char* name, const char16_t* icon, const QKeySequence& keys = {});
     void build();
     void connectParts();
     void enableActions();
-    [[nodiscard]] int selected() const; ///< of the kept ones; −1: none
+    [[nodiscard]] int selected() const; ///< index of a kept run; −1: none
     [[nodiscard]] RunsModel::Run presentRow() const;
-    /// The summary as kept, of the present run for −1; null: there is none.
+    /// The stored summary, or that of the current run for −1; null if there is none.
     [[nodiscard]] const ReadSummary* summaryOf(int run) const;
     [[nodiscard]] std::optional<Light> lightOf(int run) const;
     [[nodiscard]] QString detailOf(int run) const;

@@ -31,7 +31,7 @@ void SecondAxisMenu::addRow(std::size_t row) {
         connect(action, &QAction::triggered, this, [this, row, quantity] {
             m_plot.setSecond(row, quantity);
             m_plot.replot(QCustomPlot::rpQueuedReplot);
-            m_plot.tools()->navigation().forgetViews(); // ranges of another quantity
+            m_plot.tools()->navigation().forgetViews(); // its ranges belong to another quantity
         });
     }
 }

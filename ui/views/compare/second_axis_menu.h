@@ -9,8 +9,8 @@ namespace sparkout {
 
 class ComparePlot;
 
-/// What stands on the right-hand axes of the compared curves, the upper and the lower, chosen from
-/// one menu.
+/// The quantities on the right-hand axes of the compared curves, the upper and the lower, chosen
+/// from one menu.
 class SecondAxisMenu : public QMenu {
     Q_OBJECT
 public:
@@ -22,7 +22,7 @@ private:
     void addRow(std::size_t row);
 
     ComparePlot& m_plot;
-    std::vector<QAction*> m_quantities; ///< row by row
+    std::vector<QAction*> m_quantities; ///< actions row by row
 };
 
 } // namespace sparkout

@@ -14,7 +14,7 @@ namespace {
 
 using style::Drawn;
 
-constexpr double valueRoom = 1.1; ///< above the highest value
+constexpr double valueRoom = 1.1; ///< room above the highest value
 constexpr int stackAlpha = 110;
 
 struct StackedPart {

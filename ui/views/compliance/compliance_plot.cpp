@@ -18,7 +18,7 @@ namespace {
 using style::Drawn;
 
 constexpr double sceneRoom = 1.02; ///< room around the drawing to scale
-constexpr double shaftShare = 0.8; ///< of the height of the curves
+constexpr double shaftShare = 0.8; ///< relative to the height of the curves
 
 } // namespace
 
@@ -146,13 +146,13 @@ void CompliancePlot::refitValues() {
     }
 }
 
-/// The shaft at one scale along and across, as large as its rect holds.
+/// Scales the shaft equally along and across, as large as its rect allows.
 void CompliancePlot::afterLayouting() {
     const QRectF area = m_shaftRect->rect();
     const double width = std::max(area.width(), 1.0), height = std::max(area.height(), 1.0);
     QCPAxis* x = m_shaftRect->axis(QCPAxis::atBottom);
     const QRectF all = m_scene->bounds();
-    const bool untouched = m_fitting || x->range() == m_fittedAlong; // by a zoom
+    const bool untouched = m_fitting || x->range() == m_fittedAlong; // not zoomed
     if (untouched && !all.isEmpty()) {
         m_fitting = false;
         const double perPixel = sceneRoom * std::max(all.width() / width, all.height() / height);

@@ -13,12 +13,12 @@ class BandLayer;
 class ShaftLayer;
 class ShaftScene;
 
-/// What stands below the part: γ along it, the diameters over the gauge's place, or those of
-/// coupled against independent sections.
+/// The chart below the part: γ along it, the diameters over the gauge's place, or those with
+/// coupled and with independent sections.
 enum class ComplianceContent { compliance, gauge, coupling };
 
-/// Above the part on its supports with wheel and gauge, to scale; below, over one axis, the curves
-/// of what was chosen.
+/// The part on its supports with wheel and gauge, to scale, above the chosen curves on the same
+/// axis.
 class CompliancePlot : public ChartPlot {
     Q_OBJECT
 public:
@@ -29,14 +29,15 @@ public:
     [[nodiscard]] const ComplianceCurves& gamma() const { return m_gamma; }
     [[nodiscard]] const GaugeCurves& gauge() const { return m_gauge; }
     [[nodiscard]] const CouplingCurves& coupling() const { return m_coupling; }
-    /// Where the gauge stands in the run shown, from the headstock end of the ground length [mm].
+    /// The gauge's position in the shown run, from the headstock end of the ground length [mm].
     [[nodiscard]] double gaugePlace_mm() const;
     void setRun(OutcomePtr outcome);                                ///< no replot
-    void setGauge(GaugePlacementPtr placement, OutcomePtr outcome); ///< likewise
-    void setCoupling(CouplingPtr comparison);                       ///< likewise
+    void setGauge(GaugePlacementPtr placement, OutcomePtr outcome); ///< no replot
+    void setCoupling(CouplingPtr comparison);                       ///< no replot
     void fit() override;
     void fitValues() override;
-    /// The same where what is drawn has grown out of it or is small in it, and nobody has zoomed.
+    /// Fits the values again if the curves exceed the range or fill little of it, unless the user
+    /// has zoomed.
     void refitValues();
     void restyle() override;
 
@@ -48,7 +49,7 @@ private:
     void setTexts() override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     void build();
-    [[nodiscard]] LineChart made() const; ///< below the part
+    [[nodiscard]] LineChart made() const; ///< the chart below the part
     void fillBands();
     void afterLayouting();
 
@@ -62,9 +63,9 @@ private:
     GaugeCurves m_gauge;
     CouplingCurves m_coupling;
     ComplianceContent m_content = ComplianceContent::compliance;
-    QCPRange m_fitted;      ///< of the lower axis, as it was fitted last
-    QCPRange m_fittedAlong; ///< of the axis along the part, likewise
-    bool m_fitting = false; ///< with the next layout
+    QCPRange m_fitted;      ///< range of the lower axis in the last fit
+    QCPRange m_fittedAlong; ///< range of the axis along the part in the last fit
+    bool m_fitting = false; ///< whether the next layout fits
 };
 
 } // namespace sparkout

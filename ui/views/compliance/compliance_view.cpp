@@ -241,7 +241,7 @@ QString ComplianceView::complianceSummary() const {
 void ComplianceView::nameParts() {
     nameAround(tr("Legend of the curves"), tr("State of the curves"), tr("Values under the mouse"));
     m_plot->setAccessibleName(tr("Compliance along the part"));
-    m_summary->setAccessibleName(tr("Where it yields most"));
+    m_summary->setAccessibleName(tr("Most compliant place"));
     fillChoice(*m_content, {tr("Compliance along the part"), tr("Where to put the gauge"),
                             tr("Coupled against independent sections")});
     tell(*m_content, tr("Curves below the part"));

@@ -16,7 +16,7 @@ using style::Drawn;
 
 namespace {
 
-/// The two models often lie closer than the hundredths others are stated in.
+/// With more decimals, since the two models often differ by less than a hundredth.
 QString fine(double value_um) {
     return Names::fixed(value_um, 3);
 }

@@ -13,13 +13,13 @@ namespace sparkout {
 
 using CouplingPtr = std::shared_ptr<const CouplingComparison>;
 
-/// The mean diameters of the sections as the models with independent and with coupled sections
-/// have them, and the difference.
+/// The mean diameters of the sections by the models with independent and with coupled sections, and
+/// their difference.
 class CouplingCurves {
     Q_DECLARE_TR_FUNCTIONS(CouplingCurves)
 public:
     static constexpr int independentKey = 400, coupledKey = 401, differenceKey = 402,
-                         limitsKey = 403; ///< of the legend
+                         limitsKey = 403; ///< keys of the legend
 
     /// @param comparison null: nothing to show
     explicit CouplingCurves(CouplingPtr comparison = nullptr)

@@ -19,7 +19,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::size_t mostSections = 6; ///< drawn as lines of their own
+constexpr std::size_t mostSections = 6; ///< greatest number of sections drawn as separate lines
 constexpr int gaugeSpreadAlpha = 64;
 
 ChartSeries gaugeMark(int key, const QString& name, style::Drawn colour, ChartSeries::Mark mark,
@@ -85,7 +85,7 @@ std::vector<XY> GaugeCurves::lineOf(const Value& value) const {
     return line;
 }
 
-/// All of a few, else some from end to end.
+/// All sections if they are few, otherwise some from end to end.
 std::vector<ChartSeries> GaugeCurves::sections() const {
     const std::size_t all = m_outcome->result.sections.size();
     const std::size_t count = std::min(all, mostSections);

@@ -9,17 +9,17 @@ namespace sparkout {
 
 struct Part;
 
-/// What the charts over the length of the part share. Diameters are drawn from the middle of the
-/// tolerance band.
+/// Common functions of the charts over the length of the part. Diameters are drawn relative to the
+/// middle of the tolerance band.
 class LengthCurves {
     Q_DECLARE_TR_FUNCTIONS(LengthCurves)
 public:
-    static double middle_um(const Part& part); ///< of the tolerance band, from nominal
+    static double middle_um(const Part& part); ///< middle of the tolerance band, from nominal
     static LineChart chart();                  ///< without series
-    /// The limits of the tolerance band over the length, ± half of it, after the series; in sight
-    /// unless they are far from what is drawn.
+    /// Adds the limits of the tolerance band over the length, ± half of it, after the series;
+    /// visible unless they are far from the curves.
     static void addLimits(LineChart& chart, const Part& part, int key);
-    /// For the cursors, if it runs along the part; both edges of a band.
+    /// Makes a series readable by the cursors if it runs along the part; of a band both edges.
     static void read(LineChart& chart, const ChartSeries& of, Digits digits);
 };
 

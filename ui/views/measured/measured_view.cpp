@@ -392,13 +392,13 @@ void MeasuredView::nameParts() {
     nameAround(tr("Legend of the comparison"), tr("State of the comparison"),
                tr("Values under the mouse"));
     m_boxes->setAccessibleName(tr("Measured parts beside the predicted ones"));
-    m_bar->state()->setAccessibleName(tr("What was compared"));
+    m_bar->state()->setAccessibleName(tr("Extent of the comparison"));
     m_bar->progress()->setAccessibleName(tr("Progress of the batch"));
     m_table->setAccessibleName(tr("Measured against predicted"));
     m_judgement->setAccessibleName(tr("Verdict on the model"));
     m_judged->setAccessibleName(tr("Verdict on the model"));
     fillChoice(*m_sheet, {tr("Comparison"), tr("Parts"), tr("Statistics"), tr("Traces")});
-    tell(*m_sheet, tr("What is shown of the measurements"));
+    tell(*m_sheet, tr("Displayed results of the measurements"));
     tell(*m_quantity, tr("Measured quantity"));
     tellButton(*m_bar->run(), tr("Run"), tr("Run the predicted batch; a quick one runs by itself"));
     tellButton(*m_bar->stop(), tr("Stop"),

@@ -23,7 +23,7 @@ struct FoundTable {
     Q_DECLARE_TR_FUNCTIONS(FoundTable)
 };
 
-/// The one unit of both tables.
+/// The common unit of both tables.
 TimeUnit timeUnit(const SearchOutcome& outcome, const std::optional<double>& before_s) {
     double longest_s = before_s.value_or(0);
     for (const FoundCycle& found : outcome.found) {
@@ -115,7 +115,7 @@ QString kindOf(const SearchOutcome& outcome, const FoundCycle& found) {
     return FoundTable::tr("The best so far when it was found");
 }
 
-/// In per cent.
+/// A share in per cent.
 ValueCell shareCell(const std::optional<double>& share) {
     constexpr double perCent = 100;
     return ValueCell::of(share ? std::optional(perCent * *share) : std::nullopt,
@@ -158,14 +158,14 @@ std::vector<ValueCell> cellsOf(const SearchOutcome& outcome, const FoundCycle& f
 
 // --- the answer ---------------------------------------------------------------------------------
 
-/// A row of answerTable(); what is not given has a dash.
+/// A row of answerTable(); missing values are shown as dashes.
 struct AnswerRow {
     const char* key;
     QString name;
     std::optional<double> time_s = {}, margin = {};
     std::optional<PartsHeld> held = {};
     std::optional<double> cost = {};
-    std::optional<double> stocksFailing = {}, partsBad = {}; ///< shares, at most
+    std::optional<double> stocksFailing = {}, partsBad = {}; ///< upper bounds of the shares
     QStringList basis = {};
     bool isAnswer = false;
 };
@@ -187,7 +187,7 @@ QString answerName(const SearchOutcome& outcome) {
                               : FoundTable::tr("Cycle found");
 }
 
-/// What is proved of the best of the grid.
+/// The proof for the best cycle of the grid.
 QString proofOf(const SearchOutcome& outcome) {
     const QString size = OptimiseText::gridSize(outcome.search.gridSize);
     const bool isProved = outcome.proved();
@@ -294,7 +294,7 @@ QStringList limitBasis(const SearchOutcome& outcome) {
     return basis;
 }
 
-/// Of a search that was stopped: what no cycle is better than.
+/// The bound of a stopped search: no cycle is better.
 std::optional<AnswerRow> boundRow(const SearchOutcome& outcome) {
     if (outcome.proved() || isHeuristic(outcome.method) || outcome.marginWithin_us) {
         return std::nullopt;
@@ -365,7 +365,7 @@ std::vector<AnswerRow> answerRows(const SearchOutcome& outcome, std::optional<do
     return rows;
 }
 
-/// In per cent, rounded up.
+/// An upper bound of a share in per cent, rounded up.
 ValueCell mostCell(const std::optional<double>& share) {
     return ValueCell::of(share ? std::optional(std::ceil(*share * 1e4) / 1e2) : std::nullopt,
                          [](double percent) { return Names::fixed(percent, 2); });

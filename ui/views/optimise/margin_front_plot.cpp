@@ -18,7 +18,7 @@ using style::Drawn;
 namespace {
 
 constexpr double frontDot = 7, ownDot = 10, chosenRing = 15; ///< [px]
-constexpr double nearCycle = 12;                             ///< [px] a cycle is meant within
+constexpr double nearCycle = 12; ///< [px] within which a click selects a cycle
 constexpr double frontRoom = 0.08;
 constexpr double frontPercent = 100;
 
@@ -83,7 +83,7 @@ LineChart MarginFrontPlot::made() const {
     if (!hasFront()) {
         return chart;
     }
-    // Steps, as a margin stands until a longer time has more.
+    // A step curve, since a margin applies until a longer time gives a larger one.
     ChartSeries curve{.key = frontKey,
                       .name = tr("maximum margin by time"),
                       .kind = ChartSeries::Kind::steps,
@@ -139,7 +139,7 @@ QString MarginFrontPlot::described(const FoundCycle& found) const {
 
 PlotTools& MarginFrontPlot::addTools(PlotSubject subject, Settings* settings) {
     PlotTools& tools = ChartPlot::addTools(std::move(subject), settings);
-    installEventFilter(this); // last, hence before the navigation's
+    installEventFilter(this); // installed last, so called before the navigation's
     return tools;
 }
 
@@ -187,7 +187,7 @@ bool MarginFrontPlot::onKey(int key) {
         emit cyclePointed(rowOf(*found));
         emit pointed(described(*found));
     }
-    return true; // at an end too
+    return true; // also at the ends
 }
 
 // --- table --------------------------------------------------------------------------------------

@@ -9,46 +9,47 @@
 
 namespace sparkout {
 
-/// What a cycle takes and how far it is from its nearest limit.
+/// The time of a cycle and its distance from its nearest limit.
 struct TimedMargin {
     double time_s = 0;
     double leastRelativeMargin = 0;
 };
 
-/// Time against margin: the cycles of the grid of which none is both as quick and as far from its
-/// nearest limit as another, as a step curve: what margin a time buys. With the cycle compared
-/// with, the one chosen and the time that a search for the greatest margin leaves. A click or
-/// the arrow keys choose a cycle, Enter takes it.
+/// Time against margin: the cycles of the grid for which no other is both as quick and as far from
+/// its nearest limit, as a step curve that shows the margin for a time. Also shows the reference
+/// cycle, the chosen one and the time allowed in a search for the greatest margin. A click or the
+/// arrow keys choose a cycle, Enter takes it.
 class MarginFrontPlot : public ChartPlot {
     Q_OBJECT
 public:
-    enum Key { frontKey, yoursKey, chosenKey, timeKey }; ///< of the legend
+    enum Key { frontKey, yoursKey, chosenKey, timeKey }; ///< keys of the legend
 
     explicit MarginFrontPlot(QWidget* parent = nullptr);
 
-    /// No replot.
+    /// Sets the content without a replot.
     void setSearch(SearchOutcomePtr outcome, std::optional<TimedMargin> yours);
-    void setChosen(const FoundCycle* found); ///< of the outcome; null: none; no replot
-    /// Whether there is a curve.
+    void setChosen(const FoundCycle* found); ///< a cycle of the outcome, or null; no replot
+    /// Whether there is a front to draw.
     [[nodiscard]] bool hasFront() const { return !front().empty(); }
 
     PlotTools& addTools(PlotSubject subject, Settings* settings) override;
     [[nodiscard]] static CsvTable tableOf(const SearchOutcome& outcome);
 
 signals:
-    void cycleClicked(std::size_t row); ///< of the outcome's cycles found
-    void cyclePointed(std::size_t row); ///< the same by a key, which stays here
-    void cycleEntered();                ///< the chosen one is to be taken
+    void cycleClicked(std::size_t row); ///< index in the outcome's list of found cycles
+    void cyclePointed(std::size_t row); ///< chosen by a key, so the plot keeps the focus
+    void cycleEntered();                ///< requests to take the chosen cycle
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override; ///< of its own keys
+    bool eventFilter(QObject* watched, QEvent* event) override; ///< handles its own keys
 
 private:
     [[nodiscard]] LineChart made() const;
     [[nodiscard]] std::vector<const FoundCycle*> front() const; ///< the quickest first
     [[nodiscard]] XY placeOf(const TimedMargin& of) const;
     [[nodiscard]] bool onKey(int key);
-    /// The next of the front that takes longer than the chosen one, or less; null: none.
+    /// The neighbour of the chosen cycle in the front with a longer, or a shorter, time; null if
+    /// there is none.
     [[nodiscard]] const FoundCycle* beside(bool isLonger) const;
     [[nodiscard]] QString described(const FoundCycle& found) const;
     [[nodiscard]] std::size_t rowOf(const FoundCycle& found) const;
@@ -56,7 +57,7 @@ private:
 
     SearchOutcomePtr m_outcome;
     std::optional<TimedMargin> m_own, m_chosen;
-    TimeUnit m_unit; ///< of the longest time shown
+    TimeUnit m_unit; ///< unit for the longest time shown
 };
 
 } // namespace sparkout

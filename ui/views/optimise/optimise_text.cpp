@@ -16,7 +16,7 @@ namespace sparkout {
 
 namespace {
 
-/// About searches in the present language, with the numbers and names of the window.
+/// Texts about searches in the current language, with the numbers and names of the window.
 class SearchText : public SearchWording {
 protected:
     [[nodiscard]] std::string translated(const char* text) const override {

@@ -44,8 +44,8 @@
 namespace sparkout {
 
 namespace {
-constexpr int curvesShare = 240, foundShare = 75; ///< of the height at first
-/// As they are offered, the first at first.
+constexpr int curvesShare = 240, foundShare = 75; ///< initial shares of the height
+/// The methods in the order of the box; the first is the default.
 constexpr std::array methods{SearchMethod::pruned, SearchMethod::full, SearchMethod::published,
                              SearchMethod::labels};
 } // namespace
@@ -108,15 +108,15 @@ CopyTable* OptimiseView::buildTable() {
     return m_table;
 }
 
-/// As high as its rows, whose last column wraps, or scrolled: see limitAnswer().
+/// Makes a table as high as its rows, with a wrapped last column, or scrolled: see limitAnswer().
 CopyTable* OptimiseView::buildAnswer() {
     m_answerTable = addTable(*m_answer);
     m_answerTable->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
     m_answerTable->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);
     m_answerTable->verticalHeader()->hide();
     QHeaderView* const header = m_answerTable->horizontalHeader();
-    header->setStretchLastSection(false); // it does not make the last section narrower
-    // Asked for when all columns have their widths.
+    header->setStretchLastSection(false); // stretching would not make the last section narrower
+    // Queued until all columns have their widths.
     connect(
         header, &QHeaderView::sectionResized, m_answerTable,
         [this] { m_answerTable->resizeRowsToContents(); }, Qt::QueuedConnection);
@@ -149,7 +149,7 @@ void OptimiseView::connectParts() {
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             &OptimiseView::tryCycle);
     connect(m_add, &QPushButton::clicked, this, [this] {
-        // The view is of the inputs that were accepted last; those of now may have a grid.
+        // The view shows the last accepted inputs; the current ones may have a grid.
         emit editWanted(
             [](Project project) {
                 return project.optimisation ? project : usualSearch(std::move(project));
@@ -169,7 +169,7 @@ void OptimiseView::connectParts() {
     connect(m_gridBar, &StateGridBar::moved, this, &OptimiseView::moveGrid);
     connect(m_margins, &MarginFrontPlot::cycleClicked, this, [this](std::size_t row) {
         chooseRow(row);
-        m_table->setFocus(); // whose keys go on from there
+        m_table->setFocus(); // its keys continue from there
     });
     connect(m_margins, &MarginFrontPlot::cyclePointed, this, &OptimiseView::chooseRow);
     connect(m_margins, &MarginFrontPlot::cycleEntered, this, &OptimiseView::takeCycle);
@@ -208,7 +208,7 @@ std::optional<double> OptimiseView::before_s() const {
                : std::nullopt;
 }
 
-/// Whether the current cycle is one of those that were found.
+/// Whether the current cycle is one of the found ones.
 bool OptimiseView::isTaken() const {
     return !stale() && std::ranges::any_of(search()->found, [&](const FoundCycle& found) {
         const Project& present = good()->result.project;
@@ -233,7 +233,7 @@ void OptimiseView::takeOutcome(const OutcomePtr& before) {
     m_before = mayCompare ? m_own : good();
     m_found->update(tableOfFound());
     showBefore();
-    fillCurves(); // the view shows them with the rest
+    fillCurves(); // drawn together with the rest
     followGrid();
 }
 
@@ -281,7 +281,7 @@ void OptimiseView::runSearch() {
     showState();
 }
 
-/// An answer can be chosen and taken while the margins by time are looked for.
+/// An answer can be chosen and taken during the search for the margins by time.
 void OptimiseView::takeSearch() {
     if (m_goesOn) {
         addToAnswer();
@@ -294,7 +294,7 @@ void OptimiseView::takeSearch() {
     }
 }
 
-/// The chosen cycle stays, and what a taken one took the place of.
+/// Keeps the chosen cycle, and the one that a taken cycle replaced.
 void OptimiseView::addToAnswer() {
     const FoundCycle* const was = chosen();
     const std::optional<FoundCycle> kept = was ? std::optional(*was) : std::nullopt;
@@ -375,7 +375,7 @@ void OptimiseView::tryCycle() {
 }
 
 void OptimiseView::takeTrial(const OutcomePtr& outcome) {
-    m_trial = chosen() && outcome->ran() ? outcome : nullptr; // forgotten meanwhile: none
+    m_trial = chosen() && outcome->ran() ? outcome : nullptr; // the search may be dropped
     showCurves();
 }
 
@@ -388,7 +388,7 @@ void OptimiseView::takeCycle() {
         m_own = good();
     }
     const auto take = [searched = search()->project, found = *cycle](Project project) {
-        // Else edited meanwhile.
+        // Unchanged if the search has been edited meanwhile.
         return sameSearch(searched, project) ? withFound(std::move(project), found) : project;
     };
     emit editWanted(take, {"Edit", QT_TRANSLATE_NOOP("Edit", "Take the cycle found")});
@@ -400,7 +400,7 @@ bool OptimiseView::showsGrid() const {
     return &front() == m_grid;
 }
 
-/// Only what is shown is filled.
+/// Updates the grid only while it is shown.
 void OptimiseView::followGrid() {
     if (showsGrid() && good()) {
         m_gridBar->follow(good()->result.project);
@@ -486,7 +486,7 @@ bool OptimiseView::drawn() const {
     return hasCurves() && (isGiven() || isFound());
 }
 
-/// What was found before, while another search runs or after an edit.
+/// The earlier result is faint while another search runs and after an edit.
 bool OptimiseView::faint() const {
     return showsGrid() ? m_gridBar->stale() || refused()
                        : stale() || (studies().search.running() && !studies().search.isAnswered());
@@ -499,20 +499,20 @@ bool OptimiseView::isFaint(const ViewPlot& plot) const {
 void OptimiseView::showState() {
     const bool searching = studies().search.running(), grid = showsGrid();
     for (QWidget* part : std::initializer_list<QWidget*>{m_method, m_phases, m_refine}) {
-        part->setVisible(!searching); // the progress takes their room
+        part->setVisible(!searching); // the progress needs their space
         part->setEnabled(isGiven());
     }
     const bool betweenDressings =
         isGiven() && objectiveOf(good()->result.project) != SearchObjective::time;
     if (isGiven() && (betweenDressings || good()->result.project.optimisation->margin_within_min)) {
-        m_refine->setEnabled(false); // it looks for the least time alone
+        m_refine->setEnabled(false); // a refinement supports only the least time
     }
     m_phases->setEnabled(isGiven() && !betweenDressings);
-    nameRun(); // by which the notice asks for it
+    nameRun(); // the notice refers to the button
     PlotView::showState();
     tools()->setEnabled(hasCurves());
     m_add->setVisible(good() && !isGiven());
-    m_choice->setVisible(isGiven() || isFound()); // else there is nothing to choose
+    m_choice->setVisible(isGiven() || isFound()); // otherwise there is no choice
     m_bar->setVisible(!grid);
     m_gridBar->setVisible(grid && isGiven());
     m_gridBar->showState(!refused());
@@ -609,7 +609,7 @@ QStringList OptimiseView::subheading() const {
 }
 
 void OptimiseView::nameParts() {
-    nameAround(tr("Legend of the search"), tr("What the search found"),
+    nameAround(tr("Legend of the search"), tr("Result of the search"),
                tr("Values under the mouse"));
     m_curves->setAccessibleName(tr("Feeds and radii of your cycle and of the one found"));
     m_times->setAccessibleName(tr("Machining time over the number of stages"));
@@ -625,7 +625,7 @@ void OptimiseView::nameParts() {
     QStringList names;
     std::ranges::transform(methods, std::back_inserter(names), &OptimiseText::method);
     fillChoice(*m_method, names);
-    tell(*content(), tr("What is shown of the search"));
+    tell(*content(), tr("Displayed results of the search"));
     tell(*m_zone, tr("Zone or section of the curves"));
     nameButtons();
     m_gridBar->retranslate();

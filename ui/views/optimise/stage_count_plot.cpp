@@ -85,7 +85,7 @@ CsvTable StageCountPlot::tableOf(const SearchOutcome& outcome) {
     return table;
 }
 
-/// Of a number of stages without a bar, why.
+/// Explains a number of stages without a bar.
 QString StageCountPlot::valuesAt(const QPointF& at) const {
     const int category = drawing().categoryAt(at);
     if (!m_outcome || category < 0) {
@@ -99,7 +99,7 @@ QString StageCountPlot::valuesAt(const QPointF& at) const {
         .arg(tr("%n stage(s)", nullptr, number.stages));
 }
 
-/// The chart is full of words.
+/// Redraws everything, since the chart contains texts.
 void StageCountPlot::setTexts() {
     BarPlot::setTexts();
     setChart(makeChart());

@@ -8,15 +8,14 @@
 
 namespace sparkout {
 
-/// The time of the quickest cycle by its number of stages, as bars, above the stepless limit and
-/// beside the time of the cycle compared with. Where a search was stopped also the time that none
-/// is below.
+/// The time of the quickest cycle by its number of stages, as bars, with the stepless limit and the
+/// time of the reference cycle. After a stop it also shows the lower bound of the time.
 class StageCountPlot : public BarPlot {
     Q_OBJECT
 public:
     explicit StageCountPlot(QWidget* parent = nullptr);
 
-    /// No replot.
+    /// Sets the content without a replot.
     void setSearch(SearchOutcomePtr outcome, std::optional<double> before_s);
     [[nodiscard]] CsvTable table() const override;
     [[nodiscard]] static CsvTable tableOf(const SearchOutcome& outcome);

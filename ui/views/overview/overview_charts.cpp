@@ -29,13 +29,13 @@ using Shape = BarChart::Shape;
 using style::Drawn;
 
 constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
-constexpr double mostUsage = 200; ///< % that is drawn
+constexpr double mostUsage = 200; ///< greatest drawn usage [%]
 
 QString threeDigits(double value) {
     return Names::significant(value);
 }
 
-/// The diameter nearest to its limit, of which section.
+/// The section with the diameter nearest to its limit.
 std::optional<int> criticalSection(const Outcome& outcome) {
     const ConstraintResult* worst = nullptr;
     for (const ConstraintResult& of : outcome.constraints) {
@@ -48,7 +48,7 @@ std::optional<int> criticalSection(const Outcome& outcome) {
     return worst ? std::optional(worst->section) : std::nullopt;
 }
 
-/// All zones, or some of the sections, the critical one among them.
+/// All zones, or some of the sections including the critical one.
 std::vector<int> drawnSections(const Outcome& outcome) {
     const Project& project = outcome.result.project;
     const auto count = static_cast<int>(outcome.result.sections.size());
@@ -67,7 +67,7 @@ BarColour colourOfStep(std::size_t step) {
     };
 }
 
-/// The steps that take time, in their order.
+/// The steps that take time, in order.
 std::vector<std::size_t> stepsTaken(const Outcome& outcome) {
     std::vector<std::size_t> steps;
     for (std::size_t step = 0; step < strokeSteps; ++step) {
@@ -113,7 +113,7 @@ std::vector<BarSeries> OverviewCharts::stepSeries(const Outcome& outcome) {
     return series;
 }
 
-/// All stages, or those that take longest, in their order.
+/// All stages, or those that take longest, in order.
 std::vector<std::size_t> OverviewCharts::stagesShown(const Outcome& outcome) {
     const std::vector<double>& times = outcome.result.timeByStage_s;
     std::vector<std::size_t> stages(times.size());
@@ -267,8 +267,8 @@ std::vector<int> OverviewCharts::sectionsOfDiameters(const Outcome& outcome) {
     return sections;
 }
 
-/// The worst of each kind, what fails first and then by how much is used up; of the settings, which
-/// hold up to the ends of their ranges, those that fail.
+/// The worst result of each kind, unmet ones first and then by usage; machine ranges, which may be
+/// used up to their ends, only if they are not met.
 std::vector<ConstraintResult> OverviewCharts::requirementsShown(const Outcome& outcome) {
     std::vector<ConstraintResult> shown = worstByKind(outcome.constraints);
     std::erase_if(shown,
@@ -295,7 +295,7 @@ BarChart OverviewCharts::requirements(const Outcome& outcome) {
     constexpr std::array hatches{Hatch::crossed, Hatch::falling, Hatch::rising, Hatch::none};
     for (std::size_t i = 0; i < lights.size(); ++i) {
         BarSeries series{lightName(lights[i]), barColour(drawn[i]), hatches[i], {}};
-        series.atLeast = lights[i] == Light::undecided; // what is not known comes on top
+        series.atLeast = lights[i] == Light::undecided; // the value is a lower bound
         for (const ConstraintResult& of : shown) {
             series.values.push_back(of.isWhole && lightOf(of) == lights[i] ? 100 * usageOf(of)
                                                                            : noNumber);
@@ -319,7 +319,7 @@ BarChart OverviewCharts::requirements(const Outcome& outcome) {
 
 // --- batch --------------------------------------------------------------------------------------
 
-/// Empty of corners, which are no sample, and where no part reached size.
+/// Empty for corners, which are not a sample, and if no part reached size.
 BarChart OverviewCharts::boxes(const BatchOutcome& batch,
                                const std::vector<MeasuredStatistics>& measured) {
     BarChart chart;

@@ -18,26 +18,26 @@ namespace sparkout {
 /// The charts of the view "Overview", in the order of the page.
 enum class OverviewChart {
     times,        ///< by stage and step
-    stock,        ///< removed, by stage, zone and step
-    diameters,    ///< what the deviations are made of
-    requirements, ///< how much of its limit each uses up
+    stock,        ///< removed stock by stage, zone and step
+    diameters,    ///< parts of the deviations
+    requirements, ///< usage of each limit
     boxes,        ///< the batch by zone
-    parts,        ///< of the batch, good and out
-    runs,         ///< the kept ones beside the present one
+    parts,        ///< good and rejected parts of the batch
+    runs,         ///< kept runs and the current one
 };
 inline constexpr std::array allOverviewCharts{OverviewChart::times,     OverviewChart::stock,
                                               OverviewChart::diameters, OverviewChart::requirements,
                                               OverviewChart::boxes,     OverviewChart::parts,
                                               OverviewChart::runs};
 
-/// A run as its bars: each nothing where it is not known.
+/// The bars of a run; values are empty if unknown.
 struct RunBars {
     QString name;
-    std::optional<double> time_min, margin; ///< the margin as a share
+    std::optional<double> time_min, margin; ///< the margin is a share
 };
 
-/// What the view "Overview" draws, as values: the passport draws the same. A chart is empty where
-/// there is nothing to draw.
+/// The content of the view "Overview" as values, also drawn in the passport. A chart without data
+/// is empty.
 class OverviewCharts {
     Q_DECLARE_TR_FUNCTIONS(OverviewCharts)
 public:
@@ -47,26 +47,27 @@ public:
     static BarChart stock(const Outcome& outcome);
     static BarChart diameters(const Outcome& outcome);
     static BarChart requirements(const Outcome& outcome);
-    /// Measured diameters stand beside the predicted ones.
+    /// Draws measured diameters beside the predicted ones.
     static BarChart boxes(const BatchOutcome& batch,
                           const std::vector<MeasuredStatistics>& measured = {});
     static BarChart parts(const BatchOutcome& batch);
-    static BarChart runs(const std::vector<RunBars>& runs, int kept); ///< of so many kept ones
+    /// `kept` is the number of all kept runs.
+    static BarChart runs(const std::vector<RunBars>& runs, int kept);
 
-    /// What the bars of a chart stand for, category by category: a stage, from 0; a section, from
-    /// 0; a requirement.
+    /// The objects of a chart's bars by category: a stage or a section, counted from 0, or a
+    /// requirement.
     static std::vector<std::size_t> stagesShown(const Outcome& outcome);
     static std::vector<int> sectionsOfDiameters(const Outcome& outcome);
     static std::vector<ConstraintResult> requirementsShown(const Outcome& outcome);
 
-    static constexpr int mostRuns = 8;            ///< kept ones, the newest
-    static constexpr std::size_t mostStages = 24; ///< those that take longest
+    static constexpr int mostRuns = 8;            ///< greatest number of kept runs, the newest ones
+    static constexpr std::size_t mostStages = 24; ///< of stages, those that take longest
 
 private:
     static std::vector<BarSeries> stepSeries(const Outcome& outcome);
     static QString stagesRemark(const Outcome& outcome);
     static QString sectionsRemark(const Outcome& outcome);
-    /// A zone by its name, a section by its number.
+    /// The name of a zone, or the number of a section.
     static QString briefPlace(const Outcome& outcome, int section);
 };
 

@@ -15,22 +15,22 @@ namespace sparkout {
 class BarPlot;
 class LegendStrip;
 
-/// One chart of the overview: its title, its legend, a button that gives it the whole page, and
-/// where there is nothing to draw what will be there and the step to it.
+/// One chart of the overview: its title, its legend, a button to enlarge it to the page, and,
+/// without data, a text on its content with a button for the next step.
 class OverviewTile : public QFrame {
     Q_OBJECT
 public:
-    OverviewTile(const QString& name, QWidget* parent); ///< of its parts, too
+    OverviewTile(const QString& name, QWidget* parent); ///< `name` begins its parts' names, too
 
     [[nodiscard]] BarPlot* plot() const { return m_plot; }
-    void addExport(); ///< the button, once the plot has its tools
+    void addExport(); ///< adds the export button; requires the tools of the plot
     void setTitle(const QString& title);
     void setChart(BarChart chart); ///< no replot
-    /// In place of the chart; a step without a text has no button.
+    /// Shows a text in place of the chart; a step without text has no button.
     void setEmpty(const QString& text, const QString& step = {});
-    void setAlone(bool isAlone); ///< it has the page to itself
+    void setAlone(bool isAlone); ///< whether it fills the page
     void retranslate();
-    void fitHeight(); ///< to the chart, in the type of the moment
+    void fitHeight(); ///< sets the height for the chart and the current font
 
     [[nodiscard]] bool isEmpty() const;
     [[nodiscard]] QString title() const;
@@ -38,7 +38,7 @@ public:
 
 signals:
     void enlargeAsked();
-    void stepAsked(); ///< the button of what is empty
+    void stepAsked(); ///< the button of the empty tile was clicked
 
 private:
     void showLegend();

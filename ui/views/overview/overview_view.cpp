@@ -32,7 +32,7 @@ namespace {
 
 using enum OverviewChart;
 
-constexpr int columnWidth = 300; ///< at least, at the usual size of type
+constexpr int columnWidth = 300; ///< least width at the usual font size
 constexpr int mostColumns = 3;
 constexpr std::array tileNames{"overviewTimes",        "overviewStock", "overviewDiameters",
                                "overviewRequirements", "overviewBoxes", "overviewParts",
@@ -95,17 +95,17 @@ void OverviewView::build() {
 
 // --- the page -----------------------------------------------------------------------------------
 
-/// Of its own width: that of the page follows later.
+/// Uses its own width, since that of the page is updated later.
 int OverviewView::columnsWithRoom() const {
     const int room = width() - 2 * metrics::gap - m_scroll->verticalScrollBar()->sizeHint().width();
     return std::clamp(room / atFontSize(columnWidth), 1, mostColumns);
 }
 
-/// The last tile takes what is left of its row. Alone, a tile has all of the page.
+/// Arranges the tiles; the last one takes the rest of its row, an enlarged one the whole page.
 void OverviewView::arrange() {
     m_columns = columnsWithRoom();
     while (m_grid->count() > 0) {
-        delete m_grid->takeAt(0); // its tile stays
+        delete m_grid->takeAt(0); // its tile is kept
     }
     for (int i = 0; i < mostColumns; ++i) {
         m_grid->setColumnStretch(i, i < m_columns ? 1 : 0);
@@ -156,7 +156,7 @@ void OverviewView::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-/// New type needs other heights, and fewer columns.
+/// A new font needs other heights, and possibly fewer columns.
 void OverviewView::recolour() {
     for (OverviewTile* tile : m_tiles) {
         tile->fitHeight();
@@ -233,7 +233,7 @@ void OverviewView::showBatch() {
     tile(parts)->setEmpty(text, step);
 }
 
-/// The present run, then the newest kept ones.
+/// The current run, then the newest kept ones.
 std::vector<RunBars> OverviewView::shownRuns() const {
     const RunSummary present = summarise(good()->result, good()->accuracy, good()->constraints);
     std::vector<RunBars> shown{
@@ -269,7 +269,7 @@ void OverviewView::showRuns() {
                              m_offersKeeping ? tr("Keep this run") : QString());
     } else {
         tile(runs)->setChart(OverviewCharts::runs(shownRuns(), m_kept.count()));
-        tile(runs)->plot()->setAccessibleDescription({}); // names are the user's own words
+        tile(runs)->plot()->setAccessibleDescription({}); // names are the user's own texts
         tile(runs)->plot()->replot(QCustomPlot::rpQueuedReplot);
     }
 }
@@ -307,7 +307,7 @@ void OverviewView::showState() {
     }
 }
 
-/// To the view that has the details.
+/// Requests the view with the details.
 void OverviewView::follow(OverviewChart chart, std::size_t, std::size_t category) {
     if (!good()) {
         return;

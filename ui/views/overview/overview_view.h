@@ -16,32 +16,32 @@ namespace sparkout {
 class KeptRuns;
 class OverviewTile;
 
-/// The view "Overview": the cycle at a glance, as charts of bars on one page, each of which can be
-/// enlarged to all of it. A bar leads to the view that has the details.
+/// The view "Overview": the cycle at a glance, as bar charts on one page, each of which can be
+/// enlarged. A click on a bar opens the view with the details.
 class OverviewView : public PlotView {
     Q_OBJECT
 public:
     explicit OverviewView(const KeptRuns& kept, QWidget* parent = nullptr,
                           Settings* settings = nullptr);
 
-    void setBatch(BatchOutcomePtr batch); ///< the newest that was run; null: none
+    void setBatch(BatchOutcomePtr batch); ///< the newest batch, or null
     [[nodiscard]] OverviewTile* tile(OverviewChart chart) const {
         return m_tiles[static_cast<std::size_t>(chart)];
     }
-    void enlarge(OverviewChart chart); ///< to the whole page; again: all of them
+    void enlarge(OverviewChart chart); ///< enlarges a chart to the page; again: shows all
     [[nodiscard]] std::optional<OverviewChart> enlarged() const { return m_alone; }
     [[nodiscard]] int columns() const { return m_columns; }
 
-    void offerKeeping(bool offers); ///< the button that keeps the present run
+    void offerKeeping(bool offers); ///< shows or hides the button that keeps the current run
 
     [[nodiscard]] QString title() const override;
 
 signals:
-    void stageAsked(int stage);     ///< from 1, in the view of the feeds
-    void sectionAsked(int section); ///< from 0, in that of the profiles
+    void stageAsked(int stage);     ///< counted from 1, for the view of the feeds
+    void sectionAsked(int section); ///< counted from 0, for the view of the profiles
     void requirementAsked(const sparkout::ConstraintResult& requirement);
     void viewAsked(const QString& name);
-    void keepAsked(); ///< the present run is to be kept
+    void keepAsked(); ///< requests keeping the current run
 
 protected:
     [[nodiscard]] QString hint() const override;
@@ -60,7 +60,7 @@ private:
     void dropStudies() override;
     void build();
     [[nodiscard]] int columnsWithRoom() const;
-    void arrange(); ///< the tiles in as many columns as have room
+    void arrange(); ///< uses as many columns as fit
     void follow(OverviewChart chart, std::size_t series, std::size_t category);
     void showCycle();
     void showBatch();
@@ -77,7 +77,7 @@ private:
     std::optional<OverviewChart> m_alone;
     BatchOutcomePtr m_batch;
     bool m_offersKeeping = true;
-    bool m_runsChanged = true, m_batchChanged = true; ///< while it was hidden
+    bool m_runsChanged = true, m_batchChanged = true; ///< changed while the view was hidden
 };
 
 } // namespace sparkout

@@ -580,7 +580,7 @@ void ProfilesView::nameParts() {
     m_blank->setText(tr("Blank"));
     m_toScale->setText(tr("To scale"));
     m_logarithmic->setText(tr("Logarithmic"));
-    tell(*m_parts, tr("What is shown"));
+    tell(*m_parts, tr("Displayed content"));
     tell(*m_section, tr("Zone or section to look at"));
     tell(*m_alone, tr("Only the chosen section, large"));
     tell(*m_magnification, tr("Magnification of the deviations, the same for all; "

@@ -16,7 +16,7 @@ using style::Drawn;
 
 namespace {
 
-constexpr double phaseRoom = 0.05; ///< beside and above what is drawn
+constexpr double phaseRoom = 0.05; ///< room beside and above the curves
 constexpr int phaseFieldAlpha = 60, failingAlpha = 38;
 
 void addPiece(ChartSeries& line, const PhasePiece& piece, double from_mm, double to_mm) {

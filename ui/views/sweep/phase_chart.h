@@ -14,9 +14,9 @@ namespace sparkout {
 class PhaseChart {
     Q_DECLARE_TR_FUNCTIONS(PhaseChart)
 public:
-    enum Key { largestKey, smallestKey, toleranceKey, failsKey, statedKey }; ///< of the legend
+    enum Key { largestKey, smallestKey, toleranceKey, failsKey, statedKey }; ///< keys of the legend
 
-    static LineChart of(const PhaseOutcomePtr& phases); ///< null: axes alone
+    static LineChart of(const PhaseOutcomePtr& phases); ///< null: only axes
 
 private:
     static ChartTable table(const PhaseDecision& decision);

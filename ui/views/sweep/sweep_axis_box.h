@@ -47,7 +47,7 @@ private:
     QLabel *m_dash, *m_unit;
     QSpinBox* m_points;
     QCheckBox* m_ratios;
-    std::vector<std::string> m_paths; ///< of the entries after the first
+    std::vector<std::string> m_paths; ///< paths of the entries after the first
     std::optional<SweepAxis> m_axis;
     std::optional<NumberInput> m_of; ///< the varied input
 };

@@ -15,11 +15,11 @@ using style::Drawn;
 namespace {
 
 constexpr double dotSize = 5, footSize = 9, chosenSize = 12; ///< [px]
-constexpr double foot = 0.03; ///< of the height, where points without numbers stand
+constexpr double foot = 0.03; ///< height of marks of points without values, share of the axis
 constexpr double sweepRoom = 0.05;
 constexpr int holdingAlpha = 46;
 
-/// Of too many sections those that come nearest to a limit anywhere.
+/// The quantities to draw: of too many sections those nearest to a limit at any point.
 std::vector<std::size_t> quantitiesOf(const SweepShown& shown) {
     std::vector<std::size_t> quantities = shown.entry.quantities;
     if (quantities.size() > SweepCurves::mostCurves) {
@@ -39,7 +39,7 @@ std::vector<std::size_t> quantitiesOf(const SweepShown& shown) {
     return quantities;
 }
 
-/// From point to point, as places.
+/// The ranges in which all points are good, as positions.
 std::vector<ChartSpan> holdingOf(const SweepShown& shown) {
     const std::vector<double> places = shown.placesOf(0);
     const std::vector<SweepPoint>& points = shown.result->points;
@@ -122,7 +122,7 @@ void SweepCurves::addCurves(LineChart& chart, const SweepShown& shown,
     }
 }
 
-/// They may move with the input; those of several zones that are the same are one line.
+/// Adds the limits, which may depend on the input; equal limits of several zones are one line.
 void SweepCurves::addLimits(LineChart& chart, const SweepShown& shown,
                             const std::vector<std::size_t>& quantities) {
     const std::vector<double> places = shown.placesOf(0);
@@ -156,7 +156,7 @@ void SweepCurves::addLimits(LineChart& chart, const SweepShown& shown,
     }
 }
 
-/// Points without numbers, and the one chosen.
+/// Adds the marks of points without values, and of the chosen one.
 void SweepCurves::addMarks(LineChart& chart, const SweepShown& shown,
                            const std::vector<std::size_t>& quantities) {
     for (ChartSeries& marks : shown.statusMarks(footSize, [](std::size_t) { return foot; })) {

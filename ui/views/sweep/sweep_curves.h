@@ -5,14 +5,14 @@
 
 namespace sparkout {
 
-/// A sweep over one input: a curve a zone or section, gaps where there is no number, the limits as
-/// lines, and shaded where every requirement holds from point to point.
+/// A sweep over one input: a curve for each zone or section, with gaps at points without values,
+/// limits as lines, and shading where every requirement is met at adjacent points.
 class SweepCurves {
     Q_DECLARE_TR_FUNCTIONS(SweepCurves)
 public:
-    static constexpr std::size_t mostCurves = 6; ///< of more sections those of the least margin
+    static constexpr std::size_t mostCurves = 6; ///< of more, those with the least margin
 
-    /// Key i of the legend is curve i.
+    /// The chart; key i of the legend is curve i.
     static LineChart chart(const SweepShown& shown);
 
 private:

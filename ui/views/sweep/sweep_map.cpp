@@ -21,11 +21,11 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double mapSignSize = 8, mapChosenSize = 13, mapPresentSize = 12; ///< [px]
-constexpr int cellsPerPoint = 4; ///< where whole numbers make uneven steps
+constexpr int cellsPerPoint = 4; ///< for the uneven steps of whole numbers
 constexpr int scaleWidth = 14;   ///< [px]
-constexpr double uneven = 1e-6;  ///< of a step: more is no rounding
+constexpr double uneven = 1e-6;  ///< relative to a step; larger deviations are not rounding
 
-/// Viridis: even in lightness, so it is read without its hues, too.
+/// Viridis: its lightness is uniform, so that it is readable without colours, too.
 QCPColorGradient sweepColours(bool dim) {
     constexpr std::array<QRgb, 9> stops{0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c,
                                         0x28ae80, 0x5ec962, 0xaddc30, 0xfde725};
@@ -40,9 +40,9 @@ QCPColorGradient sweepColours(bool dim) {
     return gradient;
 }
 
-/// Cells of one width along an axis, and the point of the sweep each belongs to.
+/// Cells of equal width along an axis, each with its point of the sweep.
 struct Cells {
-    double low = 0, high = 0; ///< middles of the first and the last
+    double low = 0, high = 0; ///< middles of the first and the last cell
     std::vector<std::size_t> points;
 };
 
@@ -106,7 +106,7 @@ SweepMap::SweepMap(QWidget* parent)
     };
     onClick(choose);
     connect(this, &QCustomPlot::mousePress, this, [choose](QMouseEvent* event) {
-        if (event->button() == Qt::RightButton) { // its menu is about this point
+        if (event->button() == Qt::RightButton) { // opens the menu for this point
             choose(event->position());
         }
     });
@@ -140,7 +140,7 @@ void SweepMap::setSweep(SweepShown shown) {
 void SweepMap::setMarks(SweepShown shown) {
     m_shown = std::move(shown);
     fillMarks();
-    emit contentChanged(); // the legend names them
+    emit contentChanged(); // the legend names the marks
 }
 
 double SweepMap::worstShown(std::size_t point) const {

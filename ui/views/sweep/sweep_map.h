@@ -9,26 +9,27 @@
 
 namespace sparkout {
 
-/// A sweep over two inputs: a field of colours, a cell a point, of several zones the worst; lines
-/// where the quantity meets its limit and around where every requirement holds.
+/// A sweep over two inputs: a colour map with a cell for each point, the worst of several zones;
+/// with lines where the quantity meets its limit and around the cells in which every requirement is
+/// met.
 class SweepMap : public ViewPlot {
     Q_OBJECT
 public:
     explicit SweepMap(QWidget* parent = nullptr);
 
-    void setSweep(SweepShown shown); ///< shows all of it; no replot
-    void setMarks(SweepShown shown); ///< another present or chosen point of the same; no replot
+    void setSweep(SweepShown shown); ///< shows everything; no replot
+    void setMarks(SweepShown shown); ///< changes only the current or the chosen point; no replot
     void fit() override;
     void restyle() override;
-    [[nodiscard]] QPointF pixelOf(std::size_t point) const; ///< in the middle of its cell
+    [[nodiscard]] QPointF pixelOf(std::size_t point) const; ///< the middle of the point's cell
     [[nodiscard]] LegendEntries legendEntries() const override;
-    [[nodiscard]] CsvTable table() const override; ///< the points in sight
+    [[nodiscard]] CsvTable table() const override; ///< the visible points
     [[nodiscard]] QCPColorMap* map() const { return m_map; }
     [[nodiscard]] QCPCurve* limitLine() const { return m_limit; }
     [[nodiscard]] QCPCurve* holdsLine() const { return m_holds; }
 
 signals:
-    void pointChosen(std::size_t point); ///< by a click, of the right button too
+    void pointChosen(std::size_t point); ///< by a click of the left or the right button
 
 protected:
     void setTexts() override;
@@ -41,7 +42,7 @@ private:
     /// The point nearest to a pixel within the axis rect.
     [[nodiscard]] std::optional<std::size_t> pointAt(const QPointF& pixel) const;
     [[nodiscard]] QCPGraph* addMarks(int key);            ///< a graph of signs without a line
-    [[nodiscard]] std::vector<ChartSeries> signs() const; ///< of points without numbers
+    [[nodiscard]] std::vector<ChartSeries> signs() const; ///< points without values
     void fillCells();
     void fillContours();
     void fillMarks();

@@ -28,7 +28,7 @@ QString amount(double value, const std::string& unit) {
 
 } // namespace
 
-/// Page, item of a list and input, without the levels between them.
+/// The page, list item and input of a path, without the levels between them.
 QString SweepText::input(const std::string& path) {
     const QStringList words = locationText(path).split(QStringLiteral(" › "));
     QStringList kept;

@@ -33,7 +33,7 @@ public:
     static QString run(const SweepResult& sweep); ///< number of points, and their results
     /// The inputs of a point: "Dullness 0.02, Dwell at the entry 0.3 s".
     static QString inputs(const SweepResult& sweep, std::size_t point);
-    /// With its values of the entry, its time and whether it is fit.
+    /// The values of the entry at a point, its time and whether it is fit.
     static QString point(const SweepResult& sweep, std::size_t point, const SweepEntry& entry);
 
 private:

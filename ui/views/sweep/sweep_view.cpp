@@ -456,10 +456,9 @@ QString SweepView::remark() const {
     if (sweep()) {
         return sweepRemark();
     }
-    return studies().sweep.running()
-               ? QString()
-               : tr("This sweep takes a while: press “Run”. It can be stopped at any time and "
-                    "keeps what was done.");
+    return studies().sweep.running() ? QString()
+                                     : tr("This sweep takes a while: press “Run”. It can be "
+                                          "stopped at any time and keeps the finished points.");
 }
 
 QString SweepView::sweepRemark() const {
@@ -485,12 +484,12 @@ QStringList SweepView::subheading() const {
 void SweepView::nameParts() {
     nameAround(tr("Legend of the sweep"), tr("State of the sweep"),
                tr("Values under the mouse, or of the point chosen"));
-    m_bar->state()->setAccessibleName(tr("What was run"));
+    m_bar->state()->setAccessibleName(tr("Extent of the run"));
     m_bar->progress()->setAccessibleName(tr("Progress of the sweep"));
     m_curves->setAccessibleName(tr("Curves over the varied input"));
     m_map->setAccessibleName(tr("Map over the two varied inputs"));
     m_phases->setAccessibleName(tr("Size against stock"));
-    tell(*m_subject, tr("What is shown"),
+    tell(*m_subject, tr("Displayed content"),
          tr("Results over one or two inputs, or, exactly, the size over the stock of the blank"));
     tell(*m_entry, tr("Result shown"), tr("The result that is shown over the varied inputs"));
     tell(*m_side, tr("Values or margins"),

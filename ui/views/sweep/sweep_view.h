@@ -63,7 +63,7 @@ private:
     void connectParts();
     void connectEdits();
     void nameButtons();
-    [[nodiscard]] ViewPlot& plot() const; ///< in sight
+    [[nodiscard]] ViewPlot& plot() const; ///< the visible one
     void chooseEntry();
     void chooseSubject();
     [[nodiscard]] bool showsPhases() const; ///< otherwise a sweep
@@ -83,8 +83,8 @@ private:
     void showEntry();
     void showFront();
     void showPresent();
-    void showMarks();                          ///< of what is drawn
-    [[nodiscard]] QString sweepRemark() const; ///< on what is shown
+    void showMarks();                          ///< updates the marks of the drawn content
+    [[nodiscard]] QString sweepRemark() const; ///< a remark on the shown content
     [[nodiscard]] SweepEntry chosenEntry() const;
 
     QComboBox* m_subject;        ///< a sweep, or the check of all stocks
@@ -95,17 +95,17 @@ private:
     SweepMap* m_map;
     ChartPlot* m_phases;
     PhaseOutcomePtr m_phasesShown;
-    QSpinBox* m_point; ///< chosen, from 1; 0: none
+    QSpinBox* m_point; ///< number of the chosen point, from 1; 0: none
     RunBar* m_bar;
     QWidget* m_toolBar = nullptr;
     QAction* m_take;
     QPushButton *m_takeButton, *m_add;
-    std::vector<SweepEntry> m_entries; ///< in the box
+    std::vector<SweepEntry> m_entries; ///< entries of the box
     std::string m_wanted = "diameter"; ///< result the user chose
-    SweepShown m_shown;                ///< drawn
-    Issues m_refused;                  ///< why the present one cannot be run
-    bool m_edited = false; ///< the document has been asked for a change that is not run yet
-    bool m_asked = false;  ///< to run as soon as it is
+    SweepShown m_shown;                ///< the drawn content
+    Issues m_refused;                  ///< reasons why the current sweep cannot be run
+    bool m_edited = false;             ///< whether a requested edit has not been run yet
+    bool m_asked = false;              ///< whether to run after that edit
 };
 
 } // namespace sparkout

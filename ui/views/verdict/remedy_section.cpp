@@ -114,8 +114,8 @@ void RemedySection::showResult() {
             showLine(i);
         }
     }
-    m_title->setText(says && m_result->goal == RemedyGoal::room ? tr("What would give more room")
-                                                                : tr("What would help"));
+    m_title->setText(says && m_result->goal == RemedyGoal::room ? tr("Ways to a larger margin")
+                                                                : tr("Possible remedies"));
     m_note->setText(says ? withIndices(note()) : QString());
     m_note->setVisible(!m_note->text().isEmpty());
     m_end->setVisible(says && m_running);

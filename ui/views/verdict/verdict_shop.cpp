@@ -72,7 +72,7 @@ void ShopSection::showTable() {
 void ShopSection::retranslate() {
     m_title->setText(tr("Grinding figures by stage"));
     m_table->setAccessibleName(tr("Grinding figures by stage"));
-    m_remarks->setAccessibleName(tr("What lies outside the usual"));
+    m_remarks->setAccessibleName(tr("Values outside the usual range"));
     m_table->retranslate();
     showTable();
 }

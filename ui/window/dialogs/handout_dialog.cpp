@@ -51,7 +51,7 @@ HandoutDialog::HandoutDialog(const OutcomePtr& outcome, const CycleCursor& cycle
     auto* formLabel = new QLabel(tr("&What is printed:"), this);
     formLabel->setBuddy(m_form);
     m_form->setObjectName(QStringLiteral("handoutForm"));
-    m_form->setAccessibleName(tr("What is printed"));
+    m_form->setAccessibleName(tr("Contents of the handout"));
     m_form->addItems({tr("Hand-out with its results"), tr("Worksheet: results are left to write"),
                       tr("Key to the worksheet")});
     auto* label = new QLabel(tr("&Step that is worked out:"), this);
