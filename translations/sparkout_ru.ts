@@ -11020,7 +11020,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Programmed feed and actual cut</source>
-            <translation>Что подано и что снято</translation>
+            <translation>Программная подача и снятый слой</translation>
         </message>
         <message>
             <source>Does it meet the drawing?</source>
@@ -19842,7 +19842,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Заголовок</translation>
         </message>
         <message>
-            <source>Contents</source>
+            <source>Column contents</source>
             <translation>Что в столбце</translation>
         </message>
         <message>

@@ -243,7 +243,7 @@ LineChart FitResult::chartOf(const FitResiduals& residuals) const {
     chart.up.room = residualRoom / 2;
     chart.up.isSymmetric = chart.isFramed = true;
     chart.series = {std::move(points)};
-    chart.rules = {{.isUpright = false, .pen = QPen(Qt::black, 1, Qt::DashLine)}};
+    chart.rules = {{.isUpright = false, .pen = linePen(1, Qt::DashLine)}};
     return chart;
 }
 

@@ -31,7 +31,7 @@ void ColumnsModel::show(std::vector<ColumnMatch> matches) {
 QString ColumnsModel::name(int column) {
     switch (column) {
     case heading: return tr("Heading");
-    case quantity: return tr("Contents");
+    case quantity: return tr("Column contents");
     case unit: return tr("Unit");
     case place: return tr("Zone or section");
     default: return {};

@@ -21,6 +21,13 @@ class QCPAxisTicker;
 
 namespace sparkout {
 
+/// A pen of a chart, which takes its colour from what it draws.
+inline QPen linePen(double width, Qt::PenStyle style = Qt::SolidLine) {
+    QPen pen(style);
+    pen.setWidthF(width);
+    return pen;
+}
+
 /// A colour taken from the current palette: that of a drawn object, a tone, or that of texts.
 using ChartColour = std::variant<std::monostate, style::Drawn, Tone>;
 [[nodiscard]] QColor chartColour(const ChartColour& colour, const QPalette& palette);
@@ -70,7 +77,7 @@ struct ChartSeries {
     QString name = {}; ///< name in the legend; empty: no entry
     Kind kind = Kind::line;
     ChartColour colour = {};
-    QPen pen = QPen(Qt::black, 1.5); ///< without its colour
+    QPen pen = linePen(1.5); ///< without its colour
     std::vector<XY> points = {}, lower = {};
     Mark mark = Mark::none;
     double markSize = 0; ///< [px]
@@ -90,7 +97,7 @@ struct ChartRule {
     int key = -1;
     QString name = {};
     ChartColour colour = {};
-    QPen pen = QPen(Qt::black, 1.5);
+    QPen pen = linePen(1.5);
     InSight sight = InSight::nearby;
 };
 

@@ -143,7 +143,7 @@ LineChart BatchCharts::scatter(const BatchOutcomePtr& outcome, BatchQuantity acr
                                        .key = limitsKey,
                                        .name = tr("drawing limits"),
                                        .colour = Drawn::limit,
-                                       .pen = QPen(Qt::black, 1.5, Qt::DashLine)});
+                                       .pen = linePen(1.5, Qt::DashLine)});
             }
         }
         return ChartAxis{.label = quantityName(*outcome, quantity), .leastRoom = 1e-3};

@@ -68,7 +68,7 @@ LineChart ComplianceCurves::chart() const {
                                                                    : nameOf(part),
                  .kind = ChartSeries::Kind::stack,
                  .colour = of.colour,
-                 .pen = QPen(Qt::black, 1),
+                 .pen = linePen(1),
                  .points = along([part](const ComplianceParts& at) { return valueOf(at, part); }),
                  .alpha = stackAlpha});
         }
@@ -77,7 +77,7 @@ LineChart ComplianceCurves::chart() const {
         chart.series.push_back(
             {.key = sumKey,
              .name = has(CompliancePart::rests) ? tr("γ, with the steady rests") : tr("γ"),
-             .pen = QPen(Qt::black, 2),
+             .pen = linePen(2),
              .points = along(sumOf)});
     }
     ChartSeries used{.key = usedKey,

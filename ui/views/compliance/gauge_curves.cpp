@@ -28,7 +28,7 @@ ChartSeries gaugeMark(int key, const QString& name, style::Drawn colour, ChartSe
             .name = name,
             .kind = ChartSeries::Kind::impulses,
             .colour = colour,
-            .pen = QPen(Qt::black, 1.5, Qt::DotLine),
+            .pen = linePen(1.5, Qt::DotLine),
             .mark = mark,
             .markSize = size};
 }
@@ -118,7 +118,7 @@ LineChart GaugeCurves::chart() const {
     const ChartSeries farthest{
         .key = farthestKey,
         .name = tr("farthest from the middle"),
-        .pen = QPen(Qt::black, 2.5),
+        .pen = linePen(2.5),
         .points = lineOf([this](const GaugePosition& at) { return farthest_um(at); })};
     ChartSeries best = gaugeMark(bestKey, tr("best place"), style::Drawn::bestGaugePlace,
                                  ChartSeries::Mark::diamond, 12);

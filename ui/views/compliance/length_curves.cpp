@@ -36,7 +36,7 @@ void LengthCurves::addLimits(LineChart& chart, const Part& part, int key) {
             {.key = key,
              .name = tr("limits of the field, ±%1 µm").arg(Names::significant(limit_um)),
              .colour = style::Drawn::limit,
-             .pen = QPen(Qt::black, 1.5, Qt::DashLine),
+             .pen = linePen(1.5, Qt::DashLine),
              .points = {{0, limit}, {part.length_mm, limit}}});
     }
 }

@@ -116,7 +116,7 @@ LineChart MarginFrontPlot::made() const {
         chart.rules = {{.at = m_unit.of(*given_s()),
                         .key = timeKey,
                         .name = tr("time given"),
-                        .pen = QPen(Qt::black, 1.5, Qt::DashLine),
+                        .pen = linePen(1.5, Qt::DashLine),
                         .sight = InSight::always}};
     }
     chart.pointed = 1;

@@ -73,7 +73,7 @@ LineChart PhaseChart::of(const PhaseOutcomePtr& phases) {
     chart.rules = {{.at = part.stock_mm,
                     .key = statedKey,
                     .name = tr("stated stock"),
-                    .pen = QPen(Qt::black, 1.5, Qt::DotLine)}};
+                    .pen = linePen(1.5, Qt::DotLine)}};
     chart.across.range = {decision.range.from_mm, decision.range.to_mm};
     chart.placeText = [phases](double stock_mm) {
         return PhaseText::stock(phases->decision, stock_mm);

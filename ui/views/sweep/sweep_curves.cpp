@@ -86,7 +86,7 @@ LineChart SweepCurves::chart(const SweepShown& shown) {
         chart.rules = {{.at = *place,
                         .key = SweepShown::presentKey,
                         .name = tr("current value"),
-                        .pen = QPen(Qt::black, 1.5, Qt::DotLine)}};
+                        .pen = linePen(1.5, Qt::DotLine)}};
     }
     chart.placeText = [shown](double place) { return shown.textOf(shown.pointNear(place)); };
     chart.table = [shown] {
@@ -147,7 +147,7 @@ void SweepCurves::addLimits(LineChart& chart, const SweepShown& shown,
                 chart.series.push_back({.key = SweepShown::limitKey,
                                         .name = tr("limit"),
                                         .colour = Drawn::limit,
-                                        .pen = QPen(Qt::black, 1.5, Qt::DashLine),
+                                        .pen = linePen(1.5, Qt::DashLine),
                                         .points = line,
                                         .sight = InSight::nearby});
                 drawn.push_back(std::move(line));
