@@ -8,7 +8,9 @@
 #include "core/batch/scenario_source.h"
 #include "core/batch/usual_batch.h"
 #include "core/deadline_stop.h"
+#include "core/optimisation/grid.h"
 #include "core/optimisation/levels.h"
+#include "core/optimisation/variants.h"
 #include "core/phases/cycle_trial.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
@@ -19,6 +21,7 @@
 #include "core/project/validate.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
+#include "core/simulation/simulate.h"
 #include "core/starting/starting_project.h"
 #include "core/study/search.h"
 #include "tests/core/support/project_samples.h"
@@ -28,6 +31,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -108,6 +112,43 @@ private slots:
         QVERIFY(std::ranges::count(counts, 10) == 1 && std::ranges::count(counts, 15) == 1);
         QVERIFY(with.least_steps && with.least_overlap);
         QVERIFY(search.work_speed_rpm == Levels());
+    }
+
+    void itsGridHasTheCycle() {
+        for (const Project& p : {journal(), example("shaft-30h6-factory"), surfaceOfTrial(0)}) {
+            const Project with = usualSearch(p);
+            const Variants variants(with);
+            bool has = false;
+            for (std::size_t v = 0; v < variants.count(); ++v) {
+                const Grid& grid = variants.grid(v);
+                if (const auto found = grid.find(*p.cycle)) {
+                    has = true;
+                    QVERIFY(grid.contains(*found));
+                    Project same = p;
+                    *same.cycle = grid.cycle(*found);
+                    QCOMPARE(simulate(same).time_s, simulate(p).time_s);
+                }
+                Cycle other = *p.cycle;
+                other.stages.front().stock_mm += 0.0004; // between two steps of the grid
+                QVERIFY(!grid.find(other));
+            }
+            QVERIFY(has);
+        }
+    }
+
+    void stoppedBeforeItHasAnotherItAnswersWithTheCycle() {
+        const Project p = example("shaft-30h6-factory");
+        std::stop_source stop;
+        SearchEvents events;
+        events.note = [&stop](const SearchState& state) {
+            if (state.best_s) {
+                stop.request_stop();
+            }
+        };
+        const auto outcome = search(usualSearch(p), {}, stop.get_token(), events);
+        QVERIFY(outcome->stopped() && outcome->best());
+        QVERIFY(outcome->best()->time_s <= simulate(p).time_s);
+        QVERIFY(!outcome->proved());
     }
 
     // Half the removal rate in a bore, more in soft steel.
