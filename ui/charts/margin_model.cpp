@@ -173,7 +173,7 @@ QString MarginModel::asTsv() const {
                              range || !isKnown ? QString() : Names::significant(100 * usageOf(c)),
                              c.isWhole ? number(c.value) : QString(),
                              Names::limit(c),
-                             isKnown ? number(c.margin) : QString(),
+                             isKnown ? number(statedMargin(c)) : QString(),
                              unitText(requirementOf(c.kind).unit),
                              range && c.limit > 0 ? Names::significant(c.value / c.limit)
                                                   : QString(),

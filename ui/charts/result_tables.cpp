@@ -64,7 +64,7 @@ CsvTable requirementTable(const std::vector<ConstraintResult>& requirements, Ope
         const bool range = Names::isRange(c.kind);
         table.rows.push_back(
             {Names::constraint(c.kind), Names::where(c), c.isWhole ? CsvCell(c.value) : CsvCell(),
-             c.limit, known(c.margin), unitText(requirementOf(c.kind).unit),
+             c.limit, known(statedMargin(c)), unitText(requirementOf(c.kind).unit),
              range ? CsvCell() : known(100 * usageOf(c)),
              range && c.limit > 0 ? CsvCell(c.value / c.limit) : CsvCell(), lightName(c),
              c.at ? CsvCell(Names::place(*c.at, operation)) : CsvCell()});
