@@ -8057,7 +8057,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The requirement with the minimum margin is not known: the search was stopped first.</source>
-            <translation>У чего запас наименьший, неизвестно: поиск был остановлен раньше.</translation>
+            <translation>Требование с наименьшим запасом неизвестно: поиск был остановлен раньше.</translation>
         </message>
         <message>
             <source>The limit of the time is not known: the search was stopped first.</source>
@@ -10517,7 +10517,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Binding requirements</source>
-            <translation>Что ограничивает</translation>
+            <translation>Ограничивающие требования</translation>
         </message>
         <message>
             <source>Factors and verdict, statistics, rejects by cause, what matters most, histograms and the worst part, each on a sheet of its own.</source>
@@ -16957,7 +16957,7 @@ target, µm</source>
         <name>VerdictTable</name>
         <message>
             <source>Requirement of the drawing, the process or the machine on the cycle</source>
-            <translation>То, чего от цикла требуют чертёж, процесс или станок</translation>
+            <translation>Требование чертежа, процесса или станка к циклу</translation>
         </message>
         <message>
             <source>Worst value</source>
@@ -21454,7 +21454,7 @@ s</source>
             <translation>Отмена</translation>
         </message>
         <message>
-            <source>Contents of the pack</source>
+            <source>Contents of the new pack</source>
             <translation>Что войдёт в набор</translation>
         </message>
         <message>

@@ -278,7 +278,9 @@ requirementsBelowMargin(const Project& best, double margin, bool isRobust,
                         const std::vector<Project>& scenarios, const std::stop_token& stop) {
     KindMask below{};
     const auto take = [&](const ConstraintResult& each) {
-        below[static_cast<std::size_t>(each.kind)] |= each.relativeMargin < margin;
+        below[static_cast<std::size_t>(each.kind)] |=
+            each.relativeMargin < margin
+            && requirementOf(each.kind).scope != ConstraintScope::setting;
     };
     if (!runCases(best, isRobust, scenarios, stop, take)) {
         return std::nullopt;

@@ -33,7 +33,8 @@ leastMarginRequirements(const Project& best, bool isRobust, const std::stop_toke
 
 /// Returns the requirements that a project's cycle meets with less than this relative margin, on
 /// the part, in a scenario or, in a robust search, on a part that is drawn for it. They are in the
-/// order of the kinds. Returns nullopt if stopped.
+/// order of the kinds, without the ranges of the machine, which a setting may use to their ends.
+/// Returns nullopt if stopped.
 [[nodiscard]] std::optional<std::vector<ConstraintKind>>
 requirementsBelowMargin(const Project& best, double margin, bool isRobust,
                         const std::vector<Project>& scenarios, const std::stop_token& stop = {});

@@ -92,7 +92,7 @@ PackExportDialog::PackExportDialog(Settings& settings, QWidget* parent)
 
 void PackExportDialog::buildTree() {
     m_tree->setObjectName(QStringLiteral("packParts"));
-    m_tree->setAccessibleName(tr("Contents of the pack"));
+    m_tree->setAccessibleName(tr("Contents of the new pack"));
     m_tree->setHeaderHidden(true);
     for (const PackPart part : {PackPart::machine, PackPart::wheel, PackPart::material}) {
         const auto store = CatalogueStore::make(kindOf(part), m_settings.folder());
