@@ -22089,7 +22089,7 @@ s</source>
     <context>
         <name>MethodicalGuide</name>
         <message>
-            <source>Methodical guide</source>
+            <source>Teaching guide</source>
             <translation>Методические указания</translation>
         </message>
         <message>
@@ -23258,7 +23258,7 @@ s</source>
             <translation>Пе&amp;чать</translation>
         </message>
         <message>
-            <source>Worksheet, its key and the methodical guide of the laboratory work</source>
+            <source>Worksheet, its key and the teaching guide of the laboratory work</source>
             <translation>Рабочий лист, ключ к нему и методические указания к работе</translation>
         </message>
     </context>

@@ -32,7 +32,7 @@ std::vector<Option> windowOptions() {
               "the cycle and the tasks of a lesson with places for the answers, of a lesson "
               "(.sparkout-lesson), a work or a project; worksheet-key its answers, of a lesson or "
               "a "
-              "project; guide the teacher's methodical guide, of a lesson",
+              "project; guide the teacher's teaching guide, of a lesson",
               "записывает отчёт по файлу FILE, ничего не показывая: card — карта цикла; passport — "
               "паспорт точности с партией; handout — раздаточный материал с разбором шага; "
               "operation-card — операционная карта с картой эскизов, со всеми поверхностями "

@@ -23,7 +23,7 @@ struct CylinderContact {
 };
 
 /// Two coaxial cylinders that contain the points of all sections between them [ISO12180]. The axis
-/// passes (x, y) at `position` and leans by the slopes.
+/// passes through (x, y) at `position` and leans by the slopes.
 struct CylinderZone {
     double position_mm = 0; ///< the sections' mean position
     double x_mm = 0, y_mm = 0;

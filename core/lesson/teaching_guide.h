@@ -5,7 +5,7 @@
 
 #include <vector>
 
-/// A teacher's material besides the tasks, from which the methodical guide is printed. Only the
+/// A teacher's material besides the tasks, from which the teaching guide is printed. Only the
 /// teacher's file contains it.
 namespace sparkout {
 

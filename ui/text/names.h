@@ -48,14 +48,14 @@ public:
     static QString inRange(const ConstraintResult& c, bool brief);
     /// "0.3…0.9": the interval of an estimate.
     static QString estimate(double least, double most);
-    /// Of a result: "0.54", "≥ 0.54" where the machine's own form is not known; a dash where it is
-    /// not of the whole surface.
+    /// The value of a result: "0.54"; "≥ 0.54" where the machine's own form is not known; a dash
+    /// where a part of the surface was not cut.
     static QString value(const ConstraintResult& c);
-    /// "+1.25", "≤ 5.46" beside a lower bound, of a range as inRange(); a dash where it is not
-    /// known.
+    /// The margin: "+1.25"; "≤ 5.46" beside a lower bound; that of a range as by inRange(); a dash
+    /// where it is not known.
     static QString margin(const ConstraintResult& c);
-    /// The margin in a column next to that of the limit, which says the end of a range: "2×",
-    /// as many times a lower limit, or as far from an upper one.
+    /// The margin in a column next to that of the limit, which shows the end of a range: "2×" is
+    /// the ratio to a lower limit, or of an upper limit to the setting.
     static QString besideLimit(const ConstraintResult& c);
     static QString issue(const Issue& issue); ///< the sentence after its place
     /// A remark that strips stay uncut in a traverse cycle; otherwise empty.

@@ -308,7 +308,7 @@ private slots:
         for (const auto& [command, title] :
              {std::pair("markdown-worksheet", "# Worksheet"),
               std::pair("markdown-worksheet-key", "# Key to the worksheet"),
-              std::pair("markdown-guide", "# Methodical guide")}) {
+              std::pair("markdown-guide", "# Teaching guide")}) {
             const QString path =
                 desk.folder.filePath(QString::fromLatin1(command) + QStringLiteral(".md"));
             QCOMPARE(paper(command, QStringLiteral("file:") + path), QString());

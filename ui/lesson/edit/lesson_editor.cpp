@@ -121,7 +121,7 @@ void LessonEditor::build() {
         [] { return tr("Save the laboratory work in another file"); }, [this] { saveAs(); }));
     auto* papers = make(
         "editPapers", [] { return tr("Printin&g"); },
-        [] { return tr("Worksheet, its key and the methodical guide of the laboratory work"); },
+        [] { return tr("Worksheet, its key and the teaching guide of the laboratory work"); },
         [] {});
     papers->setMenu(m_papers);
     files->addWidget(papers);

@@ -27,7 +27,7 @@ public:
     GuideWriter(const Lesson& lesson, const PaperWish& wish)
         : m_lesson(lesson)
         , m_wish(wish)
-        , m_paper(tr("Methodical guide"), WorkTitle(lesson.title).inFull(), wish.file, wish.date,
+        , m_paper(tr("Teaching guide"), WorkTitle(lesson.title).inFull(), wish.file, wish.date,
                   PageStyle::sheet) {}
 
     Report write() {

@@ -7,7 +7,7 @@
 
 namespace sparkout::report {
 
-/// The methodical guide of a work, from the teacher's lesson: aim, theory, data, order of the work
+/// The teaching guide of a work, from the teacher's lesson: aim, theory, data, order of the work
 /// with the answers, time norm, control questions with answers, typical mistakes. Sections without
 /// contents are left out.
 [[nodiscard]] Report methodicalGuide(const Lesson& lesson, const PaperWish& wish);
