@@ -700,7 +700,7 @@ private slots:
         const auto says = [&](const char* words) {
             return OptimiseText::notes(outcome).contains(QString::fromLatin1(words));
         };
-        QVERIFY(says("What limits the time is not known: the search was stopped"));
+        QVERIFY(says("The limit of the time is not known: the search was stopped"));
         outcome.binding.emplace();
         QVERIFY(!says("not known") && says("No cycle of the grid that differs in one setting"));
         outcome.search.status =
