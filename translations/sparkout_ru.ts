@@ -22105,7 +22105,7 @@ s</source>
             <translation>Теория</translation>
         </message>
         <message>
-            <source>Equipment</source>
+            <source>Equipment needed</source>
             <translation>Оснащение</translation>
         </message>
         <message>

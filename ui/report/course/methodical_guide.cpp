@@ -36,7 +36,7 @@ public:
         m_paper.lesson(m_lesson.aim);
         m_paper.section(tr("Theory"));
         m_paper.lesson(m_lesson.theory);
-        m_paper.section(tr("Equipment"));
+        m_paper.section(tr("Equipment needed"));
         m_paper.say(tr("A computer for each student with the program %1; no network. The student "
                        "gets a file of his variant and hands the same file in; the report is "
                        "printed from it.")
