@@ -304,7 +304,7 @@ private slots:
                                 "5 Порядок выполнения работы|"
                                 "6 Контрольные вопросы с ответами|7 Типичные ошибки|8 Отчёт")
                      .split(u'|')
-               : QStringLiteral("1 Aim of the work|2 Theory|3 Equipment|"
+               : QStringLiteral("1 Aim of the work|2 Theory|3 Equipment needed|"
                                 "4 Time norm and points|5 Order of the work|"
                                 "6 Control questions with answers|7 Typical mistakes|"
                                 "8 The report")
