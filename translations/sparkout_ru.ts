@@ -10445,7 +10445,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Results</source>
-            <translation>Что получилось</translation>
+            <translation>Результаты</translation>
         </message>
         <message>
             <source>%1: of the project</source>
@@ -12366,7 +12366,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Next step</source>
-            <translation>Что сделать</translation>
+            <translation>Следующий шаг</translation>
         </message>
         <message>
             <source>Zone or section whose curves are drawn</source>
@@ -22158,7 +22158,7 @@ s</source>
         </message>
         <message>
             <source>Task</source>
-            <translation>Что требуется</translation>
+            <translation>Задание</translation>
         </message>
         <message>
             <source>Points</source>
