@@ -329,7 +329,7 @@ GoalResult checkStep(const Lesson& lesson, std::size_t step, const Answer& answe
     const LessonStep& of = lesson.steps[step];
     GoalResult result;
     result.kind = of.goal.kind();
-    // Where settings are asked for, an answer without a set-up is no answer.
+    // Where settings are asked for, an answer without a set-up is incomplete.
     if (isMetBySetting(result.kind) && !answer.hasSetup()) {
         return result;
     }

@@ -126,9 +126,12 @@ std::optional<FeasibleCycle> feasibleIn(const Variants& variants, const Project&
             if (!trial || !trial->holds) {
                 return std::nullopt;
             }
-            const double time_s = simulateUnchecked(project, nullptr, stop).time_s;
-            return FeasibleCycle{std::move(*cycle), comparedTime_us(time_s), trial->leastMargin, v,
-                                 time_s};
+            const SimulationResult result = simulateUnchecked(project, nullptr, stop);
+            if (hasIdleStage(result)) {
+                return std::nullopt;
+            }
+            return FeasibleCycle{std::move(*cycle), comparedTime_us(result.time_s),
+                                 trial->leastMargin, v, result.time_s};
         }
     }
     return std::nullopt;
@@ -305,8 +308,18 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
     // The search goes from the quickest cycle upwards and has no answer before its end. The cycle
     // that the project has is to be beaten, and the answer if the search is stopped.
     const auto ownCycle = [&]() -> std::optional<FeasibleCycle> {
-        const std::optional<FeasibleCycle> own = feasibleIn(variants, project, search.stop);
-        if (!own) {
+        std::optional<FeasibleCycle> own = feasibleIn(variants, project, search.stop);
+        for (const Project& scenario : search.scenarios) {
+            Project part = scenario;
+            part.cycle = project.cycle;
+            setMachine(part, machineSettings(project));
+            const auto trial = own ? tried(part, search.stop) : std::nullopt;
+            if (!trial || !trial->holds) {
+                return std::nullopt;
+            }
+            own->leastRelativeMargin = std::min(own->leastRelativeMargin, trial->leastMargin);
+        }
+        if (!own || (search.beyondMargin && own->leastRelativeMargin <= *search.beyondMargin)) {
             return std::nullopt;
         }
         auto failing = challenge(*own);

@@ -75,7 +75,7 @@ protected:
     virtual void addItem(QFormLayout& form, const Row& row, std::size_t index, std::size_t count);
     /// Adds what else stands beside the button of a list, or beside those of one of its items.
     virtual void addBeside(QHBoxLayout&, const Row&, std::optional<std::size_t>) {}
-    /// Null where the row is no value, or where there is nothing to choose.
+    /// Null where the row has no value, or where there is nothing to choose.
     [[nodiscard]] virtual QWidget* make(const Row& row);
     [[nodiscard]] virtual NumberSpec specOf(const Row& row) const;
     /// The row as its hint describes it.

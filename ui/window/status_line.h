@@ -17,7 +17,7 @@ class StatusLine : public QObject {
 public:
     explicit StatusLine(QStatusBar& bar);
 
-    /// Null: none yet. For refused inputs, `hasCurves` tells whether curves of an earlier run are
+    /// Null: none yet. For refused inputs, `hasCurves` states whether curves of an earlier run are
     /// visible.
     void showOutcome(const Outcome* outcome, double lastRun_ms, bool hasCurves);
     void showForAWhile(const QString& text);
