@@ -5724,7 +5724,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>the sum of the times above</source>
-            <translation>сумма времён выше</translation>
+            <translation>сумма выше</translation>
         </message>
         <message>
             <source>Work done for every part besides the cycles.</source>
