@@ -13738,6 +13738,14 @@ yours, %</source>
             <translation>из %1 случайных деталей все годны, проверен %2-м</translation>
         </message>
         <message>
+            <source>Ppk at least %1</source>
+            <translation>Ppk не ниже %1</translation>
+        </message>
+        <message>
+            <source>Ppk at least %1 only, %2 is required: no cycle found has it</source>
+            <translation>Ppk не ниже %1 при требуемом %2: цикла с таким Ppk не найдено</translation>
+        </message>
+        <message>
             <source>continuous infeed up to %1 mm/min</source>
             <translation>непрерывная подача до %1 мм/мин</translation>
         </message>

@@ -273,8 +273,8 @@ void Judge::decideDone(const CyclePrefix& whole, CycleSteps& steps, CycleRunner&
     }
 }
 
-/// Returns whether the challenge finds a part on which the cycle fails; the best cycle must be fit
-/// for that part, too.
+/// Returns whether the challenge rejects the cycle; the best cycle must be fit for the part on
+/// which it fails, too.
 bool Judge::isChallenged(const FeasibleCycle& found) {
     auto failing = m_options.challenge(found);
     if (m_options.stop.stop_requested()) {
@@ -283,7 +283,10 @@ bool Judge::isChallenged(const FeasibleCycle& found) {
     if (!failing) {
         return false;
     }
-    auto further = runner(failing->part, m_scenarios.size() + 1);
+    if (!failing->part) {
+        return true; // rejected, without a part for which the others must be fit
+    }
+    auto further = runner(*failing->part, m_scenarios.size() + 1);
     std::optional<SimulationResult> result;
     if (m_best && m_best->variant == m_options.variant) {
         result = further->run(m_best->cycle, counts);
@@ -292,7 +295,7 @@ bool Judge::isChallenged(const FeasibleCycle& found) {
         }
     }
     m_scenarios.insert(m_scenarios.begin(), std::move(further));
-    m_added.push_back(std::move(failing->part));
+    m_added.push_back(std::move(*failing->part));
     if (failing->of) {
         add(*failing->of);
         m_addedCases.push_back(std::move(*failing->of));

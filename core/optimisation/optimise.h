@@ -108,9 +108,9 @@ struct PhaseCase {
     StockRange stocks; ///< per side
 };
 
-/// A part on which a cycle fails.
+/// A part on which a cycle fails; none where it is rejected for its batch as a whole.
 struct FailingPart {
-    Project part;
+    std::optional<Project> part;
     std::optional<PhaseCase> of; ///< the case to which it belongs
 };
 
@@ -144,8 +144,8 @@ struct SearchOptions {
     /// Parts for which the cycle must be fit with any stock. The pruned search drops the cycles
     /// that CaseRefuter refutes; the others are not tried on these parts.
     std::vector<PhaseCase> cases;
-    /// Pruned search: returns a further part on which a cycle that would be the best fails, or
-    /// nullopt. The part joins the scenarios, its case the cases.
+    /// Pruned search: returns why a cycle that would be the best is rejected, or nullopt. A part on
+    /// which it fails joins the scenarios, its case the cases.
     std::function<std::optional<FailingPart>(const FeasibleCycle&)> challenge;
     std::int64_t quickest_us = 0; ///< proved earlier: no feasible cycle is quicker
     /// Rejects a cycle with a stage that makes no step on the part since size is reached before it:

@@ -156,7 +156,7 @@ PhaseCases phaseCases(const Project& project) {
 
 std::optional<Project> failingCase(const Project& best, const std::stop_token& stop) {
     auto failing = CaseOrder().failingInOtherCase(best, stop);
-    return failing ? std::optional(std::move(failing->part)) : std::nullopt;
+    return failing ? std::move(failing->part) : std::nullopt;
 }
 
 std::optional<FailingPart> CaseOrder::failingInKnownCase(const Project& best,

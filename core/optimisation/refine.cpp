@@ -255,10 +255,10 @@ private:
 };
 
 /// Returns the first drawn scenario in which the cycle fails, then a stock for which it fails, or
-/// one of the fresh phases; nullopt if there is none, or after a stop. Counts the cycles tested on
-/// fresh phases.
-std::optional<Project> failing(const Project& project, const Cycle& cycle,
-                               const RefineOptions& options, int round, int& candidates) {
+/// one of the fresh phases, then a bad fresh part; none if there is none, or after a stop. Counts
+/// the cycles tested on fresh phases.
+FreshPartsTrial triedOnOthers(const Project& project, const Cycle& cycle,
+                              const RefineOptions& options, int round, int& candidates) {
     Project best = project;
     *best.cycle = cycle;
     for (Project& scenario : options.source(best, round)) {
@@ -266,19 +266,21 @@ std::optional<Project> failing(const Project& project, const Cycle& cycle,
         const SimulationResult result = simulateUnchecked(scenario, nullptr, options.stop);
         const std::vector<ConstraintResult> all = evaluateConstraints(result);
         if (result.status == RunStatus::stopped) {
-            return std::nullopt;
+            return {};
         }
         if (result.status != RunStatus::completed
             || std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.holds; })) {
-            return std::move(scenario);
+            return {std::move(scenario), {}};
         }
     }
     ++candidates;
-    if (canDecidePhases(best)) {
-        return failingCase(best, options.stop);
-    }
     constexpr std::uint32_t otherThanTheSearch = 1U << 31U;
-    return failingPhase(best, otherThanTheSearch + static_cast<std::uint32_t>(round), options.stop);
+    auto bad = canDecidePhases(best)
+                   ? failingCase(best, options.stop)
+                   : failingPhase(best, otherThanTheSearch + static_cast<std::uint32_t>(round),
+                                  options.stop);
+    return bad ? FreshPartsTrial{std::move(bad), {}}
+               : triedOnFreshParts(best, candidates, options.stop);
 }
 
 } // namespace
@@ -302,15 +304,17 @@ RefineSummary refine(const Project& project, const Cycle& cycle, const RefineOpt
         if (!options.source) {
             return summary;
         }
-        std::optional<Project> fails = failing(project, summary.cycle, options, round, candidates);
-        if (options.stop.stop_requested()) {
+        FreshPartsTrial trial = triedOnOthers(project, summary.cycle, options, round, candidates);
+        if (options.stop.stop_requested()
+            || (!trial.bad && options.asksCapability && !trial.good.isCapable)) {
             break; // a stopped test proves nothing
         }
-        if (!fails) {
+        if (!trial.bad) {
             summary.candidate = candidates;
+            summary.freshParts = trial.good;
             return summary;
         }
-        scenarios.push_back(std::move(*fails));
+        scenarios.push_back(std::move(*trial.bad));
     }
     given.runs = runs; // nothing quicker passed the test
     return given;

@@ -26,10 +26,12 @@ namespace sparkout {
 struct RefineOptions {
     std::vector<Project> scenarios; ///< further scenarios in which the cycle must be fit
     FreshScenarios source; ///< if given, the cycle must also be fit in the scenarios it draws and
-                           ///< for every stock, or in fresh phases
+                           ///< for every stock, or in fresh phases, and on fresh parts of a
+                           ///< batch whose corners are searched
     int mostRuns =
         4000; ///< greatest number of cycles run, in each of at most ten rounds with a source
     bool everyStageSteps = false; ///< as in SearchOptions
+    bool asksCapability = false;  ///< the given cycle is FreshParts::isCapable, the answer must be
     int candidates = 0;           ///< number of cycles that the search tried on fresh phases
     std::stop_token stop; ///< after a stop the best found is the answer; with a source the given
                           ///< cycle, unless all its scenarios were tried
@@ -44,6 +46,7 @@ struct RefineSummary {
     bool isQuicker = false; ///< quicker than the given cycle
     int candidate = 0; ///< number of the answer among the cycles tried on fresh phases, those of
                        ///< the search included; 0: it is the given cycle, or no source was given
+    FreshParts freshParts; ///< of a quicker cycle, with a source
 };
 
 /// Refines a feasible cycle of a project with a grid. The machine settings are those of the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/robust.h"
 
+#include "core/batch/batch_verdict.h"
 #include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
 #include "core/optimisation/cycle_runner.h"
@@ -91,26 +92,34 @@ int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candid
     return std::max(static_cast<int>(place), 1);
 }
 
-/// A part in which the cycle fails: of the batch, whose verdict is shown beside the answer, or of
-/// those drawn for the cycle; nullopt if there is none, after a stop, or if the answer is not for
-/// corners of a batch.
-std::optional<Project> failingFreshPart(const Project& best, int draw,
-                                        const std::stop_token& stop) {
-    if (!best.batch || best.optimisation->scenarios != OptimisationScenarios::corners) {
-        return std::nullopt;
-    }
-    for (const Project& batch : {best, withFreshParts(best, draw)}) {
-        const ScenarioSource source(batch);
-        const auto parts = std::min<std::int64_t>(source.parts(), freshPartCount);
-        for (std::int64_t part = 0; part < parts; ++part) {
-            Project drawn = source.project(part);
-            const std::optional<CycleTrial> trial = tried(drawn, stop);
-            if (!trial || !trial->holds) {
-                return trial ? std::optional(std::move(drawn)) : std::nullopt;
-            }
+/// Number of cycles that may be rejected for their batch's forecast alone: each costs a trial on
+/// all fresh parts.
+constexpr int mostIncapable = 20;
+
+/// Runs a batch up to its first bad part, at most freshPartCount parts.
+FreshPartsTrial triedOnParts(const Project& batch, const std::stop_token& stop) {
+    const ScenarioSource source(batch);
+    FreshPartsTrial trial;
+    BatchOptions options;
+    options.range = PartRange{0, std::min<std::int64_t>(source.parts(), freshPartCount)};
+    options.stop = stop;
+    options.sink = [&](const PartRecord& part) {
+        if (!part.outcome.good) {
+            trial.bad = source.project(part.part);
+        }
+        return part.outcome.good;
+    };
+    const BatchResult result = runBatchUnchecked(batch, options);
+    const BatchSummary summary = summarise(result);
+    trial.good.tried = static_cast<int>(summary.parts);
+    trial.good.isCapable = weigh(summary, result).fitness == Fitness::fit;
+    for (const CharacteristicSummary& each : summary.characteristics) {
+        if (each.ppk) {
+            const double low = each.ppk->interval.low;
+            trial.good.ppk = std::min(trial.good.ppk.value_or(low), low);
         }
     }
-    return std::nullopt;
+    return trial;
 }
 
 /// The project's own cycle, where the grid has it and the part as it stands meets every
@@ -139,7 +148,7 @@ std::optional<FeasibleCycle> feasibleIn(const Variants& variants, const Project&
 
 /// Converts a part that does not belong to a case.
 std::optional<FailingPart> failingPart(std::optional<Project> part) {
-    return part ? std::optional(FailingPart{std::move(*part), {}}) : std::nullopt;
+    return part ? std::optional(FailingPart{std::move(part), {}}) : std::nullopt;
 }
 
 /// The margins of cycles on all parts for which a robust answer must be fit.
@@ -230,6 +239,15 @@ RobustSummary greatestMargin(const Project& project, const FreshScenarios& sourc
 
 } // namespace
 
+FreshPartsTrial triedOnFreshParts(const Project& best, int draw, const std::stop_token& stop) {
+    if (!best.batch || best.optimisation->scenarios != OptimisationScenarios::corners) {
+        return {};
+    }
+    FreshPartsTrial own = triedOnParts(best, stop);
+    return own.bad || stop.stop_requested() ? std::move(own)
+                                            : triedOnParts(withFreshParts(best, draw), stop);
+}
+
 RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& source,
                                const RobustOptions& options) {
     Project project = asked; // copied for each scenario
@@ -249,7 +267,16 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
     Trials trials;
     CaseOrder cases;
     std::vector<FeasibleCycle> candidates; // in the order of their tests on fresh phases
-    std::vector<FeasibleCycle> held;       // passed all of their tests
+    struct Held {
+        FeasibleCycle cycle;
+        FreshParts parts;
+        [[nodiscard]] bool is(const FeasibleCycle& other) const {
+            return cycle.variant == other.variant && cycle.cycle == other.cycle;
+        }
+    };
+    std::vector<Held> held; // passed all of their tests
+    // Other methods cannot leave out a cycle without a part on which it fails.
+    bool asksCapability = search.method == SearchMethod::pruned, takesIncapable = false;
     const auto challenge = [&](const FeasibleCycle& found) {
         Project best = variants.project(found.variant);
         best.optimisation = project.optimisation;
@@ -268,12 +295,18 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
                 canDecide
                     ? cases.failingInOtherCase(best, stop)
                     : failingPart(failingPhase(best, static_cast<std::uint32_t>(draws), stop));
+            FreshPartsTrial parts;
             if (!failing && !stop.stop_requested()) {
-                failing = failingPart(failingFreshPart(best, summary.candidates, stop));
+                parts = triedOnFreshParts(best, summary.candidates, stop);
+                failing = failingPart(std::move(parts.bad));
             }
             summary.freshFailures += failing ? 1 : 0;
+            if (!failing && !parts.good.isCapable && asksCapability && !stop.stop_requested()) {
+                asksCapability = ++summary.incapable < mostIncapable;
+                failing = FailingPart{};
+            }
             if (!failing && !stop.stop_requested()) {
-                held.push_back(found);
+                held.push_back({found, parts.good});
             }
         }
         return failing;
@@ -281,8 +314,10 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
     const auto takeBest = [&] {
         summary.candidate = placeOf(*summary.search.best, candidates);
         summary.holdsInSample = true;
-        if (project.batch && project.optimisation->scenarios == OptimisationScenarios::corners) {
-            summary.freshParts = freshPartCount;
+        const auto answer = std::ranges::find_if(
+            held, [&](const Held& each) { return each.is(*summary.search.best); });
+        if (answer != held.end()) {
+            summary.freshParts = answer->parts;
         }
         if (canDecidePhases(project)) {
             Project best = variants.project(summary.search.best->variant);
@@ -299,8 +334,10 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         return found;
     };
     const auto addPart = [&](FailingPart failing) {
-        search.scenarios.push_back(failing.part);
-        summary.added.push_back(std::move(failing.part));
+        if (failing.part) {
+            search.scenarios.push_back(*failing.part);
+            summary.added.push_back(std::move(*failing.part));
+        }
         if (failing.of) {
             search.cases.push_back(std::move(*failing.of));
         }
@@ -346,14 +383,20 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
             search.incumbent.reset(); // it may be the one that fails in a part added later
             continue;                 // repeats the search with the added parts
         }
+        const bool hasNone =
+            !summary.search.best && summary.search.status == SearchStatus::infeasible;
+        if (summary.incapable > 0 && !takesIncapable && (hasNone || !asksCapability)) {
+            takesIncapable = true;
+            asksCapability = false;
+            search.incumbent.reset(); // slower than those that were rejected
+            continue;
+        }
         if (!summary.search.best || summary.search.status == SearchStatus::stopped) {
             if (summary.search.isStale) {
                 summary.search.best.reset(); // it fails in a scenario
-            } else if (summary.search.best
-                       && std::ranges::any_of(held, [&](const FeasibleCycle& each) {
-                              return each.variant == summary.search.best->variant
-                                     && each.cycle == summary.search.best->cycle;
-                          })) {
+            } else if (summary.search.best && std::ranges::any_of(held, [&](const Held& each) {
+                           return each.is(*summary.search.best);
+                       })) {
                 takeBest(); // the best found before the stop
             }
             return summary;

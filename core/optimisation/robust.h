@@ -23,6 +23,25 @@ struct RobustOptions {
     int mostRounds = 50;
 };
 
+/// Fresh parts of a batch on which a cycle was tried, all of them good.
+struct FreshParts {
+    int tried = 0;             ///< 0: the search is not for the corners of a batch
+    std::optional<double> ppk; ///< lower 95 % bound of the least P_pk, where there is scatter
+    bool isCapable = true;     ///< the forecast for further parts is within the batch's limits
+};
+
+/// Result of a trial on fresh parts.
+struct FreshPartsTrial {
+    std::optional<Project> bad; ///< a bad part, which ends the trial
+    FreshParts good;            ///< otherwise
+};
+
+/// Tries a cycle that is searched for the corners of its batch on the first freshPartCount parts of
+/// the batch itself, whose verdict is shown beside the answer, then on as many drawn at random for
+/// it. A search for other scenarios is not tried. After a stop the result means nothing.
+[[nodiscard]] FreshPartsTrial triedOnFreshParts(const Project& best, int draw,
+                                                const std::stop_token& stop = {});
+
 struct RobustSummary {
     SearchSummary search;       ///< summary of the last round
     std::vector<Project> added; ///< scenarios that had to be added
@@ -34,8 +53,9 @@ struct RobustSummary {
     std::optional<PhaseCases> decided; ///< cases for each of which the answer is fit
     int freshPhases =
         0; ///< otherwise the number of fresh phases of its last trial, in all of which it was fit
-    int freshParts = 0;       ///< number of fresh parts of a batch whose corners are searched
-    int freshFailures = 0;    ///< number of cycles that failed in one of theirs, which was added
+    FreshParts freshParts;    ///< of the answer
+    int incapable = 0;        ///< number of cycles rejected for the forecast for their batch alone
+    int freshFailures = 0;    ///< number of cycles that failed in a fresh phase or part
     int candidates = 0;       ///< number of cycles tried on fresh phases, each on phases of its own
     int candidate = 0;        ///< number of the answer among them, from 1; 0: not tried
     double nominalTime_s = 0; ///< time of the first round's best; 0: none found
@@ -54,9 +74,12 @@ struct RobustSummary {
 /// at most mostFailing() of the phases fail. A stopped trial counts neither as failed nor as
 /// passed. A stop keeps the best cycle so far that passed all of its trials.
 ///
-/// With the corners of a batch, a cycle that holds in all of them is tried on the first
-/// freshPartCount parts of the batch itself, then on as many drawn at random for each cycle,
-/// because a part between the corners may be bad. A failing part joins the scenarios.
+/// With the corners of a batch, a cycle that holds in all of them is tried by triedOnFreshParts(),
+/// because a part between the corners may be bad. A failing part joins the scenarios. The pruned
+/// search also rejects a cycle whose fresh parts are all good, but which is not "fit" by weigh():
+/// its P_pk or its expected share outside misses the batch's limit. No other cycle is dropped for
+/// that. Where all cycles of the grid are so rejected, or the first 20, the answer is the quickest
+/// without this requirement, and its FreshParts::isCapable is false.
 ///
 /// Every stage of the answer makes a step on the part itself (SearchOptions::everyStageSteps). A
 /// stage that the preceding stage overruns there would be used for other stocks only; a cycle with

@@ -13,6 +13,7 @@ RefineSummary refineAnswer(const GridAnswer& answer, const std::stop_token& stop
         options.scenarios = answer.robust->scenarios;
         options.source = undecidedScenarios(answer.asked, stop);
         options.candidates = answer.robust->candidates;
+        options.asksCapability = answer.robust->isCapable;
     }
     return refine(answer.best, answer.cycle, options);
 }

@@ -13,6 +13,7 @@ namespace sparkout {
 struct RobustTrail {
     std::vector<Project> scenarios; ///< scenarios that it added
     int candidates = 0;             ///< number of cycles tried on fresh phases
+    bool isCapable = true;          ///< FreshParts::isCapable of the answer
 };
 
 /// The answer of a search of a grid.

@@ -125,6 +125,7 @@ private:
         FeasibleCycle cycle;
         FoundBy by = FoundBy::search;
         int candidate = 0; ///< among those tried on fresh phases
+        FreshParts freshParts{};
         std::shared_ptr<const IntervalSummary> interval{};
         bool isAnswer = false, isBestOfItsNumber = false;
         bool isOtherSample = false; ///< it is fit in other scenarios than the answer
@@ -233,6 +234,7 @@ private:
         best.isBestOfItsNumber = true;
         if (grid.robust && grid.robust->candidate > 0) {
             best.candidate = candidatesBefore + grid.robust->candidate;
+            best.freshParts = grid.robust->freshParts;
         }
         if (grid.interval) {
             best.interval = std::make_shared<const IntervalSummary>(*grid.interval);
@@ -305,7 +307,8 @@ private:
         const Project best = withBest(m_now.searched, m_outcome->search);
         std::optional<RobustTrail> trail;
         if (m_outcome->robust) {
-            trail = {m_outcome->robust->added, m_outcome->robust->candidates};
+            const RobustSummary& robust = *m_outcome->robust;
+            trail = {robust.added, robust.candidates, robust.freshParts.isCapable};
         }
         m_outcome->refinement = refineAnswer({.asked = m_now.searched,
                                               .best = best,
@@ -465,6 +468,7 @@ private:
                  .isBest = noted.isAnswer,
                  .isBestOfItsNumber = noted.isBestOfItsNumber,
                  .candidate = noted.candidate,
+                 .freshParts = noted.freshParts,
                  .held = interval ? interval->held : std::nullopt,
                  .cost = interval ? interval->cost : std::nullopt});
         }
@@ -476,7 +480,8 @@ private:
                                      .machine = m_outcome->search.machine,
                                      .time_s = refined.time_s,
                                      .leastRelativeMargin = refined.leastRelativeMargin,
-                                     .candidate = refined.candidate});
+                                     .candidate = refined.candidate,
+                                     .freshParts = refined.freshParts});
         }
         for (FoundCycle& found : m_outcome->found) {
             const bool isDecided = found.isBest || found.by == FoundBy::refinement
@@ -552,9 +557,9 @@ std::optional<double> SearchOutcome::mostStocksFailing() const {
 }
 
 std::optional<double> SearchOutcome::mostPartsBad() const {
-    return robust && answer() && robust->freshParts > 0
-               ? std::optional(mostFailing(robust->freshParts, std::max(robust->candidate, 1)))
-               : std::nullopt;
+    return answer() && answer()->freshParts.tried > 0 ? std::optional(
+               mostFailing(answer()->freshParts.tried, std::max(answer()->candidate, 1)))
+                                                      : std::nullopt;
 }
 
 std::vector<std::pair<ConstraintKind, long long>> SearchOutcome::cuts() const {

@@ -66,6 +66,7 @@ struct FoundCycle {
     bool isBest = false;            ///< best of the whole grid, as far as it was searched
     bool isBestOfItsNumber = false; ///< best with its number of stages
     int candidate = 0; ///< number among the cycles tried on fresh phases, from 1; 0: not tried
+    FreshParts freshParts{}; ///< from a search for the corners of a batch
     /// Cases for each of which it is fit, from a robust search under gauge control.
     std::optional<PhaseCases> decided{};
     std::optional<PartsHeld> held{}; ///< from a search between dressings, where the wheel wears

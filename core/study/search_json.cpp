@@ -154,15 +154,19 @@ ordered_json freshPhasesJson(const SearchOutcome& outcome) {
 }
 
 /// For a batch whose corners were searched; null if no answer was tried on any.
-ordered_json freshPartsJson(const RobustSummary& robust) {
-    if (robust.freshParts == 0) {
+ordered_json freshPartsJson(const SearchOutcome& outcome) {
+    const auto share = outcome.mostPartsBad();
+    if (!share) {
         return nullptr;
     }
-    const int candidate = std::max(robust.candidate, 1);
-    return {{"tried", robust.freshParts},
+    const FreshParts& parts = outcome.answer()->freshParts;
+    return {{"tried", parts.tried},
             {"bad", 0},
-            {"candidate", candidate},
-            {"bad_share_at_most", mostFailing(robust.freshParts, candidate)},
+            {"candidate", std::max(outcome.answer()->candidate, 1)},
+            {"bad_share_at_most", *share},
+            {"ppk_at_least", orNull(parts.ppk)},
+            {"is_capable", parts.isCapable},
+            {"cycles_not_capable", outcome.robust->incapable},
             {"confidence", 0.95}};
 }
 
@@ -223,7 +227,7 @@ std::string searchJson(const SearchOutcome& outcome) {
     root["given"] = givenJson(outcome);
     if (outcome.robust) {
         root["fresh_phases"] = freshPhasesJson(outcome);
-        root["fresh_parts"] = freshPartsJson(*outcome.robust);
+        root["fresh_parts"] = freshPartsJson(outcome);
         const FoundCycle* const answer = outcome.answer();
         root["decided_corners"] =
             answer && answer->decided ? ordered_json(answer->decided->corners) : nullptr;

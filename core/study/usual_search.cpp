@@ -28,9 +28,10 @@ namespace sparkout {
 
 namespace {
 
-/// A feed from one value to another.
+/// A feed from one value to another, and the values that the cycle has.
 struct FeedRange {
     double low = 0, high = 0;
+    std::vector<double> now{};
 };
 
 /// The value by the required roughness: below 0.8 µm, from 0.8, from 1.6 µm; that of 0.8 where none
@@ -69,10 +70,14 @@ public:
         const double on = asWritten(m_low + steps * m_step);
         return on > 0 ? on : asWritten(m_low + m_step);
     }
-    /// Preferred numbers R10 of a range and both of its ends, each once, rising [ISO 3].
+    /// Preferred numbers R10 of a range, both of its ends and the values now, each once, rising
+    /// [ISO 3].
     [[nodiscard]] std::vector<double> preferred(const FeedRange& range) const {
         constexpr std::array series{1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0};
         std::vector<double> levels{nearest(range.low), nearest(range.high)};
+        for (const double each : range.now) {
+            levels.push_back(nearest(each));
+        }
         for (double decade = std::pow(10, std::floor(std::log10(range.low))); decade < range.high;
              decade *= 10) {
             for (const double each : series) {
@@ -149,22 +154,23 @@ private:
         const double most = std::min(removal_mm2_s * units::secondsPerMinute
                                          / (std::numbers::pi * part.diameter_mm),
                                      hard ? 1.2 : 1.6);
-        return {rough() / 2, std::max(most, rough())};
+        return {rough() / 2, std::max(most, rough()), {rough()}};
     }
     [[nodiscard]] FeedRange plungeFinish() const {
         constexpr double least = 0.05;
         const double now = hasFinish() ? finish() : least;
         return {std::min(least, now),
-                std::max(byRoughness(m_project, std::array{0.08, 0.125, 0.16}), now)};
+                std::max(byRoughness(m_project, std::array{0.08, 0.125, 0.16}), now),
+                {now}};
     }
     [[nodiscard]] FeedRange strokeRough() const {
         constexpr double most_mm = 0.025;
-        return {rough() / 2, std::max(std::min(1.6 * rough(), most_mm), rough())};
+        return {rough() / 2, std::max(std::min(1.6 * rough(), most_mm), rough()), {rough()}};
     }
     [[nodiscard]] FeedRange strokeFinish() const {
         constexpr double most_mm = 0.005, ofRough = 0.7;
         const double now = hasFinish() ? finish() : std::min(most_mm, ofRough * rough());
-        return {0.6 * now, std::max(std::min(2 * now, most_mm), now)};
+        return {0.6 * now, std::max(std::min(2 * now, most_mm), now), {now}};
     }
 
     /// Sets levels of a feed for roughing and finishing, and their assignment.
@@ -190,7 +196,8 @@ private:
             return;
         }
         const auto during = [](FeedRange infeed, double time_min) {
-            return FeedRange{infeed.low / time_min, infeed.high / time_min};
+            return FeedRange{
+                infeed.low / time_min, infeed.high / time_min, {infeed.now.front() / time_min}};
         };
         put(search, *feed, usualStep_mm_min,
             during(strokeRough(), doubleStroke_min(m_feeding.front())),
@@ -207,8 +214,11 @@ private:
             constexpr double least = 0.15, most = 0.4; // of B·n
             const double turn_mm_min =
                 m_project.wheel->width_mm * m_project.machine->work_speed_rpm;
-            search.*axial->levels = FeedSteps(m_project, *axial, axialStep_mm_min)
-                                        .preferred({least * turn_mm_min, most * turn_mm_min});
+            FeedRange range{least * turn_mm_min, most * turn_mm_min};
+            for (const Stage& stage : m_feeding) {
+                range.now.push_back((stage.*axial->value).value_or(range.low));
+            }
+            search.*axial->levels = FeedSteps(m_project, *axial, axialStep_mm_min).preferred(range);
         }
     }
 

@@ -8,7 +8,8 @@ namespace sparkout {
 /// Returns the project with a usual search about its cycle: roughing, finishing and, where the
 /// cycle has one, spark-out, as in a shop. Its answer is fit for every corner of the batch, or
 /// without a valid batch for every stock within one infeed; levels are preferred numbers R10 in
-/// steps of the machine.
+/// steps of the machine, and the feeds of the cycle, which no answer is slower than where it is fit
+/// itself and within the limits below.
 ///
 /// * Plunge: roughing from half its current feed to Q'_w = 2 mm³/(mm·s) and 1.2 mm/min, for soft
 ///   steel 3 and 1.6, in a bore half of that Q'_w; finishing from 0.05 to 0.08, 0.125 or 0.16

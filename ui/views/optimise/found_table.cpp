@@ -254,10 +254,18 @@ QStringList robustBasis(const SearchOutcome& outcome, const FoundCycle& answer) 
                      .arg(freshPhaseCount)
                      .arg(std::max(answer.candidate, 1));
     }
-    if (robust.freshParts > 0) {
+    if (const FreshParts& parts = answer.freshParts; parts.tried > 0) {
         basis << FoundTable::tr("all %1 random parts are good, cycle no. %2 tried")
-                     .arg(robust.freshParts)
-                     .arg(std::max(robust.candidate, 1));
+                     .arg(parts.tried)
+                     .arg(std::max(answer.candidate, 1));
+        if (parts.ppk) {
+            const QString ppk = Names::fixed(*parts.ppk, 2);
+            basis << (parts.isCapable
+                          ? FoundTable::tr("Ppk at least %1").arg(ppk)
+                          : FoundTable::tr("Ppk at least %1 only, %2 is required: no cycle found "
+                                           "has it")
+                                .arg(ppk, Names::significant(outcome.project.batch->least_ppk)));
+        }
     }
     return basis;
 }

@@ -602,15 +602,22 @@ private slots:
         QVERIFY(cellOf(third, "best", "basis").contains(QStringLiteral("cycle no. 3 tried")));
         QVERIFY(cellOf(third, "best", "batch").isEmpty()); // no batch is searched
         found.decided = PhaseCases{{0.149, 0.151}, 8};
-        robust.freshParts = 500;
-        robust.candidate = 2;
+        found.freshParts = {.tried = 500, .ppk = 1.234};
+        found.candidate = 2;
         const ValueTable decided = answerTable(outcome, {});
         QCOMPARE(placeOf(decided.columns, "stocks"), decided.columns.size());
         QCOMPARE(cellOf(decided, "best", "batch"), QStringLiteral("0.96"));
         const QString basis = cellOf(decided, "best", "basis");
         QVERIFY2(basis.contains(QStringLiteral("every stock of 0.149000…0.151000 mm, also at 8"))
-                     && basis.contains(QStringLiteral("all 500 random parts are good")),
+                     && basis.contains(QStringLiteral("all 500 random parts are good"))
+                     && basis.contains(QStringLiteral("Ppk at least 1.23"))
+                     && !basis.contains(QStringLiteral("no cycle found")),
                  qPrintable(basis));
+        outcome.project.batch.emplace().least_ppk = 1.4;
+        found.freshParts.isCapable = false;
+        const QString missed = cellOf(answerTable(outcome, {}), "best", "basis");
+        QVERIFY2(missed.contains(QStringLiteral("Ppk at least 1.23 only, 1.4 is required")),
+                 qPrintable(missed));
     }
 
     /// What was found between the levels is the answer, in bold, and stands beside the grid's best.
