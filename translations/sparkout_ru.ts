@@ -13694,8 +13694,12 @@ yours, %</source>
             <translation>для большего числа деталей не годен ни один, доказано (%1)</translation>
         </message>
         <message>
-            <source>none that is fit for the part and the scenarios added is quicker, proved: %1</source>
-            <translation>быстрее из годных для детали и добавленных сценариев нет, доказано (%1)</translation>
+            <source>proved for the part, the scenarios added (%1) and the required Ppk: none of %2 is quicker</source>
+            <translation>доказано для детали, добавленных сценариев (%1) и требуемого Ppk: из %2 быстрее нет</translation>
+        </message>
+        <message>
+            <source>proved for the part and the scenarios added (%1): none of %2 is quicker</source>
+            <translation>доказано для детали и добавленных сценариев (%1): из %2 быстрее нет</translation>
         </message>
         <message>
             <source>none is quicker, proved: %1</source>
@@ -13742,8 +13746,8 @@ yours, %</source>
             <translation>Ppk не ниже %1</translation>
         </message>
         <message>
-            <source>Ppk at least %1 only, %2 is required: no cycle found has it</source>
-            <translation>Ppk не ниже %1 при требуемом %2: цикла с таким Ppk не найдено</translation>
+            <source>Ppk at least %1, too low for the batch: no cycle found has more</source>
+            <translation>Ppk не ниже %1, для партии мало: цикла с большим не найдено</translation>
         </message>
         <message>
             <source>continuous infeed up to %1 mm/min</source>

@@ -344,11 +344,13 @@ std::string SearchWording::marginAnswer(const SearchOutcome& outcome) const {
 std::string SearchWording::timeAnswer(const SearchOutcome& outcome) const {
     const std::string taken = time(outcome.best()->time_s);
     if (outcome.proved()) {
-        return filled(outcome.robust
-                          ? "%1: the quickest of %2 that is fit for the part and the added "
-                            "scenarios; proved for these."
-                          : "%1: the quickest of %2, proved.",
-                      {taken, gridSize(outcome.search.gridSize)});
+        return filled(
+            outcome.isByPpk() ? "%1: the quickest of %2 that is fit for the part and the added "
+                                "scenarios and has the required Ppk; proved for these."
+            : outcome.robust  ? "%1: the quickest of %2 that is fit for the part and the added "
+                                "scenarios; proved for these."
+                              : "%1: the quickest of %2, proved.",
+            {taken, gridSize(outcome.search.gridSize)});
     }
     if (isHeuristic(outcome.method)) {
         return filled(outcome.method == SearchMethod::published
@@ -607,12 +609,19 @@ void SearchWording::addRobustness(const SearchOutcome& outcome,
                                {whole(freshPhaseCount), whole(std::max(answer.candidate, 1)),
                                 most(*outcome.mostStocksFailing())}));
     }
-    if (robust.freshParts > 0) {
+    if (const FreshParts& parts = answer.freshParts; parts.tried > 0) {
         lines.push_back(filled(
             "None of %1 newly drawn parts of the batch is rejected (cycle no. %2 tried in this "
             "way): with 95 % confidence at most %3 % of all parts are.",
-            {whole(robust.freshParts), whole(std::max(robust.candidate, 1)),
+            {whole(parts.tried), whole(std::max(answer.candidate, 1)),
              most(*outcome.mostPartsBad())}));
+        if (parts.ppk) {
+            lines.push_back(filled(parts.isCapable
+                                       ? "The lower 95 % bound of their Ppk is %1."
+                                       : "The lower 95 % bound of their Ppk is %1, too low for "
+                                         "the limits of the batch; no cycle found meets them.",
+                                   {fixed(*parts.ppk, 2)}));
+        }
     }
     if (robust.nominalTime_s > 0) {
         lines.push_back(filled("The nominal part alone, of the same levels, would take %1: "

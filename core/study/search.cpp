@@ -556,6 +556,10 @@ std::optional<double> SearchOutcome::mostStocksFailing() const {
                : std::nullopt;
 }
 
+bool SearchOutcome::isByPpk() const {
+    return robust && best() && robust->incapable > 0 && best()->freshParts.isCapable;
+}
+
 std::optional<double> SearchOutcome::mostPartsBad() const {
     return answer() && answer()->freshParts.tried > 0 ? std::optional(
                mostFailing(answer()->freshParts.tried, std::max(answer()->candidate, 1)))

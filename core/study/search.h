@@ -160,6 +160,9 @@ struct SearchOutcome {
     /// The greatest share of the stocks within one infeed for which the answer of a robust search
     /// may fail, with 95 % confidence; empty if that is decided, or was not required.
     [[nodiscard]] std::optional<double> mostStocksFailing() const;
+    /// Returns whether quicker cycles were rejected for the P_pk of their fresh parts, which the
+    /// answer has.
+    [[nodiscard]] bool isByPpk() const;
     /// The greatest share of the batch's parts that may be rejected, with 95 % confidence.
     [[nodiscard]] std::optional<double> mostPartsBad() const;
     [[nodiscard]] bool proved() const { return best() && search.status == SearchStatus::proved; }

@@ -187,6 +187,10 @@ QString answerName(const SearchOutcome& outcome) {
                               : FoundTable::tr("Cycle found");
 }
 
+QString added(const SearchOutcome& outcome) {
+    return QLocale().toString(qulonglong(outcome.robust->added.size()));
+}
+
 /// The proof for the best cycle of the grid.
 QString proofOf(const SearchOutcome& outcome) {
     const QString size = OptimiseText::gridSize(outcome.search.gridSize);
@@ -211,11 +215,13 @@ QString proofOf(const SearchOutcome& outcome) {
                    ? FoundTable::tr("none is cheaper, proved: %1").arg(size)
                    : FoundTable::tr("none is fit for more parts, proved: %1").arg(size);
     }
-    return outcome.robust
-               ? FoundTable::tr("none that is fit for the part and the scenarios added is quicker, "
-                                "proved: %1")
-                     .arg(size)
-               : FoundTable::tr("none is quicker, proved: %1").arg(size);
+    return outcome.isByPpk() ? FoundTable::tr("proved for the part, the scenarios added (%1) and "
+                                              "the required Ppk: none of %2 is quicker")
+                                   .arg(added(outcome), size)
+           : outcome.robust ? FoundTable::tr("proved for the part and the scenarios added (%1): "
+                                             "none of %2 is quicker")
+                                  .arg(added(outcome), size)
+                            : FoundTable::tr("none is quicker, proved: %1").arg(size);
 }
 
 QStringList wearBasis(const FoundCycle& best) {
@@ -233,11 +239,9 @@ QStringList wearBasis(const FoundCycle& best) {
 }
 
 QStringList robustBasis(const SearchOutcome& outcome, const FoundCycle& answer) {
-    const RobustSummary& robust = *outcome.robust;
     QStringList basis;
-    if (!outcome.marginWithin_us) {
-        basis << FoundTable::tr("scenarios added: %1")
-                     .arg(QLocale().toString(qulonglong(robust.added.size())));
+    if (!outcome.marginWithin_us && !outcome.proved()) {
+        basis << FoundTable::tr("scenarios added: %1").arg(added(outcome));
     }
     if (answer.decided) {
         constexpr int digits = 6; // nm
@@ -259,12 +263,11 @@ QStringList robustBasis(const SearchOutcome& outcome, const FoundCycle& answer) 
                      .arg(parts.tried)
                      .arg(std::max(answer.candidate, 1));
         if (parts.ppk) {
-            const QString ppk = Names::fixed(*parts.ppk, 2);
             basis << (parts.isCapable
-                          ? FoundTable::tr("Ppk at least %1").arg(ppk)
-                          : FoundTable::tr("Ppk at least %1 only, %2 is required: no cycle found "
-                                           "has it")
-                                .arg(ppk, Names::significant(outcome.project.batch->least_ppk)));
+                          ? FoundTable::tr("Ppk at least %1")
+                          : FoundTable::tr("Ppk at least %1, too low for the batch: no cycle "
+                                           "found has more"))
+                         .arg(Names::fixed(*parts.ppk, 2));
         }
     }
     return basis;
