@@ -4,6 +4,7 @@
 #include "core/batch/batch_verdict.h"
 #include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
+#include "core/grace_stop.h"
 #include "core/optimisation/cycle_runner.h"
 #include "core/phases/cycle_trial.h"
 #include "core/project/batch.h"
@@ -79,13 +80,16 @@ std::vector<Project> partsOfBatch(Project sampled, OptimisationScenarios asked, 
     return parts;
 }
 
+bool isSame(const FeasibleCycle& a, const FeasibleCycle& b) {
+    return a.variant == b.variant && a.cycle == b.cycle;
+}
+
 /// The number, from 1, of the last candidate that is this cycle; that of the last of all if there
 /// is none.
 int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candidates) {
     const auto last =
-        std::find_if(candidates.rbegin(), candidates.rend(), [&cycle](const FeasibleCycle& each) {
-            return each.variant == cycle.variant && each.cycle == cycle.cycle;
-        });
+        std::find_if(candidates.rbegin(), candidates.rend(),
+                     [&cycle](const FeasibleCycle& each) { return isSame(each, cycle); });
     const auto place = last == candidates.rend()
                            ? candidates.size()
                            : static_cast<std::size_t>(candidates.rend() - last);
@@ -237,6 +241,239 @@ RobustSummary greatestMargin(const Project& project, const FreshScenarios& sourc
     return summary;
 }
 
+/// The search of optimiseRobustly() for the least time.
+class RobustSearch {
+public:
+    RobustSearch(const Project& project, const FreshScenarios& source, const RobustOptions& options)
+        : m_project(project)
+        , m_source(source)
+        , m_stop(options.search.stop)
+        , m_mostRounds(options.mostRounds)
+        , m_search(options.search)
+        , m_asksCapability(m_search.method == SearchMethod::pruned)
+        , m_variants(project, m_stop) {
+        m_search.everyStageSteps = true;
+    }
+
+    RobustSummary run() {
+        while (m_summary.rounds < m_mostRounds && !isDone()) {
+        }
+        return std::move(m_summary);
+    }
+
+private:
+    /// A cycle that passed all of its tests.
+    struct Held {
+        FeasibleCycle cycle;
+        FreshParts parts;
+    };
+
+    /// Makes a round; returns whether it was the last.
+    bool isDone() {
+        optimiseOnce();
+        if (m_summary.search.isStale && !m_stop.stop_requested()) {
+            m_search.incumbent.reset(); // it may be the one that fails in a part added later
+            return false;               // repeats the search with the added parts
+        }
+        if (mustTakeIncapable()) {
+            m_asksCapability = false;
+            m_search.incumbent.reset(); // slower than those that were rejected
+            return false;
+        }
+        std::optional<FeasibleCycle>& best = m_summary.search.best;
+        if (best && m_untried && isSame(*best, *m_untried) && !heldOf(*best)) {
+            const GraceStop grace(m_stop);
+            auto failing = failsOnParts(*std::exchange(m_untried, {}), grace.token());
+            if (failing && !m_stop.stop_requested()) {
+                add(std::move(*failing));
+                m_search.incumbent.reset();
+                return false;
+            }
+        }
+        if (!best || m_summary.search.status == SearchStatus::stopped) {
+            if (m_summary.search.isStale) {
+                best.reset(); // it fails in a scenario
+            } else if (best && heldOf(*best)) {
+                takeBest(); // the best found before the stop
+            }
+            return true;
+        }
+        auto failing = m_search.challenge ? std::nullopt : challenge(*best);
+        if (m_stop.stop_requested() && !m_search.challenge) {
+            m_summary.search.status = SearchStatus::stopped; // during its test
+            return true;
+        }
+        if (!failing) { // its own challenge was drawn
+            takeBest();
+            return true;
+        }
+        add(std::move(*failing));
+        m_search.quickest_us = best->time_us; // further scenarios speed nothing up
+        if (m_summary.search.status == SearchStatus::proved) {
+            m_proved_s = best->time_s;
+        }
+        if (m_search.method == SearchMethod::pruned) {
+            m_search.incumbent = m_untried = ownCycle();
+            m_search.challenge = [this](const FeasibleCycle& found) { return challenge(found); };
+        }
+        return false;
+    }
+
+    void optimiseOnce() {
+        SearchSummary& found = m_summary.search;
+        found = optimise(m_project, m_search);
+        m_summary.evaluations += found.evaluations;
+        m_summary.visits += found.visits;
+        if (found.status == SearchStatus::stopped) {
+            found.bound_s = std::max(found.bound_s, m_proved_s);
+        }
+        if (m_summary.rounds++ == 0 && found.best) {
+            m_summary.nominalTime_s = found.best->time_s;
+        }
+        for (Project& scenario : found.added) {
+            m_search.scenarios.push_back(scenario);
+            m_summary.added.push_back(std::move(scenario));
+        }
+        std::ranges::move(found.addedCases, std::back_inserter(m_search.cases));
+    }
+
+    /// Whether the search must be repeated without asking for capability: no cycle has it, or too
+    /// many lack it.
+    [[nodiscard]] bool mustTakeIncapable() {
+        const bool hasNone =
+            !m_summary.search.best && m_summary.search.status == SearchStatus::infeasible;
+        return m_summary.incapable > 0 && (hasNone || !m_asksCapability)
+               && !std::exchange(m_takesIncapable, true);
+    }
+
+    std::optional<FailingPart> challenge(const FeasibleCycle& found) {
+        auto failing = failsBeforeParts(found);
+        return failing || m_stop.stop_requested() ? std::move(failing)
+                                                  : failsOnParts(found, m_stop);
+    }
+
+    /// A part on which a cycle fails: of a case, of the source's scenarios or of fresh phases.
+    std::optional<FailingPart> failsBeforeParts(const FeasibleCycle& found) {
+        const Project best = projectOf(found);
+        const bool canDecide = canDecidePhases(best);
+        auto failing = canDecide ? m_cases.failingInKnownCase(best, m_stop) : std::nullopt;
+        if (!failing) {
+            failing = failingPart(m_trials.failing(best, m_source(best, m_draws++), m_stop));
+            if (!failing && !m_stop.stop_requested()) {
+                m_candidates.push_back(found);
+                ++m_summary.candidates;
+                failing = canDecide ? m_cases.failingInOtherCase(best, m_stop)
+                                    : failingPart(failingPhase(
+                                        best, static_cast<std::uint32_t>(m_draws), m_stop));
+                m_summary.freshFailures += failing ? 1 : 0;
+            }
+        }
+        return failing;
+    }
+
+    /// A fresh part of the batch on which a cycle fails; none, but a rejection, if the cycle is not
+    /// capable. A cycle that passes is held.
+    std::optional<FailingPart> failsOnParts(const FeasibleCycle& found,
+                                            const std::stop_token& stop) {
+        FreshPartsTrial trial =
+            triedOnFreshParts(projectOf(found), placeOf(found, m_candidates), stop);
+        if (stop.stop_requested()) {
+            return std::nullopt;
+        }
+        auto failing = failingPart(std::move(trial.bad));
+        m_summary.freshFailures += failing ? 1 : 0;
+        if (!failing && !trial.good.isCapable && m_asksCapability) {
+            m_asksCapability = ++m_summary.incapable < mostIncapable;
+            failing = FailingPart{};
+        }
+        if (!failing) {
+            m_held.push_back({found, trial.good});
+        }
+        return failing;
+    }
+
+    /// The project's own cycle, if it may be the answer as far as is known before the trial on
+    /// fresh parts. The search goes from the quickest cycle upwards and has no answer before its
+    /// end: this one is to be beaten, and the answer if the search is stopped.
+    std::optional<FeasibleCycle> ownCycle() {
+        std::optional<FeasibleCycle> own = feasibleIn(m_variants, m_project, m_stop);
+        for (const Project& scenario : m_search.scenarios) {
+            Project part = scenario;
+            part.cycle = m_project.cycle;
+            setMachine(part, machineSettings(m_project));
+            const auto trial = own ? tried(part, m_stop) : std::nullopt;
+            if (!trial || !trial->holds) {
+                return std::nullopt;
+            }
+            own->leastRelativeMargin = std::min(own->leastRelativeMargin, trial->leastMargin);
+        }
+        if (!own || (m_search.beyondMargin && own->leastRelativeMargin <= *m_search.beyondMargin)) {
+            return std::nullopt;
+        }
+        auto failing = failsBeforeParts(*own);
+        if (!failing) {
+            return m_stop.stop_requested() ? std::nullopt : own;
+        }
+        add(std::move(*failing));
+        return std::nullopt;
+    }
+
+    void add(FailingPart failing) {
+        if (failing.part) {
+            m_search.scenarios.push_back(*failing.part);
+            m_summary.added.push_back(std::move(*failing.part));
+        }
+        if (failing.of) {
+            m_search.cases.push_back(std::move(*failing.of));
+        }
+    }
+
+    void takeBest() {
+        const FeasibleCycle& best = *m_summary.search.best;
+        m_summary.candidate = placeOf(best, m_candidates);
+        m_summary.holdsInSample = true;
+        if (const Held* const held = heldOf(best)) {
+            m_summary.freshParts = held->parts;
+        }
+        if (canDecidePhases(m_project)) {
+            m_summary.decided = phaseCases(projectOf(best));
+        } else {
+            m_summary.freshPhases = freshPhaseCount;
+        }
+    }
+
+    [[nodiscard]] const Held* heldOf(const FeasibleCycle& cycle) const {
+        const auto held = std::ranges::find_if(
+            m_held, [&](const Held& each) { return isSame(each.cycle, cycle); });
+        return held == m_held.end() ? nullptr : &*held;
+    }
+
+    [[nodiscard]] Project projectOf(const FeasibleCycle& found) const {
+        Project project = m_variants.project(found.variant);
+        project.optimisation = m_project.optimisation;
+        *project.cycle = m_variants.grid(found.variant).cycle(found.cycle);
+        return project;
+    }
+
+    const Project& m_project;
+    const FreshScenarios& m_source;
+    std::stop_token m_stop;
+    int m_mostRounds;
+    SearchOptions m_search;
+    bool m_asksCapability; ///< other methods cannot leave out a cycle without a part on which it
+                           ///< fails
+    bool m_takesIncapable = false; ///< the search was repeated without asking for capability
+    Variants m_variants;
+    RobustSummary m_summary;
+    int m_draws = 0;       ///< from the source
+    double m_proved_s = 0; ///< no cycle is quicker: the answer of an earlier round
+    Trials m_trials;
+    CaseOrder m_cases;
+    std::vector<FeasibleCycle> m_candidates; ///< in the order of their tests on fresh phases
+    std::vector<Held> m_held;
+    std::optional<FeasibleCycle> m_untried; ///< the incumbent, not yet tried on fresh parts
+};
+
 } // namespace
 
 FreshPartsTrial triedOnFreshParts(const Project& best, int draw, const std::stop_token& stop) {
@@ -258,169 +495,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         search.everyStageSteps = true;
         return greatestMargin(project, source, std::move(search));
     }
-    RobustSummary summary;
-    SearchOptions search = options.search;
-    search.everyStageSteps = true;
-    const Variants variants(project, search.stop);
-    int draws = 0;       // from the source
-    double proved_s = 0; // no cycle is quicker: the answer of an earlier round
-    Trials trials;
-    CaseOrder cases;
-    std::vector<FeasibleCycle> candidates; // in the order of their tests on fresh phases
-    struct Held {
-        FeasibleCycle cycle;
-        FreshParts parts;
-        [[nodiscard]] bool is(const FeasibleCycle& other) const {
-            return cycle.variant == other.variant && cycle.cycle == other.cycle;
-        }
-    };
-    std::vector<Held> held; // passed all of their tests
-    // Other methods cannot leave out a cycle without a part on which it fails.
-    bool asksCapability = search.method == SearchMethod::pruned, takesIncapable = false;
-    const auto challenge = [&](const FeasibleCycle& found) {
-        Project best = variants.project(found.variant);
-        best.optimisation = project.optimisation;
-        *best.cycle = variants.grid(found.variant).cycle(found.cycle);
-        const std::stop_token& stop = options.search.stop;
-        const bool canDecide = canDecidePhases(best);
-        auto failing = canDecide ? cases.failingInKnownCase(best, stop) : std::nullopt;
-        if (failing) {
-            return failing;
-        }
-        failing = failingPart(trials.failing(best, source(best, draws++), stop));
-        if (!failing && !stop.stop_requested()) {
-            candidates.push_back(found);
-            ++summary.candidates;
-            failing =
-                canDecide
-                    ? cases.failingInOtherCase(best, stop)
-                    : failingPart(failingPhase(best, static_cast<std::uint32_t>(draws), stop));
-            FreshPartsTrial parts;
-            if (!failing && !stop.stop_requested()) {
-                parts = triedOnFreshParts(best, summary.candidates, stop);
-                failing = failingPart(std::move(parts.bad));
-            }
-            summary.freshFailures += failing ? 1 : 0;
-            if (!failing && !parts.good.isCapable && asksCapability && !stop.stop_requested()) {
-                asksCapability = ++summary.incapable < mostIncapable;
-                failing = FailingPart{};
-            }
-            if (!failing && !stop.stop_requested()) {
-                held.push_back({found, parts.good});
-            }
-        }
-        return failing;
-    };
-    const auto takeBest = [&] {
-        summary.candidate = placeOf(*summary.search.best, candidates);
-        summary.holdsInSample = true;
-        const auto answer = std::ranges::find_if(
-            held, [&](const Held& each) { return each.is(*summary.search.best); });
-        if (answer != held.end()) {
-            summary.freshParts = answer->parts;
-        }
-        if (canDecidePhases(project)) {
-            Project best = variants.project(summary.search.best->variant);
-            *best.cycle = summary.search.cycle;
-            summary.decided = phaseCases(best);
-        } else {
-            summary.freshPhases = freshPhaseCount;
-        }
-    };
-    const auto optimised = [&](const SearchOptions& how) {
-        SearchSummary found = optimise(project, how);
-        summary.evaluations += found.evaluations;
-        summary.visits += found.visits;
-        return found;
-    };
-    const auto addPart = [&](FailingPart failing) {
-        if (failing.part) {
-            search.scenarios.push_back(*failing.part);
-            summary.added.push_back(std::move(*failing.part));
-        }
-        if (failing.of) {
-            search.cases.push_back(std::move(*failing.of));
-        }
-    };
-    // The search goes from the quickest cycle upwards and has no answer before its end. The cycle
-    // that the project has is to be beaten, and the answer if the search is stopped.
-    const auto ownCycle = [&]() -> std::optional<FeasibleCycle> {
-        std::optional<FeasibleCycle> own = feasibleIn(variants, project, search.stop);
-        for (const Project& scenario : search.scenarios) {
-            Project part = scenario;
-            part.cycle = project.cycle;
-            setMachine(part, machineSettings(project));
-            const auto trial = own ? tried(part, search.stop) : std::nullopt;
-            if (!trial || !trial->holds) {
-                return std::nullopt;
-            }
-            own->leastRelativeMargin = std::min(own->leastRelativeMargin, trial->leastMargin);
-        }
-        if (!own || (search.beyondMargin && own->leastRelativeMargin <= *search.beyondMargin)) {
-            return std::nullopt;
-        }
-        auto failing = challenge(*own);
-        if (!failing) {
-            return options.search.stop.stop_requested() ? std::nullopt : own;
-        }
-        addPart(std::move(*failing));
-        return std::nullopt;
-    };
-    while (summary.rounds < options.mostRounds) {
-        summary.search = optimised(search);
-        if (summary.search.status == SearchStatus::stopped) {
-            summary.search.bound_s = std::max(summary.search.bound_s, proved_s);
-        }
-        if (summary.rounds++ == 0 && summary.search.best) {
-            summary.nominalTime_s = summary.search.best->time_s;
-        }
-        for (Project& scenario : summary.search.added) {
-            search.scenarios.push_back(scenario);
-            summary.added.push_back(std::move(scenario));
-        }
-        std::ranges::move(summary.search.addedCases, std::back_inserter(search.cases));
-        if (summary.search.isStale && !options.search.stop.stop_requested()) {
-            search.incumbent.reset(); // it may be the one that fails in a part added later
-            continue;                 // repeats the search with the added parts
-        }
-        const bool hasNone =
-            !summary.search.best && summary.search.status == SearchStatus::infeasible;
-        if (summary.incapable > 0 && !takesIncapable && (hasNone || !asksCapability)) {
-            takesIncapable = true;
-            asksCapability = false;
-            search.incumbent.reset(); // slower than those that were rejected
-            continue;
-        }
-        if (!summary.search.best || summary.search.status == SearchStatus::stopped) {
-            if (summary.search.isStale) {
-                summary.search.best.reset(); // it fails in a scenario
-            } else if (summary.search.best && std::ranges::any_of(held, [&](const Held& each) {
-                           return each.is(*summary.search.best);
-                       })) {
-                takeBest(); // the best found before the stop
-            }
-            return summary;
-        }
-        auto failing = search.challenge ? std::nullopt : challenge(*summary.search.best);
-        if (options.search.stop.stop_requested() && !search.challenge) {
-            summary.search.status = SearchStatus::stopped; // during its test
-            return summary;
-        }
-        if (!failing) { // its own challenge was drawn
-            takeBest();
-            return summary;
-        }
-        addPart(std::move(*failing));
-        search.quickest_us = summary.search.best->time_us; // further scenarios speed nothing up
-        if (summary.search.status == SearchStatus::proved) {
-            proved_s = summary.search.best->time_s;
-        }
-        if (search.method == SearchMethod::pruned) {
-            search.incumbent = ownCycle();
-            search.challenge = challenge;
-        }
-    }
-    return summary;
+    return RobustSearch(project, source, options).run();
 }
 
 TradeOff tradeOffRobustly(const Project& asked, const FreshScenarios& source, SearchOptions search,
