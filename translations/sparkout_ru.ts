@@ -4380,7 +4380,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Runout of centres and spindle; it adds to every runout. At 0 it is not known.</source>
-            <translation>Биение центров и шпинделя; прибавляется к каждому биению. 0 — не известно.</translation>
+            <translation>Биение центров и шпинделя; прибавляется к каждому биению. 0 — неизвестно.</translation>
         </message>
         <message>
             <source>Wheel drive power</source>
@@ -4636,7 +4636,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Measured Ra divided by computed Ra. At 1 it is not known, and Ra is given as a range. A measured Ra sets it.</source>
-            <translation>Отношение измеренной Ra к расчётной; при 1 оно не известно, и Ra — диапазон. Задаётся измеренной Ra.</translation>
+            <translation>Отношение измеренной Ra к расчётной; при 1 оно неизвестно, и Ra — диапазон. Задаётся измеренной Ra.</translation>
         </message>
         <message>
             <source>Measured Ra</source>
@@ -5968,7 +5968,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>not known, or the trace is not a current</source>
-            <translation>не известно, или запись не является током</translation>
+            <translation>неизвестно, или запись не является током</translation>
         </message>
         <message>
             <source>Power of the wheel spindle per ampere of its current.</source>
@@ -7426,7 +7426,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>the number of lobes is not known: an even one spreads the diameters by {value} in a field of {limit}; judged as an odd one</source>
-            <translation>число граней не известно: чётное разводит диаметры на {value} при поле {limit}; оценка — как при нечётном</translation>
+            <translation>число граней неизвестно: чётное разводит диаметры на {value} при поле {limit}; оценка — как при нечётном</translation>
         </message>
 </context>
     <context>
@@ -7622,7 +7622,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Machine not known, the process alone: %1</source>
-            <translation>Станок не известен, только процесс: %1</translation>
+            <translation>Без погрешности станка, она не задана: %1</translation>
         </message>
     </context>
     <context>
@@ -7885,7 +7885,7 @@ With another name both versions stay as they are.</source>
         <message>
             <source>%1, machine not known</source>
             <comment>the form it prints</comment>
-            <translation>%1, станок не известен</translation>
+            <translation>%1, без погрешности станка</translation>
         </message>
         <message>
             <source>%1 s</source>
@@ -10529,7 +10529,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>not known, it was stopped</source>
-            <translation>не известно: поиск остановлен</translation>
+            <translation>неизвестно: поиск остановлен</translation>
         </message>
         <message>
             <source>Margin by time</source>
@@ -11388,7 +11388,7 @@ With another name both versions stay as they are.</source>
         <name>VerdictWhy</name>
         <message>
             <source>%1: not known, since strips stay uncut; an axial feed of at most %2 mm/min leaves none.</source>
-            <translation>%1: не известно, так как остаются непрошлифованные полосы; при продольной подаче не более %2 мм/мин их нет.</translation>
+            <translation>%1: неизвестно, так как остаются непрошлифованные полосы; при продольной подаче не более %2 мм/мин их нет.</translation>
         </message>
         <message>
             <source>The wheel&apos;s width times the work speed over the axial feed; 1 is reached at %1 mm/min.</source>
@@ -11461,7 +11461,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>; what the machine adds is not known</source>
-            <translation>; вклад станка не известен</translation>
+            <translation>; без погрешности станка</translation>
         </message>
         <message>
             <source>, with what the machine prints</source>
@@ -13553,7 +13553,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Gap, %</source>
-            <translation>Превышение, %</translation>
+            <translation>Резерв, %</translation>
         </message>
         <message>
             <source>Margin, %</source>
@@ -16985,7 +16985,7 @@ target, µm</source>
         </message>
         <message>
             <source>not known: strips uncut</source>
-            <translation>не известно: остались полосы</translation>
+            <translation>неизвестно: остались полосы</translation>
         </message>
         <message>
             <source>met</source>
@@ -17057,7 +17057,7 @@ target, µm</source>
         </message>
         <message>
             <source>machine not known</source>
-            <translation>станок не известен</translation>
+            <translation>без погрешности станка</translation>
         </message>
         <message>
             <source>not decided</source>
@@ -17168,7 +17168,7 @@ target, µm</source>
         </message>
         <message>
             <source>{name}: machine not known</source>
-            <translation>{name}: станок не известен</translation>
+            <translation>{name}: погрешность станка не задана</translation>
         </message>
     </context>
     <context>

@@ -349,7 +349,7 @@ std::string SearchWording::timeAnswer(const SearchOutcome& outcome) const {
                                 "scenarios and has the required Ppk; proved for these."
             : outcome.robust  ? "%1: the quickest of %2 that is fit for the part and the added "
                                 "scenarios; proved for these."
-                              : "%1: the quickest of %2, proved.",
+                              : "%1: the quickest of %2 for the nominal part only, proved.",
             {taken, gridSize(outcome.search.gridSize)});
     }
     if (isHeuristic(outcome.method)) {
@@ -590,6 +590,9 @@ void SearchWording::addRobustness(const SearchOutcome& outcome,
                                {whole(std::int64_t(robust.added.size()))}));
     }
     const FoundCycle& answer = *outcome.answer();
+    if (outcome.project.batch && !areOfBatch(outcome.project.optimisation->scenarios)) {
+        lines.push_back("The batch of the project was not part of the search.");
+    }
     if (answer.decided) {
         constexpr int digits = 6; // nm
         const auto stock = [&](double stock_mm) { return fixed(stock_mm, digits); };

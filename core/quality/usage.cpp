@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/usage.h"
 
+#include "core/quality/light.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,12 +13,14 @@ constexpr double leastDivisor = 1e-12; ///< replaces 0 as a divisor
 } // namespace
 
 double usageOf(const ConstraintResult& requirement) {
-    if (requirementOf(requirement.kind).source != LimitSource::range) {
-        return std::max(1 - requirement.relativeMargin, 0.0);
+    const double limit = requirement.limit, value = requirement.value;
+    if (requirementOf(requirement.kind).scope == ConstraintScope::setting) {
+        return requirement.isLeast ? std::max(limit, 0.0) / std::max(value, leastDivisor)
+                                   : value / std::max(limit, leastDivisor);
     }
-    const double end = requirement.limit, value = requirement.value;
-    return requirement.isLeast ? std::max(end, 0.0) / std::max(value, leastDivisor)
-                               : value / std::max(end, leastDivisor);
+    const bool isDecidedEstimate = requirement.mostValue && lightOf(requirement) == Light::holds;
+    return isDecidedEstimate ? *requirement.mostValue / limit
+                             : std::max(1 - requirement.relativeMargin, 0.0);
 }
 
 std::optional<double> placeInRange(const ConstraintResult& requirement) {

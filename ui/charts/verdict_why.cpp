@@ -2,6 +2,7 @@
 #include "ui/charts/verdict_why.h"
 
 #include "core/process/profile.h"
+#include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/wheel.h"
 #include "core/quality/diameter_shares.h"
@@ -111,6 +112,14 @@ QString VerdictWhy::wholePart(const Outcome& outcome) {
         .arg(parts.join(QStringLiteral(", ")), Names::micrometres(form_mm * units::umPerMm));
 }
 
+/// The number of the last stage up to this one that feeds, from 1.
+int lastFeeding(const Cycle& cycle, int stage) {
+    while (stage > 1 && !cycle.stages[static_cast<std::size_t>(stage) - 1].feeds()) {
+        --stage;
+    }
+    return stage;
+}
+
 QString VerdictWhy::place(const Outcome& outcome, const ConstraintResult& c) {
     const QString place = Names::place(*c.at, outcome.result.project.operation);
     if (c.kind == ConstraintKind::roughness) {
@@ -120,7 +129,7 @@ QString VerdictWhy::place(const Outcome& outcome, const ConstraintResult& c) {
     return c.holds ? text
                    : text
                          + tr(" A smaller feed in stage %1 or a sharper wheel lowers it.")
-                               .arg(c.at->stage);
+                               .arg(lastFeeding(*outcome.result.project.cycle, c.at->stage));
 }
 
 /// The largest axial feed with an overlap [mm/min]; with an overlap of 1 it leaves no strips.

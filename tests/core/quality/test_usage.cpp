@@ -27,6 +27,21 @@ private slots:
         QCOMPARE(usageOf(held(ConstraintKind::diameterMax, Side::atMost, 0, -32, 16)), 0.0);
     }
 
+    void ofAnEstimateThatIsMetItsUpperEndCounts() {
+        ConstraintResult rough = held(ConstraintKind::roughness, Side::atMost, 1.6, 0.16, 1.6);
+        QCOMPARE(usageOf(rough), 0.1);
+        rough.mostValue = 0.48;
+        QCOMPARE(usageOf(rough), 0.3);
+        rough.mostValue = 1.8; // undecided: no share is stated
+        QCOMPARE(usageOf(rough), 0.1);
+    }
+
+    void ofALeastSettingItIsTheLimitOverTheValue() {
+        QCOMPARE(usageOf(held(ConstraintKind::leastOverlap, Side::atLeast, 1.05, 2.5, 1.05)), 0.42);
+        QCOMPARE(usageOf(held(ConstraintKind::leastSteps, Side::atLeast, 2, 16, 2)), 0.125);
+        QCOMPARE(usageOf(held(ConstraintKind::overlap, Side::atLeast, 1, 0.8, 1)), 1.25);
+    }
+
     void ofARangeItIsHowCloseTheNearerEndIs() {
         const auto of = [](Side side, double limit, double value) {
             return usageOf(held(ConstraintKind::rangeRadialFeed, side, limit, value, 10));
