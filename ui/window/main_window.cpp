@@ -700,6 +700,9 @@ void MainWindow::showJudged() {
     m_partRuns->setJudged(m_judge->judged());
     m_verdict->setJudged(m_judge->judged());
     m_compare->setJudged(m_judge->judged());
+    if (const BatchOutcomePtr batch = m_judge->batch()) {
+        m_overview->setBatch(batch);
+    }
 }
 
 void MainWindow::protect(const QString& stateFolder) {

@@ -186,6 +186,9 @@ void OverviewView::showCycle() {
 }
 
 void OverviewView::setBatch(BatchOutcomePtr batch) {
+    if (m_batch == batch) {
+        return;
+    }
     m_batch = std::move(batch);
     m_batchChanged = true;
     if (isVisible()) {
