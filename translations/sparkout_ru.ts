@@ -16711,7 +16711,7 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::SweepMap</name>
+        <name>SweepMap</name>
         <message>
             <source>limit of this result</source>
             <translation>предел этого результата</translation>

@@ -8,6 +8,8 @@
 #include <QMouseEvent>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace sparkout {
@@ -16,8 +18,10 @@ namespace {
 
 constexpr int lastNumberRoom = 20; ///< space beside a lying chart, for half of the last number
 constexpr int chartTick = 5;       ///< [px]
+constexpr int scaleWidth = 14;     ///< [px]
+constexpr double outlineWidth = 1; ///< on either side of a line [px]
 
-QCPScatterStyle markOfSeries(const ChartSeries& series, const QColor& colour) {
+QCPScatterStyle markOfSeries(const ChartSeries& series, const QColor& colour, const QColor& edge) {
     using enum ChartSeries::Mark;
     using Style = QCPScatterStyle;
     const double size = series.markSize;
@@ -25,12 +29,28 @@ QCPScatterStyle markOfSeries(const ChartSeries& series, const QColor& colour) {
     case none: break;
     case disc: return {Style::ssDisc, QPen(colour), colour, size};
     case square: return {Style::ssSquare, QPen(colour, 1.5), colour, size};
-    case diamond: return {Style::ssDiamond, QPen(colour, 1.5), colour, size};
+    case diamond: return {Style::ssDiamond, QPen(edge, 1.5), colour, size};
     case triangle: return {Style::ssTriangle, QPen(colour), colour, size};
     case ring: return {Style::ssCircle, QPen(colour, 2), Qt::NoBrush, size};
     case cross: return {Style::ssCross, QPen(colour, 2), Qt::NoBrush, size};
+    case frame: return {Style::ssSquare, QPen(colour, 3), Qt::NoBrush, size};
     }
     return {};
+}
+
+/// Viridis: its lightness is uniform, so that it is readable without colours, too.
+QCPColorGradient cellColours(bool dim) {
+    constexpr std::array<QRgb, 9> stops{0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c,
+                                        0x28ae80, 0x5ec962, 0xaddc30, 0xfde725};
+    QCPColorGradient gradient;
+    gradient.clearColorStops();
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        gradient.setColorStopAt(static_cast<double>(i) / (stops.size() - 1),
+                                style::dimmed(QColor(stops[i]), dim));
+    }
+    gradient.setColorInterpolation(QCPColorGradient::ciRGB);
+    gradient.setNanHandling(QCPColorGradient::nhTransparent);
+    return gradient;
 }
 
 QCPGraph::LineStyle lineOfSeries(const ChartSeries& series) {
@@ -123,7 +143,7 @@ ChartPlot::ChartPlot(QWidget* parent, int row) : ViewPlot(parent), m_rect(addRec
     });
     const auto clickPlace = [this](const QPointF& at) {
         if (const auto place = placeAt(at)) {
-            emit placeClicked(*place);
+            emit placeClicked(place->x, place->y);
         }
     };
     onClick([this, clickPlace](const QPointF& at) {
@@ -196,6 +216,15 @@ QColor ChartPlot::areaOf(const ChartColour& colour, int alpha) const {
                                isDimmed());
 }
 
+QColor ChartPlot::outlineOf(const ChartSeries& series) const {
+    return series.outline.isValid() ? style::dimmed(series.outline, isDimmed())
+                                    : colourOf(series.colour);
+}
+
+QCPScatterStyle ChartPlot::markOf(const ChartSeries& series) const {
+    return markOfSeries(series, colourOf(series.colour), outlineOf(series));
+}
+
 QPen ChartPlot::penOf(QPen pen, const ChartColour& colour) const {
     pen.setColor(colourOf(colour));
     return pen;
@@ -230,6 +259,9 @@ void ChartPlot::draw() {
                 *m_rect, zone, areaOf(zone.colour, zone.alpha), colourOf(zone.colour)));
         }
     }
+    if (m_chart.cells) {
+        drawCells(*m_chart.cells);
+    }
     const auto order = [](const ChartSeries& of) { return of.isArea() ? 0 : of.isLine() ? 1 : 2; };
     for (const int at : {0, 1, 2}) {
         for (const ChartSeries& series : m_chart.series) {
@@ -250,10 +282,12 @@ void ChartPlot::drawSeries(const ChartSeries& series) {
         drawBars(series);
     } else if (series.isArea()) {
         drawArea(series);
+    } else if (series.kind == ChartSeries::Kind::path) {
+        drawPath(series);
     } else {
         QCPGraph* const graph = addGraphOf(series, series.points);
         graph->setLineStyle(lineOfSeries(series));
-        graph->setScatterStyle(markOfSeries(series, colourOf(series.colour)));
+        graph->setScatterStyle(markOf(series));
     }
 }
 
@@ -297,6 +331,71 @@ QCPGraph* ChartPlot::addGraphOf(const ChartSeries& series, const std::vector<XY>
     return graph;
 }
 
+void ChartPlot::drawPath(const ChartSeries& series) {
+    const auto add = [&](const QPen& pen) {
+        auto* const path = new QCPCurve(&across(), &up());
+        QVector<QCPCurveData> drawn;
+        for (const XY& point : series.points) {
+            drawn.emplace_back(static_cast<double>(drawn.size()), point.x, point.y);
+        }
+        path->data()->set(drawn, true);
+        path->setPen(pen);
+        return path;
+    };
+    const QPen pen = penOf(series.pen, series.colour);
+    if (series.outline.isValid()) {
+        add(QPen(outlineOf(series), pen.widthF() + 2 * outlineWidth));
+    }
+    add(pen)->setScatterStyle(markOf(series));
+}
+
+void ChartPlot::addScale() {
+    m_scale = new QCPColorScale(this);
+    plotLayout()->addElement(0, 1, m_scale);
+    m_scale->setType(QCPAxis::atRight);
+    m_scale->setBarWidth(scaleWidth);
+    m_scale->axis()->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker));
+    m_scale->axis()->setNumberFormat(QStringLiteral("g"));
+    m_scale->setRangeDrag(false);
+    m_scale->setRangeZoom(false);
+    auto* const together = new QCPMarginGroup(this);
+    m_rect->setMarginGroup(QCP::msBottom | QCP::msTop, together);
+    m_scale->setMarginGroup(QCP::msBottom | QCP::msTop, together);
+}
+
+void ChartPlot::drawCells(const ChartCells& cells) {
+    if (!m_scale) {
+        addScale();
+    }
+    style::applyPalette(*m_scale->axis(), palette());
+    m_scale->axis()->setTickLabelFont(font());
+    m_scale->axis()->setLabelFont(font());
+    m_scale->setLabel(cells.label);
+    auto* const map = new QCPColorMap(&across(), &up());
+    map->setInterpolate(false);
+    map->setTightBoundary(false);
+    const int columns = static_cast<int>(cells.columns);
+    const int count = static_cast<int>(cells.values.size());
+    map->data()->setSize(columns, count / columns);
+    map->data()->setRange({cells.across.low, cells.across.high}, {cells.up.low, cells.up.high});
+    ChartSpan span;
+    for (int i = 0; i < count; ++i) {
+        const double value = cells.values[static_cast<std::size_t>(i)];
+        map->data()->setCell(i % columns, i / columns, value);
+        span.add(value);
+    }
+    const double least = std::max({std::abs(span.low), std::abs(span.high), 1e-6}) * 1e-6;
+    const QCPRange range = span.empty()          ? QCPRange(0, 1)
+                           : span.size() < least ? QCPRange(span.low - least, span.high + least)
+                                                 : QCPRange(span.low, span.high);
+    const QCPColorGradient colours = cellColours(isDimmed());
+    m_scale->setDataRange(range);
+    m_scale->setGradient(colours);
+    map->setColorScale(m_scale);
+    map->setDataRange(range);
+    map->setGradient(colours);
+}
+
 void ChartPlot::restyle() {
     ViewPlot::restyle();
     draw();
@@ -317,8 +416,13 @@ LegendEntries ChartPlot::legendEntries() const {
         }
     };
     for (const ChartSeries& of : m_chart.series) {
-        add(of.isLine() ? lineEntry(of.key, penOf(of.pen, of.colour), of.name)
-                        : areaEntry(of.key, colourOf(of.colour), of.name));
+        const bool isSign = of.swatch != Swatch::area;
+        LegendEntry entry = of.isLine()
+                                ? lineEntry(of.key, penOf(of.pen, of.colour), of.name)
+                                : areaEntry(of.key, isSign ? ink() : colourOf(of.colour), of.name);
+        entry.swatch = of.swatch;
+        entry.halo = of.isLine() && of.outline.isValid() ? outlineOf(of) : QColor();
+        add(entry);
     }
     for (const ChartZone& of : m_chart.zones) {
         LegendEntry entry = areaEntry(of.key, areaOf(of.colour, of.alpha), of.name);
@@ -373,9 +477,10 @@ QPointF ChartPlot::pixelOf(const XY& point) const {
     return m_chart.isLying ? QPointF(value, place) : QPointF(place, value);
 }
 
-std::optional<double> ChartPlot::placeAt(const QPointF& at) const {
+std::optional<XY> ChartPlot::placeAt(const QPointF& at) const {
+    const QPointF along = m_chart.isLying ? at.transposed() : at;
     return m_rect->rect().contains(at.toPoint())
-               ? std::optional(across().pixelToCoord(m_chart.isLying ? at.y() : at.x()))
+               ? std::optional(XY{across().pixelToCoord(along.x()), up().pixelToCoord(along.y())})
                : std::nullopt;
 }
 
@@ -401,7 +506,10 @@ QString ChartPlot::valuesAt(const QPointF& at) const {
         return found ? m_chart.pointText(found->series, found->point) : QString();
     }
     const auto place = placeAt(at);
-    return m_chart.placeText && place ? m_chart.placeText(*place) : QString();
+    if (place && m_chart.cells) {
+        return m_chart.cells->text(place->x, place->y);
+    }
+    return m_chart.placeText && place ? m_chart.placeText(place->x) : QString();
 }
 
 } // namespace sparkout

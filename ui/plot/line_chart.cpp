@@ -11,6 +11,9 @@ QColor chartColour(const ChartColour& colour, const QPalette& palette) {
     if (const auto* drawn = std::get_if<style::Drawn>(&colour)) {
         return style::colour(*drawn, palette);
     }
+    if (const auto* fixed = std::get_if<QColor>(&colour)) {
+        return *fixed;
+    }
     const Tone* const of = std::get_if<Tone>(&colour);
     return of ? tone(*of, palette) : palette.color(QPalette::Text);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/kit/hatch.h"
+#include "ui/plot/legend_drawing.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/plot/read_curves.h"
 #include "ui/tables/csv_table.h"
@@ -28,8 +29,9 @@ inline QPen linePen(double width, Qt::PenStyle style = Qt::SolidLine) {
     return pen;
 }
 
-/// A colour taken from the current palette: that of a drawn object, a tone, or that of texts.
-using ChartColour = std::variant<std::monostate, style::Drawn, Tone>;
+/// A colour taken from the current palette, that of a drawn object, a tone or that of texts; or a
+/// fixed colour.
+using ChartColour = std::variant<std::monostate, style::Drawn, Tone, QColor>;
 [[nodiscard]] QColor chartColour(const ChartColour& colour, const QPalette& palette);
 
 /// The least and the greatest of some values; non-finite values are ignored.
@@ -70,8 +72,9 @@ struct ChartSeries {
         steps,    ///< a value applies up to the next place
         points,   ///< separate points
         impulses, ///< lines from 0
+        path,     ///< a line through the points in their order, whatever their places
     };
-    enum class Mark { none, disc, square, diamond, triangle, ring, cross };
+    enum class Mark { none, disc, square, diamond, triangle, ring, cross, frame };
 
     int key = -1;      ///< key of the legend; several series may share it
     QString name = {}; ///< name in the legend; empty: no entry
@@ -85,9 +88,13 @@ struct ChartSeries {
     int alpha = 255; ///< opacity of an area
     bool onSecond = false;
     InSight sight = InSight::always;
+    QColor outline = {};          ///< around a line or mark on coloured cells
+    Swatch swatch = Swatch::area; ///< of a mark in the legend; if not an area, in the text colour
 
     [[nodiscard]] bool isArea() const { return kind <= Kind::band; }
-    [[nodiscard]] bool isLine() const { return kind == Kind::line || kind == Kind::steps; }
+    [[nodiscard]] bool isLine() const {
+        return kind == Kind::line || kind == Kind::steps || kind == Kind::path;
+    }
 };
 
 /// A line through the cell at a value of one axis.
@@ -130,6 +137,16 @@ struct ChartTable {
     std::vector<Place> places = {};
 };
 
+/// Coloured cells of equal size in rows and columns, behind the series, with a scale of the
+/// colours.
+struct ChartCells {
+    QString label = {};              ///< label of the scale
+    ChartSpan across = {}, up = {};  ///< middles of the first and the last cells
+    std::size_t columns = 1;         ///< number of cells in a row
+    std::vector<double> values = {}; ///< row by row, the lowest first; NaN: no colour
+    std::function<QString(double place, double value)> text = {}; ///< text for the mouse
+};
+
 /// A chart over one axis as a value: its drawn objects, legend, readings and table.
 struct LineChart {
     ChartAxis across = {}, up = {}, second = {};
@@ -146,6 +163,7 @@ struct LineChart {
     std::function<QString(std::size_t series, std::size_t point)> pointText = {};
     std::size_t pointed = 0;
     double reach = 8;
+    std::optional<ChartCells> cells = {};
 
     /// Makes a series readable under a name, with linear interpolation between its points.
     void read(const ChartSeries& of, const QString& name, Digits digits);

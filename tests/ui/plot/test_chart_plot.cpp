@@ -141,6 +141,56 @@ private slots:
         QCOMPARE(plot.up().range().upper, 3.0);
     }
 
+    /// A line on cells may run back, has an outline and a gap; a click and the mouse have both
+    /// values, and outside the cell none.
+    void colouredCellsHaveAScaleAndLinesOnThem() {
+        ChartPlot plot;
+        plot.resize(400, 300);
+        plot.setChart([] {
+            LineChart chart;
+            chart.across = {.range = {-0.5, 1.5}, .room = 0};
+            chart.up = {.range = {9.5, 11.5}, .room = 0};
+            chart.series = {{.key = lineKey,
+                             .name = QStringLiteral("edge"),
+                             .kind = ChartSeries::Kind::path,
+                             .points = {{1, 10}, {0, 11}, {std::nan(""), std::nan("")}},
+                             .outline = Qt::black}};
+            chart.cells = ChartCells{
+                .label = QStringLiteral("Size, µm"),
+                .across = {0, 1},
+                .up = {10, 11},
+                .columns = 2,
+                .values = {1, 2, std::nan(""), 5},
+                .text = [](double place, double value) {
+                    return QStringLiteral("%1 %2").arg(std::lround(place)).arg(std::lround(value));
+                }};
+            return chart;
+        });
+        plot.show();
+        plot.replot();
+        const auto* const map = qobject_cast<QCPColorMap*>(plot.plottable(0));
+        QVERIFY(map);
+        QCOMPARE(map->data()->cell(1, 0), 2.0);
+        QCOMPARE(map->data()->cell(1, 1), 5.0);
+        QCOMPARE(map->colorScale()->dataRange(), QCPRange(1, 5));
+        QCOMPARE(map->colorScale()->label(), QStringLiteral("Size, µm"));
+        const auto* const outline = qobject_cast<QCPCurve*>(plot.plottable(1));
+        const auto* const line = qobject_cast<QCPCurve*>(plot.plottable(2));
+        QVERIFY(outline && line);
+        QVERIFY(outline->pen().widthF() > line->pen().widthF());
+        QCOMPARE(line->data()->at(0)->key, 1.0);
+        QCOMPARE(plot.legendEntries().front().halo, QColor(Qt::black));
+        QSignalSpy said(&plot, &ViewPlot::pointed), clicked(&plot, &ChartPlot::placeClicked);
+        const QPoint at = plot.pixelOf({1, 11}).toPoint();
+        fixtures::hover(&plot, at);
+        QCOMPARE(said.last()[0].toString(), QStringLiteral("1 11"));
+        QTest::mouseClick(&plot, Qt::RightButton, {}, at);
+        QCOMPARE(clicked.size(), 1);
+        QVERIFY(std::abs(clicked[0][1].toDouble() - 11) < 0.1);
+        QTest::mouseClick(&plot, Qt::LeftButton, {}, {2, 2});
+        QCOMPARE(clicked.size(), 1);
+    }
+
     /// Rows from the top down, their values to the right.
     void aLyingChartHasItsPlacesFromTheTopDown() {
         ChartPlot plot;
