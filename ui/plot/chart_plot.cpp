@@ -67,6 +67,8 @@ void setUpChartAxis(QCPAxis& axis, const ChartAxis& of) {
     axis.grid()->setVisible(!of.names);
     axis.setTickLength(of.names ? 0 : chartTick);
     const int ticks = axis.ticker()->tickCount(); // as many as have room
+    style::setLogarithmic(axis, of.isLogarithmic);
+    axis.setSubTicks(of.isLogarithmic);
     if (of.names) {
         const QSharedPointer<QCPAxisTickerText> names(new QCPAxisTickerText);
         for (qsizetype i = 0; i < of.names->size(); ++i) {
@@ -75,9 +77,8 @@ void setUpChartAxis(QCPAxis& axis, const ChartAxis& of) {
         axis.setTicker(names);
     } else if (of.ticker) {
         axis.setTicker(of.ticker);
-    } else {
-        axis.setTicker(of.isCounted ? QSharedPointer<QCPAxisTicker>(new WholeTicker)
-                                    : QSharedPointer<QCPAxisTicker>(new NumberTicker));
+    } else if (of.isCounted) {
+        axis.setTicker(QSharedPointer<QCPAxisTicker>(new WholeTicker));
     }
     axis.ticker()->setTickCount(ticks);
 }
@@ -141,6 +142,10 @@ ChartPlot::ChartPlot(QWidget* parent, int row) : ViewPlot(parent), m_rect(addRec
             replot(rpQueuedReplot);
         }
     });
+    for (const auto side : {QCPAxis::atLeft, QCPAxis::atBottom}) {
+        connect(m_rect->axis(side), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
+                &ChartPlot::followValues);
+    }
     const auto clickPlace = [this](const QPointF& at) {
         if (const auto place = placeAt(at)) {
             emit placeClicked(place->x, place->y);
@@ -221,6 +226,11 @@ QColor ChartPlot::outlineOf(const ChartSeries& series) const {
                                     : colourOf(series.colour);
 }
 
+QColor ChartPlot::ribbonOf(const ChartSeries& series) const {
+    return style::dimmed(style::thinned(chartColour(series.colour, palette()), series.alpha),
+                         isDimmed());
+}
+
 QCPScatterStyle ChartPlot::markOf(const ChartSeries& series) const {
     return markOfSeries(series, colourOf(series.colour), outlineOf(series));
 }
@@ -235,7 +245,7 @@ void ChartPlot::setUpAxes() {
     setUpChartAxis(up(), m_chart.up);
     setUpChartAxis(second(), m_chart.second);
     second().grid()->setVisible(false);
-    across().setRangeReversed(m_chart.isLying);
+    across().setRangeReversed(m_chart.isLying != m_chart.across.isReversed);
     if (m_chart.isLying) {
         m_rect->setMinimumMargins(QMargins(0, 0, lastNumberRoom, 0));
     }
@@ -245,6 +255,13 @@ void ChartPlot::setUpAxes() {
         axis.setVisible(isSecond || m_chart.isFramed);
         axis.setTicks(isSecond);
         axis.setTickLabels(isSecond);
+    }
+    followValues();
+}
+
+void ChartPlot::followValues() {
+    if (m_chart.perValue > 0) {
+        second().setRange(up().range() * m_chart.perValue);
     }
 }
 
@@ -262,7 +279,10 @@ void ChartPlot::draw() {
     if (m_chart.cells) {
         drawCells(*m_chart.cells);
     }
-    const auto order = [](const ChartSeries& of) { return of.isArea() ? 0 : of.isLine() ? 1 : 2; };
+    using enum ChartSeries::Kind;
+    const auto order = [](const ChartSeries& of) {
+        return of.isArea() ? 0 : of.kind == line || of.kind == steps ? 1 : 2;
+    };
     for (const int at : {0, 1, 2}) {
         for (const ChartSeries& series : m_chart.series) {
             if (shows(series.key) && order(series) == at) {
@@ -282,7 +302,7 @@ void ChartPlot::drawSeries(const ChartSeries& series) {
         drawBars(series);
     } else if (series.isArea()) {
         drawArea(series);
-    } else if (series.kind == ChartSeries::Kind::path) {
+    } else if (series.kind == ChartSeries::Kind::path || series.kind == ChartSeries::Kind::ribbon) {
         drawPath(series);
     } else {
         QCPGraph* const graph = addGraphOf(series, series.points);
@@ -342,7 +362,14 @@ void ChartPlot::drawPath(const ChartSeries& series) {
         path->setPen(pen);
         return path;
     };
-    const QPen pen = penOf(series.pen, series.colour);
+    QPen pen = penOf(series.pen, series.colour);
+    if (series.kind == ChartSeries::Kind::ribbon) {
+        pen.setColor(ribbonOf(series));
+        pen.setCapStyle(Qt::FlatCap);
+        pen.setJoinStyle(Qt::RoundJoin);
+        add(pen)->setLayer(QStringLiteral("bands"));
+        return;
+    }
     if (series.outline.isValid()) {
         add(QPen(outlineOf(series), pen.widthF() + 2 * outlineWidth));
     }
@@ -416,10 +443,11 @@ LegendEntries ChartPlot::legendEntries() const {
         }
     };
     for (const ChartSeries& of : m_chart.series) {
-        const bool isSign = of.swatch != Swatch::area;
-        LegendEntry entry = of.isLine()
-                                ? lineEntry(of.key, penOf(of.pen, of.colour), of.name)
-                                : areaEntry(of.key, isSign ? ink() : colourOf(of.colour), of.name);
+        const QColor colour = of.swatch != Swatch::area              ? ink()
+                              : of.kind == ChartSeries::Kind::ribbon ? ribbonOf(of)
+                                                                     : colourOf(of.colour);
+        LegendEntry entry = of.isLine() ? lineEntry(of.key, penOf(of.pen, of.colour), of.name)
+                                        : areaEntry(of.key, colour, of.name);
         entry.swatch = of.swatch;
         entry.halo = of.isLine() && of.outline.isValid() ? outlineOf(of) : QColor();
         add(entry);
@@ -486,6 +514,9 @@ std::optional<XY> ChartPlot::placeAt(const QPointF& at) const {
 
 std::optional<ChartPlot::Point> ChartPlot::pointAt(const QPointF& at) const {
     std::optional<Point> found;
+    if (!m_rect->rect().contains(at.toPoint())) {
+        return found;
+    }
     double nearest = m_chart.reach;
     for (std::size_t of = 0; of < std::min(m_chart.pointed, m_chart.series.size()); ++of) {
         const ChartSeries& series = m_chart.series[of];

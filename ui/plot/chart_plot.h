@@ -57,6 +57,7 @@ private:
     [[nodiscard]] QColor areaOf(const ChartColour& colour, int alpha) const;
     /// The edge of a line or mark: its outline, or else its own colour.
     [[nodiscard]] QColor outlineOf(const ChartSeries& series) const;
+    [[nodiscard]] QColor ribbonOf(const ChartSeries& series) const;
     [[nodiscard]] QCPScatterStyle markOf(const ChartSeries& series) const;
     [[nodiscard]] QPen penOf(QPen pen, const ChartColour& colour) const;
     [[nodiscard]] std::optional<Point> pointAt(const QPointF& at) const;
@@ -68,6 +69,7 @@ private:
     void drawArea(const ChartSeries& series);
     QCPGraph* addGraphOf(const ChartSeries& series, const std::vector<XY>& points);
     void drawPath(const ChartSeries& series);
+    void followValues(); ///< for a second axis tied to the first
     void addScale();
     void drawCells(const ChartCells& cells);
 

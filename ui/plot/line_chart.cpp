@@ -27,8 +27,12 @@ void ChartSpan::add(double value) {
 
 void LineChart::read(const ChartSeries& of, const QString& name, Digits digits) {
     const auto line = std::make_shared<const std::vector<XY>>(of.points);
-    readings.push_back(
-        {of.key, {{}, name, digits, [line](double x) { return valueAt(*line, x); }}});
+    const bool isPath = of.kind == ChartSeries::Kind::path;
+    const bool isLogarithmic = (of.onSecond ? second : up).isLogarithmic;
+    readings.push_back({of.key, {{}, name, digits, [=](double x) {
+                                     return isPath ? lastValueAt(*line, x, isLogarithmic)
+                                                   : valueAt(*line, x, isLogarithmic);
+                                 }}});
 }
 
 const ChartSeries* LineChart::find(int key) const {

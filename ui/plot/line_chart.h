@@ -60,6 +60,8 @@ struct ChartAxis {
     bool isCounted = false;                    ///< only whole numbers
     std::optional<QStringList> names = {};     ///< replace the numbers 0, 1, …
     QSharedPointer<QCPAxisTicker> ticker = {}; ///< replaces the usual ticker
+    bool isLogarithmic = false;
+    bool isReversed = false; ///< falls in the usual direction
 };
 
 /// Points in the order of their places, except for separate points; a NaN value is a gap.
@@ -73,6 +75,7 @@ struct ChartSeries {
         points,   ///< separate points
         impulses, ///< lines from 0
         path,     ///< a line through the points in their order, whatever their places
+        ribbon,   ///< a wide, translucent path behind everything
     };
     enum class Mark { none, disc, square, diamond, triangle, ring, cross, frame };
 
@@ -85,7 +88,7 @@ struct ChartSeries {
     Mark mark = Mark::none;
     double markSize = 0; ///< [px]
     double barWidth = 1;
-    int alpha = 255; ///< opacity of an area
+    int alpha = 255; ///< opacity of an area or a ribbon
     bool onSecond = false;
     InSight sight = InSight::always;
     QColor outline = {};          ///< around a line or mark on coloured cells
@@ -164,8 +167,9 @@ struct LineChart {
     std::size_t pointed = 0;
     double reach = 8;
     std::optional<ChartCells> cells = {};
+    double perValue = 0; ///< the second axis has the values times this; 0: its own range
 
-    /// Makes a series readable under a name, with linear interpolation between its points.
+    /// Makes a series readable under a name, along straight lines between its points.
     void read(const ChartSeries& of, const QString& name, Digits digits);
     /// The series with a key of the legend, if it is drawn; for a key of one series.
     [[nodiscard]] const ChartSeries* find(int key) const;
