@@ -64,7 +64,7 @@ QCPGraph::LineStyle lineOfSeries(const ChartSeries& series) {
 
 void setUpChartAxis(QCPAxis& axis, const ChartAxis& of) {
     axis.setLabel(of.label);
-    axis.grid()->setVisible(!of.names);
+    axis.grid()->setVisible(of.hasGrid && !of.names);
     axis.setTickLength(of.names ? 0 : chartTick);
     const int ticks = axis.ticker()->tickCount(); // as many as have room
     style::setLogarithmic(axis, of.isLogarithmic);
@@ -443,9 +443,9 @@ LegendEntries ChartPlot::legendEntries() const {
         }
     };
     for (const ChartSeries& of : m_chart.series) {
-        const QColor colour = of.swatch != Swatch::area              ? ink()
-                              : of.kind == ChartSeries::Kind::ribbon ? ribbonOf(of)
-                                                                     : colourOf(of.colour);
+        const QColor colour = of.kind == ChartSeries::Kind::ribbon ? ribbonOf(of)
+                              : of.outline.isValid()               ? ink()
+                                                                   : colourOf(of.colour);
         LegendEntry entry = of.isLine() ? lineEntry(of.key, penOf(of.pen, of.colour), of.name)
                                         : areaEntry(of.key, colour, of.name);
         entry.swatch = of.swatch;

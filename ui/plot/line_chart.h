@@ -62,6 +62,7 @@ struct ChartAxis {
     QSharedPointer<QCPAxisTicker> ticker = {}; ///< replaces the usual ticker
     bool isLogarithmic = false;
     bool isReversed = false; ///< falls in the usual direction
+    bool hasGrid = true;
 };
 
 /// Points in the order of their places, except for separate points; a NaN value is a gap.
@@ -92,7 +93,7 @@ struct ChartSeries {
     bool onSecond = false;
     InSight sight = InSight::always;
     QColor outline = {};          ///< around a line or mark on coloured cells
-    Swatch swatch = Swatch::area; ///< of a mark in the legend; if not an area, in the text colour
+    Swatch swatch = Swatch::area; ///< of a mark in the legend; with an outline in the text colour
 
     [[nodiscard]] bool isArea() const { return kind <= Kind::band; }
     [[nodiscard]] bool isLine() const {
