@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The view "Sweep": chosen, run, stopped and taken from with mouse and keys; its curves are the
-// engine's; a project from which the varied stage has gone does no harm.
+// sweep's; a project from which the varied stage has gone does no harm.
 #include "core/project/number_input.h"
 #include "core/study/evaluate.h"
 #include "core/study/sweep_edits.h"
@@ -218,25 +218,27 @@ private slots:
         }
     }
 
-    void theCurvesAreTheResultsOfTheEngine() {
-        const Project project = swept(shaft(), {{dullness, 0.01, 0.06, 11}});
-        Bench bench(project);
+    void theCurvesAreTheResultsOfTheSweep() {
+        Bench bench(swept(shaft(), {{dullness, 0.01, 0.06, 11}}));
         QVERIFY(bench.settled());
         auto& result = bench.part<QComboBox>("sweepResult");
         result.setCurrentIndex(result.findText(QStringLiteral("Radial runout")));
         const LineChart& chart = bench.view.curves()->chart();
         QVERIFY(chart.find(2) && !chart.find(3));
-        for (int i = 0; i < 11; ++i) {
-            Project single = project;
-            const double value = bench.view.sweep()->inputs[0].values[std::size_t(i)];
-            QVERIFY(setNumberInput(single, dullness, value));
-            const SimulationResult run = simulate(single);
-            for (std::size_t zone = 0; zone < 3; ++zone) {
-                const XY& at = chart.find(static_cast<int>(zone))->points[std::size_t(i)];
-                QVERIFY(at.x == value); // QCOMPARE would round
-                QVERIFY(at.y == run.sections[zone].radialRunout_mm * 1000);
+        const SweepResult& sweep = *bench.view.sweep();
+        int curve = 0;
+        for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
+            if (sweep.quantities[q].name != "radial_runout") {
+                continue;
+            }
+            const std::vector<XY>& drawn = chart.find(curve++)->points;
+            QCOMPARE(drawn.size(), std::size_t{11});
+            for (std::size_t i = 0; i < drawn.size(); ++i) {
+                QVERIFY(drawn[i].x == sweep.inputs[0].values[i]); // QCOMPARE would round
+                QVERIFY(drawn[i].y == sweep.points[i].values[q].value);
             }
         }
+        QCOMPARE(curve, 3);
         QVERIFY(
             std::ranges::count_if(
                 chart.series, [](const ChartSeries& of) { return of.key == SweepShown::limitKey; })
