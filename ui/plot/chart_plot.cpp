@@ -39,7 +39,7 @@ QCPScatterStyle markOfSeries(const ChartSeries& series, const QColor& colour, co
 }
 
 /// Viridis: its lightness is uniform, so that it is readable without colours, too.
-QCPColorGradient cellColours(bool dim) {
+QCPColorGradient mapColours(bool dim) {
     constexpr std::array<QRgb, 9> stops{0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c,
                                         0x28ae80, 0x5ec962, 0xaddc30, 0xfde725};
     QCPColorGradient gradient;
@@ -276,8 +276,8 @@ void ChartPlot::draw() {
                 *m_rect, zone, areaOf(zone.colour, zone.alpha), colourOf(zone.colour)));
         }
     }
-    if (m_chart.cells) {
-        drawCells(*m_chart.cells);
+    if (m_chart.map) {
+        drawMap(*m_chart.map);
     }
     using enum ChartSeries::Kind;
     const auto order = [](const ChartSeries& of) {
@@ -390,37 +390,37 @@ void ChartPlot::addScale() {
     m_scale->setMarginGroup(QCP::msBottom | QCP::msTop, together);
 }
 
-void ChartPlot::drawCells(const ChartCells& cells) {
+void ChartPlot::drawMap(const ChartMap& map) {
     if (!m_scale) {
         addScale();
     }
     style::applyPalette(*m_scale->axis(), palette());
     m_scale->axis()->setTickLabelFont(font());
     m_scale->axis()->setLabelFont(font());
-    m_scale->setLabel(cells.label);
-    auto* const map = new QCPColorMap(&across(), &up());
-    map->setInterpolate(false);
-    map->setTightBoundary(false);
-    const int columns = static_cast<int>(cells.columns);
-    const int count = static_cast<int>(cells.values.size());
-    map->data()->setSize(columns, count / columns);
-    map->data()->setRange({cells.across.low, cells.across.high}, {cells.up.low, cells.up.high});
+    m_scale->setLabel(map.label);
+    auto* const drawn = new QCPColorMap(&across(), &up());
+    drawn->setInterpolate(false);
+    drawn->setTightBoundary(false);
+    const int columns = static_cast<int>(map.columns);
+    const int count = static_cast<int>(map.values.size());
+    drawn->data()->setSize(columns, count / columns);
+    drawn->data()->setRange({map.across.low, map.across.high}, {map.up.low, map.up.high});
     ChartSpan span;
     for (int i = 0; i < count; ++i) {
-        const double value = cells.values[static_cast<std::size_t>(i)];
-        map->data()->setCell(i % columns, i / columns, value);
+        const double value = map.values[static_cast<std::size_t>(i)];
+        drawn->data()->setCell(i % columns, i / columns, value);
         span.add(value);
     }
     const double least = std::max({std::abs(span.low), std::abs(span.high), 1e-6}) * 1e-6;
     const QCPRange range = span.empty()          ? QCPRange(0, 1)
                            : span.size() < least ? QCPRange(span.low - least, span.high + least)
                                                  : QCPRange(span.low, span.high);
-    const QCPColorGradient colours = cellColours(isDimmed());
+    const QCPColorGradient colours = mapColours(isDimmed());
     m_scale->setDataRange(range);
     m_scale->setGradient(colours);
-    map->setColorScale(m_scale);
-    map->setDataRange(range);
-    map->setGradient(colours);
+    drawn->setColorScale(m_scale);
+    drawn->setDataRange(range);
+    drawn->setGradient(colours);
 }
 
 void ChartPlot::restyle() {
@@ -537,8 +537,8 @@ QString ChartPlot::valuesAt(const QPointF& at) const {
         return found ? m_chart.pointText(found->series, found->point) : QString();
     }
     const auto place = placeAt(at);
-    if (place && m_chart.cells) {
-        return m_chart.cells->text(place->x, place->y);
+    if (place && m_chart.map) {
+        return m_chart.map->text(place->x, place->y);
     }
     return m_chart.placeText && place ? m_chart.placeText(place->x) : QString();
 }

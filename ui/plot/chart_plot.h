@@ -71,14 +71,14 @@ private:
     void drawPath(const ChartSeries& series);
     void followValues(); ///< for a second axis tied to the first
     void addScale();
-    void drawCells(const ChartCells& cells);
+    void drawMap(const ChartMap& map);
 
     Maker m_make;
     LineChart m_chart;
     QCPAxisRect* m_rect;
     std::vector<std::unique_ptr<ZoneLayer>> m_zones;
     QCPGraph* m_stacked = nullptr;    ///< upper edge of the current stack
-    QCPColorScale* m_scale = nullptr; ///< scale of the cells, if there are any
+    QCPColorScale* m_scale = nullptr; ///< colours of the map, if there is one
 };
 
 } // namespace sparkout

@@ -92,7 +92,7 @@ struct ChartSeries {
     int alpha = 255; ///< opacity of an area or a ribbon
     bool onSecond = false;
     InSight sight = InSight::always;
-    QColor outline = {};          ///< around a line or mark on coloured cells
+    QColor outline = {};          ///< around a line or mark on a map
     Swatch swatch = Swatch::area; ///< of a mark in the legend; with an outline in the text colour
 
     [[nodiscard]] bool isArea() const { return kind <= Kind::band; }
@@ -141,12 +141,12 @@ struct ChartTable {
     std::vector<Place> places = {};
 };
 
-/// Coloured cells of equal size in rows and columns, behind the series, with a scale of the
+/// A map behind the series: coloured fields of equal size in rows and columns, with a scale of the
 /// colours.
-struct ChartCells {
+struct ChartMap {
     QString label = {};              ///< label of the scale
-    ChartSpan across = {}, up = {};  ///< middles of the first and the last cells
-    std::size_t columns = 1;         ///< number of cells in a row
+    ChartSpan across = {}, up = {};  ///< middles of the first and the last fields
+    std::size_t columns = 1;         ///< number of fields in a row
     std::vector<double> values = {}; ///< row by row, the lowest first; NaN: no colour
     std::function<QString(double place, double value)> text = {}; ///< text for the mouse
 };
@@ -167,7 +167,7 @@ struct LineChart {
     std::function<QString(std::size_t series, std::size_t point)> pointText = {};
     std::size_t pointed = 0;
     double reach = 8;
-    std::optional<ChartCells> cells = {};
+    std::optional<ChartMap> map = {};
     double perValue = 0; ///< the second axis has the values times this; 0: its own range
 
     /// Makes a series readable under a name, along straight lines between its points.

@@ -141,9 +141,9 @@ private slots:
         QCOMPARE(plot.up().range().upper, 3.0);
     }
 
-    /// A line on cells may run back, has an outline and a gap; a click and the mouse have both
+    /// A line on a map may run back, has an outline and a gap; a click and the mouse have both
     /// values, and outside the cell none.
-    void colouredCellsHaveAScaleAndLinesOnThem() {
+    void aMapHasAScaleAndLinesOnIt() {
         ChartPlot plot;
         plot.resize(400, 300);
         plot.setChart([] {
@@ -155,7 +155,7 @@ private slots:
                              .kind = ChartSeries::Kind::path,
                              .points = {{1, 10}, {0, 11}, {std::nan(""), std::nan("")}},
                              .outline = Qt::black}};
-            chart.cells = ChartCells{
+            chart.map = ChartMap{
                 .label = QStringLiteral("Size, µm"),
                 .across = {0, 1},
                 .up = {10, 11},

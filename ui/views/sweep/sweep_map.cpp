@@ -56,26 +56,26 @@ ChartAxis axisOf(const SweepShown& shown, std::size_t input) {
             .ticker = QSharedPointer<SweepTicker>::create(shown.scaleOf(input))};
 }
 
-ChartCells chartCells(const SweepShown& shown) {
+ChartMap mapOf(const SweepShown& shown) {
     std::vector<double> worst;
     for (std::size_t i = 0; i < shown.result->points.size(); ++i) {
         const auto at = worstAt(shown.result->points[i], shown.entry);
         worst.push_back(at ? shown.shownAt(i, *at) : nan);
     }
     const Cells columns = cellsOf(shown.placesOf(0)), rows = cellsOf(shown.placesOf(1));
-    ChartCells cells{.label = SweepText::axis(*shown.result, shown.entry, shown.margins),
-                     .across = {columns.low, columns.high},
-                     .up = {rows.low, rows.high},
-                     .columns = columns.points.size()};
+    ChartMap map{.label = SweepText::axis(*shown.result, shown.entry, shown.margins),
+                 .across = {columns.low, columns.high},
+                 .up = {rows.low, rows.high},
+                 .columns = columns.points.size()};
     for (const std::size_t row : rows.points) {
         for (const std::size_t column : columns.points) {
-            cells.values.push_back(worst[shown.result->index(column, row)]);
+            map.values.push_back(worst[shown.result->index(column, row)]);
         }
     }
-    cells.text = [shown](double across, double up) {
+    map.text = [shown](double across, double up) {
         return shown.textOf(shown.pointNear(across, up));
     };
-    return cells;
+    return map;
 }
 
 } // namespace
@@ -87,7 +87,7 @@ LineChart SweepMap::chart(const SweepShown& shown) {
     }
     chart.across = axisOf(shown, 0);
     chart.up = axisOf(shown, 1);
-    chart.cells = chartCells(shown);
+    chart.map = mapOf(shown);
     addContours(chart, shown);
     addMarks(chart, shown);
     chart.table = [shown] { return shown.table(); };

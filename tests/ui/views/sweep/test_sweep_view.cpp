@@ -301,7 +301,7 @@ private slots:
         const SweepResult& sweep = *bench.view.sweep();
         auto& result = bench.part<QComboBox>("sweepResult");
         result.setCurrentIndex(result.findText(QStringLiteral("Mean diameter, NZ")));
-        const ChartCells cells = bench.view.map()->chart().cells.value();
+        const ChartMap cells = bench.view.map()->chart().map.value();
         QCOMPARE(cells.columns, std::size_t{12});
         QCOMPARE(cells.values.size(), std::size_t{12 * 8});
         for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
