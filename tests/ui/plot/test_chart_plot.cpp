@@ -11,7 +11,7 @@
 
 namespace sparkout::test_chart_plot {
 
-enum Key { lineKey = 1, lowerKey, upperKey, zoneKey, ruleKey };
+enum Key { lineKey = 1, lowerKey, upperKey, zoneKey, ruleKey, ribbonKey };
 
 LineChart sample() {
     const std::vector<XY> rising{{0, 1}, {1, 2}, {2, 4}};
@@ -189,6 +189,46 @@ private slots:
         QVERIFY(std::abs(clicked[0][1].toDouble() - 11) < 0.1);
         QTest::mouseClick(&plot, Qt::LeftButton, {}, {2, 2});
         QCOMPARE(clicked.size(), 1);
+    }
+
+    /// The second axis has the values in another unit; a ribbon is behind all else and can be
+    /// hidden.
+    void anAxisFollowsAndARibbonIsBehind() {
+        ChartPlot plot;
+        plot.resize(400, 300);
+        plot.setChart([] {
+            LineChart chart = sample();
+            chart.across.isReversed = true;
+            chart.up.isLogarithmic = true;
+            chart.second = {.label = QStringLiteral("Way, m"), .isLogarithmic = true};
+            chart.perValue = 0.001;
+            chart.series.push_back({.key = ribbonKey,
+                                    .name = QStringLiteral("ribbon"),
+                                    .kind = ChartSeries::Kind::ribbon,
+                                    .points = {{0, 1}, {2, 4}},
+                                    .alpha = 100});
+            return chart;
+        });
+        plot.replot();
+        QVERIFY(plot.pixelOf({0, 1}).x() > plot.pixelOf({2, 1}).x());
+        QCOMPARE(plot.up().scaleType(), QCPAxis::stLogarithmic);
+        plot.up().setRange(2, 5);
+        const QCPAxis& right = *plot.cell().axis(QCPAxis::atRight);
+        QVERIFY(right.tickLabels() && right.scaleType() == QCPAxis::stLogarithmic);
+        QCOMPARE(right.range().lower, 0.002);
+        QCOMPARE(right.range().upper, 0.005);
+        const auto ribbons = [&plot] {
+            int count = 0;
+            for (const QCPLayerable* of : plot.layer(QStringLiteral("bands"))->children()) {
+                count += qobject_cast<const QCPCurve*>(of) ? 1 : 0;
+            }
+            return count;
+        };
+        QCOMPARE(ribbons(), 1);
+        QCOMPARE(plot.legendEntries()[3].text, QStringLiteral("ribbon"));
+        QCOMPARE(plot.legendEntries()[3].colour.alpha(), 100);
+        plot.toggleCurve(ribbonKey);
+        QCOMPARE(ribbons(), 0);
     }
 
     /// Rows from the top down, their values to the right.
