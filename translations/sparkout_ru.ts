@@ -12590,81 +12590,9 @@ With another name both versions stay as they are.</source>
     <context>
         <name>sparkout::ConstraintsPlot</name>
         <message>
-            <source>accuracy, proved</source>
-            <translation>точность, доказано</translation>
-        </message>
-        <message>
-            <source>accuracy at steady feed, estimate</source>
-            <translation>точность при постоянной подаче, оценка</translation>
-        </message>
-        <message>
-            <source>mm/min</source>
-            <translation>мм/мин</translation>
-        </message>
-        <message>
-            <source>runout in every pass, as published (22)</source>
-            <translation>биение в каждом проходе по опубликованной формуле (22)</translation>
-        </message>
-        <message>
-            <source>programmed feed, µm</source>
-            <translation>программная подача, мкм</translation>
-        </message>
-        <message>
-            <source>actual feed, µm</source>
-            <translation>фактическая подача, мкм</translation>
-        </message>
-        <message>
-            <source>limit: %1, µm</source>
-            <translation>предел: %1, мкм</translation>
-        </message>
-        <message>
-            <source>stepless limit, µm</source>
-            <translation>предел бесступенчатого цикла, мкм</translation>
-        </message>
-        <message>
-            <source>actual feed</source>
-            <translation>фактическая подача</translation>
-        </message>
-        <message>
-            <source>Stock left after the cut, µm</source>
-            <translation>Оставшийся припуск после прохода, мкм</translation>
-        </message>
-        <message>
-            <source>machine&apos;s maximum feed</source>
-            <translation>наибольшая подача станка</translation>
-        </message>
-        <message>
-            <source>stepless limit</source>
-            <translation>предел цикла</translation>
-        </message>
-        <message>
             <source>%1 ↑</source>
             <comment>a curve above the plot</comment>
             <translation>%1 ↑</translation>
-        </message>
-        <message>
-            <source>accuracy</source>
-            <translation>точность</translation>
-        </message>
-        <message>
-            <source>accuracy, estimate</source>
-            <translation>точность, оц.</translation>
-        </message>
-        <message>
-            <source>runout (22)</source>
-            <translation>биение (22)</translation>
-        </message>
-        <message>
-            <source>programmed</source>
-            <translation>программа</translation>
-        </message>
-        <message>
-            <source>machine&apos;s feed</source>
-            <translation>станок</translation>
-        </message>
-        <message>
-            <source>band: what binds</source>
-            <translation>что ограничивает</translation>
         </message>
     </context>
     <context>
@@ -16723,7 +16651,7 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::SweepMap</name>
+        <name>SweepMap</name>
         <message>
             <source>limit of this result</source>
             <translation>предел этого результата</translation>
@@ -17746,6 +17674,63 @@ target, µm</source>
         <message>
             <source>binds: %1</source>
             <translation>ограничивает: %1</translation>
+        </message>
+        <message>
+            <source>accuracy, proved</source>
+            <translation>точность, доказано</translation>
+        </message>
+        <message>
+            <source>accuracy at steady feed, estimate</source>
+            <translation>точность при постоянной подаче, оценка</translation>
+        </message>
+        <message>
+            <source>mm/min</source>
+            <translation>мм/мин</translation>
+        </message>
+        <message>
+            <source>runout in every pass, as published (22)</source>
+            <translation>биение в каждом проходе по опубликованной формуле (22)</translation>
+        </message>
+        <message>
+            <source>programmed feed, µm</source>
+            <translation>программная подача, мкм</translation>
+        </message>
+        <message>
+            <source>actual feed</source>
+            <translation>фактическая подача</translation>
+        </message>
+        <message>
+            <source>Stock left after the cut, µm</source>
+            <translation>Оставшийся припуск после прохода, мкм</translation>
+        </message>
+        <message>
+            <source>machine&apos;s maximum feed</source>
+            <translation>наибольшая подача станка</translation>
+        </message>
+        <message>
+            <source>stepless limit</source>
+            <translation>предел цикла</translation>
+        </message>
+        <message>
+            <source>accuracy, estimate</source>
+            <translation>точность, оц.</translation>
+        </message>
+        <message>
+            <source>runout (22)</source>
+            <translation>биение (22)</translation>
+        </message>
+        <message>
+            <source>programmed</source>
+            <translation>программа</translation>
+        </message>
+        <message>
+            <source>machine&apos;s feed</source>
+            <comment>legend</comment>
+            <translation>станок</translation>
+        </message>
+        <message>
+            <source>band: what binds</source>
+            <translation>что ограничивает</translation>
         </message>
     </context>
     <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dynamic_programming/state_grid_layer.h"
 
+#include "ui/dynamic_programming/state_grid_plot.h"
 #include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/hatch.h"
@@ -10,6 +11,8 @@
 #include <utility>
 
 namespace sparkout {
+
+using style::Drawn;
 
 namespace {
 
@@ -21,6 +24,7 @@ constexpr double strikeSize = 3;  ///< [px] size of the cross on a struck-out mo
 constexpr double mostCorner = 9;  ///< [px] size of the mark of a wrong state
 constexpr double pathShift = 2;   ///< [px] distance of two paths in one state
 constexpr double frameWidth = 2.5, pathWidth = 3;
+constexpr int cellTint = 28; ///< opacity of a reached state, up to 255
 constexpr float pathOpacity = 0.28F, moveOpacity = 0.45F, hatchOpacity = 0.35F;
 
 QColor faded(QColor colour, float opacity) {
@@ -30,25 +34,27 @@ QColor faded(QColor colour, float opacity) {
 
 } // namespace
 
-StateGridLayer::StateGridLayer(QCPAxisRect& rect)
-    : PaintedLayer(rect, QStringLiteral("main"), Edges::smooth) {}
+StateGridLayer::StateGridLayer(const StateGridPlot& plot)
+    : PaintedLayer(plot.cell(), QStringLiteral("main"), Edges::smooth), m_plot(plot) {}
 
-void StateGridLayer::setGrid(StateGridOutcomePtr outcome) {
-    m_outcome = std::move(outcome);
-    m_unit = m_outcome ? StateGridText::unit(grid()) : TimeUnit();
-    m_number = m_outcome ? momentCount(grid()) : 0;
+const StateGrid& StateGridLayer::grid() const {
+    return m_plot.outcome()->grid;
+}
+
+bool StateGridLayer::shows(GridPart part) const {
+    return m_plot.shows(static_cast<int>(part));
+}
+
+QColor StateGridLayer::failing() const {
+    return m_plot.toned(Drawn::fails);
 }
 
 // --- where and what -----------------------------------------------------------------------------
 
 QRectF StateGridLayer::boxAt(double level, double feed) const {
-    const QCPAxis& across = *m_rect->axis(QCPAxis::atBottom);
-    const QCPAxis& up = *m_rect->axis(QCPAxis::atLeft);
-    const QPointF low(across.coordToPixel(level - cellWidth / 2),
-                      up.coordToPixel(feed - cellHeight / 2));
-    const QPointF high(across.coordToPixel(level + cellWidth / 2),
-                       up.coordToPixel(feed + cellHeight / 2));
-    return QRectF(low, high).normalized();
+    return QRectF(m_plot.pixelOf({level - cellWidth / 2, feed - cellHeight / 2}),
+                  m_plot.pixelOf({level + cellWidth / 2, feed + cellHeight / 2}))
+        .normalized();
 }
 
 QRectF StateGridLayer::cell(int level, std::size_t feed) const {
@@ -60,7 +66,7 @@ QRectF StateGridLayer::blankCell() const {
 }
 
 bool StateGridLayer::isFilled(int level, std::size_t feed) const {
-    return momentOf(grid(), level, feed) <= m_number;
+    return momentOf(grid(), level, feed) <= m_plot.moment();
 }
 
 QString StateGridLayer::textOf(const GridState& state, int level, Room room) const {
@@ -76,14 +82,16 @@ QString StateGridLayer::textOf(const GridState& state, int level, Room room) con
 }
 
 QString StateGridLayer::cellText(int level, std::size_t feed) const {
-    return m_outcome && isFilled(level, feed) ? textOf(grid().state(level, feed), level, m_room)
-                                              : QString();
+    return m_plot.outcome() && isFilled(level, feed)
+               ? textOf(grid().state(level, feed), level, m_room)
+               : QString();
 }
 
 /// Chooses one size for all cells, and writes less if not everything fits.
 void StateGridLayer::chooseFont(const QFont& usual) {
     const QRectF box = cell(1, 0);
     const QFontMetricsF metrics(usual);
+    m_unit = StateGridText::unit(grid());
     m_room = Room::none;
     for (const Room room : {Room::oneLine, Room::twoLines, Room::time}) {
         double widest = 1;
@@ -107,20 +115,22 @@ void StateGridLayer::chooseFont(const QFont& usual) {
 // --- drawing ------------------------------------------------------------------------------------
 
 void StateGridLayer::draw(QCPPainter* painter) {
-    if (!m_outcome) {
+    if (!m_plot.outcome()) {
         return;
     }
-    chooseFont(m_rect->axis(QCPAxis::atBottom)->tickLabelFont());
-    const GridMoment now = momentAt(grid(), m_number);
+    chooseFont(m_plot.font());
+    const GridMoment now = momentAt(grid(), m_plot.moment());
+    const auto& exact = m_plot.outcome()->exact;
     drawCells(*painter);
     if (shows(GridPart::rulePath) && now.stepsBack > 0) {
         drawPath(*painter, grid().path, grid().size.levels - now.stepsBack + 1,
-                 QPen(m_colours.rule, pathWidth), -pathShift);
+                 QPen(m_plot.toned(Drawn::yourCycle), pathWidth), -pathShift);
     }
-    const bool all = m_number >= momentsOfFilling(grid());
-    if (shows(GridPart::provenPath) && all && m_outcome->exact && !m_outcome->exact->path.empty()) {
-        drawPath(*painter, m_outcome->exact->path, 1,
-                 QPen(m_colours.proven, pathWidth, Qt::DashLine), pathShift);
+    const bool all = m_plot.moment() >= momentsOfFilling(grid());
+    if (shows(GridPart::provenPath) && all && exact && !exact->path.empty()) {
+        drawPath(*painter, exact->path, 1,
+                 QPen(m_plot.toned(Drawn::everyRequirementHolds), pathWidth, Qt::DashLine),
+                 pathShift);
     }
     if (shows(GridPart::moves) && now.level > 0) {
         drawMoves(*painter);
@@ -129,7 +139,7 @@ void StateGridLayer::draw(QCPPainter* painter) {
         drawWrong(*painter);
     }
     if (now.level > 0) {
-        painter->setPen(QPen(m_colours.current, frameWidth));
+        painter->setPen(QPen(m_plot.ink(), frameWidth));
         painter->setBrush(Qt::NoBrush);
         painter->drawRect(cell(now.level, now.feed));
     }
@@ -137,17 +147,19 @@ void StateGridLayer::draw(QCPPainter* painter) {
 
 void StateGridLayer::drawCells(QCPPainter& painter) const {
     painter.setFont(m_font);
-    const QColor frame = faded(m_colours.ink, moveOpacity);
+    const QColor ink = m_plot.ink(), frame = faded(ink, moveOpacity);
+    const QColor tint = style::dimmed(
+        style::thinned(m_plot.palette().color(QPalette::Text), cellTint), m_plot.isDimmed());
     const auto box = [&](const QRectF& area, const QColor& fill, const QString& text) {
         painter.setPen(QPen(frame, 1));
         painter.setBrush(fill);
         painter.drawRect(area);
         if (!text.isEmpty()) {
-            painter.setPen(m_colours.ink);
+            painter.setPen(ink);
             painter.drawText(area, static_cast<int>(Qt::AlignCenter), text);
         }
     };
-    box(blankCell(), m_colours.cell, m_room == Room::none ? QString() : QStringLiteral("0"));
+    box(blankCell(), tint, m_room == Room::none ? QString() : QStringLiteral("0"));
     for (int n = 1; n <= grid().size.levels; ++n) {
         for (std::size_t m = 0; m < grid().feeds.size(); ++m) {
             const QRectF area = cell(n, m);
@@ -157,10 +169,10 @@ void StateGridLayer::drawCells(QCPPainter& painter) const {
                 painter.setBrush(Qt::NoBrush);
                 painter.drawRect(area);
             } else if (reached) {
-                box(area, m_colours.cell, cellText(n, m));
+                box(area, tint, cellText(n, m));
             } else if (shows(GridPart::noMove)) {
                 box(area, Qt::transparent, {});
-                paintHatch(painter, area, Hatch::rising, faded(m_colours.fails, hatchOpacity));
+                paintHatch(painter, area, Hatch::rising, faded(failing(), hatchOpacity));
             }
         }
     }
@@ -190,7 +202,7 @@ void StateGridLayer::drawPath(QCPPainter& painter, const std::vector<std::size_t
 }
 
 void StateGridLayer::drawMoves(QCPPainter& painter) const {
-    const GridMoment now = momentAt(grid(), m_number);
+    const GridMoment now = momentAt(grid(), m_plot.moment());
     const GridState& state = grid().state(now.level, now.feed);
     const QRectF to = cell(now.level, now.feed);
     const QPointF end(to.left(), to.center().y());
@@ -202,14 +214,14 @@ void StateGridLayer::drawMoves(QCPPainter& painter) const {
         const QRectF from = now.level == 1 ? blankCell() : cell(now.level - 1, i);
         const QLineF line(QPointF(from.right(), from.center().y()), end);
         const bool admissible = kept || move.end == MoveEnd::slower;
-        painter.setPen(kept         ? QPen(m_colours.current, frameWidth)
-                       : admissible ? QPen(faded(m_colours.ink, moveOpacity), 1)
-                                    : QPen(faded(m_colours.fails, moveOpacity), 1, Qt::DashLine));
+        painter.setPen(kept         ? QPen(m_plot.ink(), frameWidth)
+                       : admissible ? QPen(faded(m_plot.ink(), moveOpacity), 1)
+                                    : QPen(faded(failing(), moveOpacity), 1, Qt::DashLine));
         painter.drawLine(line);
         if (!admissible) {
             const QPointF at = line.pointAt(0.25);
             const QPointF along(strikeSize, strikeSize), across(strikeSize, -strikeSize);
-            painter.setPen(QPen(m_colours.fails, 1.5));
+            painter.setPen(QPen(failing(), 1.5));
             painter.drawLine(QLineF(at - along, at + along));
             painter.drawLine(QLineF(at - across, at + across));
         }
@@ -222,18 +234,19 @@ void StateGridLayer::drawMoves(QCPPainter& painter) const {
 }
 
 void StateGridLayer::drawWrong(QCPPainter& painter) const {
-    if (!m_outcome->exact) {
+    const auto& exact = m_plot.outcome()->exact;
+    if (!exact) {
         return;
     }
     painter.setBrush(Qt::NoBrush);
-    for (const StateFault& fault : m_outcome->exact->faults) {
+    for (const StateFault& fault : exact->faults) {
         if (isFilled(fault.level, fault.feed)) {
             const QRectF area = cell(fault.level, fault.feed).adjusted(-2, -2, 2, 2);
-            painter.setPen(QPen(m_colours.fails, frameWidth));
+            painter.setPen(QPen(failing(), frameWidth));
             painter.drawRect(area);
             const double corner = std::min({area.height() / 2, area.width() / 2, mostCorner});
             painter.setPen(Qt::NoPen);
-            painter.setBrush(m_colours.fails);
+            painter.setBrush(failing());
             painter.drawPolygon(QPolygonF{area.topRight(), area.topRight() - QPointF(corner, 0),
                                           area.topRight() + QPointF(0, corner)});
             painter.setBrush(Qt::NoBrush);

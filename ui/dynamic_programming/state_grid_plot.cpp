@@ -6,7 +6,6 @@
 #include "ui/text/number_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -18,17 +17,16 @@ namespace {
 
 constexpr double gridRoom = 0.6; ///< beyond the outer states
 constexpr int labelDigits = 3;
-constexpr int cellTint = 28; ///< opacity of a reached state, up to 255
-constexpr std::array parts{GridPart::rulePath, GridPart::provenPath, GridPart::wrong,
-                           GridPart::noMove, GridPart::moves};
 
 } // namespace
 
 StateGridPlot::StateGridPlot(QWidget* parent)
-    : ViewPlot(parent), m_rect(addRect()), m_layer(new StateGridLayer(*m_rect)) {
-    for (QCPAxis* axis : {across(), up()}) {
-        axis->setTicker(QSharedPointer<QCPAxisTickerText>::create());
-        axis->grid()->setVisible(false);
+    : ChartPlot(parent)
+    , m_levels(new QCPAxisTickerText)
+    , m_feeds(new QCPAxisTickerText)
+    , m_layer(new StateGridLayer(*this)) {
+    setChart([this] { return made(); });
+    for (QCPAxis* axis : {&across(), &up()}) {
         connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this,
                 &StateGridPlot::thinLabels);
     }
@@ -45,34 +43,58 @@ void StateGridPlot::setGrid(StateGridOutcomePtr outcome) {
     const bool same = m_outcome && outcome && outcome->exact && !m_outcome->exact
                       && m_outcome->grid.size == outcome->grid.size
                       && m_outcome->grid.path == outcome->grid.path;
-    const int before = moment();
     m_outcome = std::move(outcome);
-    m_layer->setGrid(m_outcome);
-    if (same) {
-        m_layer->setMoment(before);
+    if (!same) {
+        m_number = m_outcome ? momentCount(m_outcome->grid) : 0;
     }
-    contentSet();
+    remake();
+    fit();
 }
 
-void StateGridPlot::setMoment(int number) {
-    m_layer->setMoment(number);
-}
-
-void StateGridPlot::fit() {
-    if (m_outcome) {
-        const StateGrid& grid = m_outcome->grid;
-        style::setSafeRange(*across(), -gridRoom, grid.size.levels + gridRoom);
-        style::setSafeRange(*up(), -gridRoom,
-                            static_cast<double>(grid.feeds.size()) - 1 + gridRoom);
+LineChart StateGridPlot::made() const {
+    LineChart chart;
+    const bool axial = m_outcome && m_outcome->grid.project.operation->axial();
+    chart.across = {
+        .label = tr("Stock left per side, mm"), .room = 0, .ticker = m_levels, .hasGrid = false};
+    // In two lines: one is longer than the axis of a small window.
+    chart.up = {.label = axial ? tr("m: radial feed, mm/dbl stroke\naxial feed, mm/min")
+                               : tr("m: radial feed, mm/min"),
+                .room = 0,
+                .ticker = m_feeds,
+                .hasGrid = false};
+    if (!m_outcome) {
+        return chart;
     }
+    const StateGrid& grid = m_outcome->grid;
+    chart.across.range = {-gridRoom, grid.size.levels + gridRoom};
+    chart.up.range = {-gridRoom, static_cast<double>(grid.feeds.size()) - 1 + gridRoom};
+    const auto add = [&chart](GridPart part, const QString& name, const ChartColour& colour,
+                              const QPen& pen) {
+        chart.series.push_back(
+            {.key = static_cast<int>(part), .name = name, .colour = colour, .pen = pen});
+    };
+    if (!grid.path.empty()) {
+        add(GridPart::rulePath, tr("path back along m*"), Drawn::yourCycle, linePen(3));
+    }
+    if (m_outcome->exact && !m_outcome->exact->path.empty()) {
+        add(GridPart::provenPath, tr("proven quickest cycle"), Drawn::everyRequirementHolds,
+            linePen(3, Qt::DashLine));
+    }
+    if (m_outcome->exact && !m_outcome->exact->faults.empty()) {
+        add(GridPart::wrong, tr("the rule is wrong here"), Drawn::fails, {});
+        chart.series.back().kind = ChartSeries::Kind::points;
+        chart.series.back().swatch = Swatch::square;
+    }
+    add(GridPart::moves, tr("moves into the state (× struck out)"), {}, linePen(2.5));
+    return chart;
 }
 
 std::optional<std::pair<int, std::size_t>> StateGridPlot::stateAt(const QPointF& at) const {
-    if (!m_outcome || !m_rect->rect().contains(at.toPoint())) {
+    if (!m_outcome || !cell().rect().contains(at.toPoint())) {
         return std::nullopt;
     }
-    const double level = std::round(across()->pixelToCoord(at.x()));
-    const double feed = std::round(up()->pixelToCoord(at.y()));
+    const double level = std::round(across().pixelToCoord(at.x()));
+    const double feed = std::round(up().pixelToCoord(at.y()));
     const StateGrid& grid = m_outcome->grid;
     if (level < 1 || level > grid.size.levels || feed < 0
         || feed >= static_cast<double>(grid.feeds.size())) {
@@ -101,11 +123,8 @@ QString StateGridPlot::valuesAt(const QPointF& at) const {
 
 /// As many as fit side by side, or one above the other; the last level always has a label.
 void StateGridPlot::thinLabels() {
-    const auto ticker = [](const QCPAxis& axis) {
-        return axis.ticker().staticCast<QCPAxisTickerText>();
-    };
-    ticker(*across())->clear();
-    ticker(*up())->clear();
+    m_levels->clear();
+    m_feeds->clear();
     if (!m_outcome) {
         return;
     }
@@ -116,18 +135,18 @@ void StateGridPlot::thinLabels() {
     for (const double stock : grid.stock_mm) {
         widest = std::max(widest, metrics.horizontalAdvance(label(stock) + QStringLiteral("00")));
     }
-    const double pitch = std::abs(across()->coordToPixel(1) - across()->coordToPixel(0));
+    const double pitch = std::abs(across().coordToPixel(1) - across().coordToPixel(0));
     const int every = std::max(1, static_cast<int>(std::ceil(widest / std::max(pitch, 1.0))));
     for (int n = grid.size.levels; n >= 0; n -= every) {
-        ticker(*across())->addTick(n, label(grid.stock_mm[static_cast<std::size_t>(n)]));
+        m_levels->addTick(n, label(grid.stock_mm[static_cast<std::size_t>(n)]));
     }
-    const double height = std::abs(up()->coordToPixel(1) - up()->coordToPixel(0));
+    const double height = std::abs(up().coordToPixel(1) - up().coordToPixel(0));
     const auto rows = static_cast<std::size_t>(
         std::max(1.0, std::ceil(metrics.height() / std::max(height, 1.0))));
     for (std::size_t m = 0; m < grid.feeds.size(); m += rows) {
-        ticker(*up())->addTick(static_cast<double>(m),
-                               QStringLiteral("%1:  %2").arg(m + 1).arg(
-                                   StateGridText::feed(grid.feeds[m], grid.project.operation)));
+        m_feeds->addTick(static_cast<double>(m),
+                         QStringLiteral("%1:  %2").arg(m + 1).arg(
+                             StateGridText::feed(grid.feeds[m], grid.project.operation)));
     }
 }
 
@@ -173,60 +192,20 @@ CsvTable StateGridPlot::table() const {
     return table;
 }
 
-void StateGridPlot::restyle() {
-    ViewPlot::restyle();
-    const QColor text = ink();
-    m_layer->setColours(
-        {text, style::dimmed(style::thinned(palette().color(QPalette::Text), cellTint), isDimmed()),
-         toned(Drawn::yourCycle), toned(Drawn::everyRequirementHolds), toned(Drawn::fails), text});
-}
-
-void StateGridPlot::showChoice() {
-    ViewPlot::showChoice();
-    std::set<GridPart> hidden;
-    for (const GridPart part : parts) {
-        if (!shows(static_cast<int>(part))) {
-            hidden.insert(part);
-        }
-    }
-    m_layer->setHidden(std::move(hidden));
-}
-
 LegendEntries StateGridPlot::legendEntries() const {
-    if (!m_outcome) {
-        return {};
+    LegendEntries entries = ChartPlot::legendEntries();
+    if (!entries.empty()) {
+        LegendEntry noMove = areaEntry(static_cast<int>(GridPart::noMove), Qt::transparent,
+                                       tr("no admissible move"));
+        noMove.hatch = Hatch::rising;
+        noMove.hatchLine = toned(Drawn::fails);
+        entries.insert(entries.end() - 1, noMove);
     }
-    const StateGridLayer::Colours& colours = m_layer->colours();
-    const auto key = [](GridPart part) { return static_cast<int>(part); };
-    LegendEntries entries;
-    if (!m_outcome->grid.path.empty()) {
-        entries.push_back(
-            lineEntry(key(GridPart::rulePath), QPen(colours.rule, 3), tr("path back along m*")));
-    }
-    if (m_outcome->exact && !m_outcome->exact->path.empty()) {
-        entries.push_back(lineEntry(key(GridPart::provenPath),
-                                    QPen(colours.proven, 3, Qt::DashLine),
-                                    tr("proven quickest cycle")));
-    }
-    if (m_outcome->exact && !m_outcome->exact->faults.empty()) {
-        entries.push_back(
-            areaEntry(key(GridPart::wrong), colours.fails, tr("the rule is wrong here")));
-        entries.back().swatch = Swatch::square;
-    }
-    entries.push_back(areaEntry(key(GridPart::noMove), Qt::transparent, tr("no admissible move")));
-    entries.back().hatch = Hatch::rising;
-    entries.back().hatchLine = colours.fails;
-    entries.push_back(lineEntry(key(GridPart::moves), QPen(colours.ink, 2.5),
-                                tr("moves into the state (× struck out)")));
     return entries;
 }
 
 void StateGridPlot::setTexts() {
-    across()->setLabel(tr("Stock left per side, mm"));
-    const bool axial = m_outcome && m_outcome->grid.project.operation->axial();
-    // In two lines: one is longer than the axis of a small window.
-    up()->setLabel(axial ? tr("m: radial feed, mm/dbl stroke\naxial feed, mm/min")
-                         : tr("m: radial feed, mm/min"));
+    ChartPlot::setTexts();
     thinLabels();
 }
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "ui/dynamic_programming/state_grid_layer.h"
-#include "ui/plot/view_plot.h"
+#include "ui/dynamic_programming/state_grid_outcome.h"
+#include "ui/plot/chart_plot.h"
 
 #include <optional>
 #include <utility>
@@ -11,7 +12,7 @@ namespace sparkout {
 
 /// The coordinate grid of dynamic programming: stock left across, feeds up, a cell for each state,
 /// at a moment of its filling. A click selects a state.
-class StateGridPlot : public ViewPlot {
+class StateGridPlot : public ChartPlot {
     Q_OBJECT
 public:
     explicit StateGridPlot(QWidget* parent = nullptr);
@@ -19,17 +20,15 @@ public:
     /// Null: none; keeps the moment if the same grid gets its proven answer, otherwise sets the
     /// last one. No replot.
     void setGrid(StateGridOutcomePtr outcome);
-    void setMoment(int number); ///< no replot
+    void setMoment(int number) { m_number = number; } ///< no replot
     [[nodiscard]] const StateGridOutcomePtr& outcome() const { return m_outcome; }
-    [[nodiscard]] int moment() const { return m_layer->moment(); }
-    [[nodiscard]] QRectF cell(int level, std::size_t feed) const {
+    [[nodiscard]] int moment() const { return m_number; }
+    [[nodiscard]] QRectF stateRect(int level, std::size_t feed) const {
         return m_layer->cell(level, feed);
     }
     [[nodiscard]] QString cellText(int level, std::size_t feed) const {
         return m_layer->cellText(level, feed);
     }
-    void fit() override;
-    void restyle() override;
     [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] CsvTable table() const override; ///< every state
 
@@ -38,17 +37,16 @@ signals:
 
 protected:
     void setTexts() override;
-    void showChoice() override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
 
 private:
+    [[nodiscard]] LineChart made() const; ///< axes and legend of the cells
     void thinLabels();
     [[nodiscard]] std::optional<std::pair<int, std::size_t>> stateAt(const QPointF& at) const;
-    [[nodiscard]] QCPAxis* across() const { return m_rect->axis(QCPAxis::atBottom); }
-    [[nodiscard]] QCPAxis* up() const { return m_rect->axis(QCPAxis::atLeft); }
 
     StateGridOutcomePtr m_outcome;
-    QCPAxisRect* m_rect;
+    int m_number = 0;
+    QSharedPointer<QCPAxisTickerText> m_levels, m_feeds; ///< labels of the states
     StateGridLayer* m_layer;
 };
 

@@ -180,7 +180,7 @@ std::vector<NamedSheet> batchSheets(const BatchOutcome& outcome, const SobolIndi
 CsvTable pointsTable(const SweepResult& sweep) {
     std::vector<std::size_t> all(sweep.quantities.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    return SweepShown::tableOf(sweep, all, [](std::size_t) { return true; });
+    return SweepShown::tableOf(sweep, all);
 }
 
 CsvTable sweepFacts(const SweepResult& sweep) {

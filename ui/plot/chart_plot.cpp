@@ -8,6 +8,8 @@
 #include <QMouseEvent>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace sparkout {
@@ -16,8 +18,10 @@ namespace {
 
 constexpr int lastNumberRoom = 20; ///< space beside a lying chart, for half of the last number
 constexpr int chartTick = 5;       ///< [px]
+constexpr int scaleWidth = 14;     ///< [px]
+constexpr double outlineWidth = 1; ///< on either side of a line [px]
 
-QCPScatterStyle markOfSeries(const ChartSeries& series, const QColor& colour) {
+QCPScatterStyle markOfSeries(const ChartSeries& series, const QColor& colour, const QColor& edge) {
     using enum ChartSeries::Mark;
     using Style = QCPScatterStyle;
     const double size = series.markSize;
@@ -25,12 +29,28 @@ QCPScatterStyle markOfSeries(const ChartSeries& series, const QColor& colour) {
     case none: break;
     case disc: return {Style::ssDisc, QPen(colour), colour, size};
     case square: return {Style::ssSquare, QPen(colour, 1.5), colour, size};
-    case diamond: return {Style::ssDiamond, QPen(colour, 1.5), colour, size};
+    case diamond: return {Style::ssDiamond, QPen(edge, 1.5), colour, size};
     case triangle: return {Style::ssTriangle, QPen(colour), colour, size};
     case ring: return {Style::ssCircle, QPen(colour, 2), Qt::NoBrush, size};
     case cross: return {Style::ssCross, QPen(colour, 2), Qt::NoBrush, size};
+    case frame: return {Style::ssSquare, QPen(colour, 3), Qt::NoBrush, size};
     }
     return {};
+}
+
+/// Viridis: its lightness is uniform, so that it is readable without colours, too.
+QCPColorGradient mapColours(bool dim) {
+    constexpr std::array<QRgb, 9> stops{0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c,
+                                        0x28ae80, 0x5ec962, 0xaddc30, 0xfde725};
+    QCPColorGradient gradient;
+    gradient.clearColorStops();
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        gradient.setColorStopAt(static_cast<double>(i) / (stops.size() - 1),
+                                style::dimmed(QColor(stops[i]), dim));
+    }
+    gradient.setColorInterpolation(QCPColorGradient::ciRGB);
+    gradient.setNanHandling(QCPColorGradient::nhTransparent);
+    return gradient;
 }
 
 QCPGraph::LineStyle lineOfSeries(const ChartSeries& series) {
@@ -44,9 +64,11 @@ QCPGraph::LineStyle lineOfSeries(const ChartSeries& series) {
 
 void setUpChartAxis(QCPAxis& axis, const ChartAxis& of) {
     axis.setLabel(of.label);
-    axis.grid()->setVisible(!of.names);
+    axis.grid()->setVisible(of.hasGrid && !of.names);
     axis.setTickLength(of.names ? 0 : chartTick);
     const int ticks = axis.ticker()->tickCount(); // as many as have room
+    style::setLogarithmic(axis, of.isLogarithmic);
+    axis.setSubTicks(of.isLogarithmic);
     if (of.names) {
         const QSharedPointer<QCPAxisTickerText> names(new QCPAxisTickerText);
         for (qsizetype i = 0; i < of.names->size(); ++i) {
@@ -55,9 +77,8 @@ void setUpChartAxis(QCPAxis& axis, const ChartAxis& of) {
         axis.setTicker(names);
     } else if (of.ticker) {
         axis.setTicker(of.ticker);
-    } else {
-        axis.setTicker(of.isCounted ? QSharedPointer<QCPAxisTicker>(new WholeTicker)
-                                    : QSharedPointer<QCPAxisTicker>(new NumberTicker));
+    } else if (of.isCounted) {
+        axis.setTicker(QSharedPointer<QCPAxisTicker>(new WholeTicker));
     }
     axis.ticker()->setTickCount(ticks);
 }
@@ -121,9 +142,13 @@ ChartPlot::ChartPlot(QWidget* parent, int row) : ViewPlot(parent), m_rect(addRec
             replot(rpQueuedReplot);
         }
     });
+    for (const auto side : {QCPAxis::atLeft, QCPAxis::atBottom}) {
+        connect(m_rect->axis(side), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
+                &ChartPlot::followValues);
+    }
     const auto clickPlace = [this](const QPointF& at) {
         if (const auto place = placeAt(at)) {
-            emit placeClicked(*place);
+            emit placeClicked(place->x, place->y);
         }
     };
     onClick([this, clickPlace](const QPointF& at) {
@@ -196,6 +221,20 @@ QColor ChartPlot::areaOf(const ChartColour& colour, int alpha) const {
                                isDimmed());
 }
 
+QColor ChartPlot::outlineOf(const ChartSeries& series) const {
+    return series.outline.isValid() ? style::dimmed(series.outline, isDimmed())
+                                    : colourOf(series.colour);
+}
+
+QColor ChartPlot::ribbonOf(const ChartSeries& series) const {
+    return style::dimmed(style::thinned(chartColour(series.colour, palette()), series.alpha),
+                         isDimmed());
+}
+
+QCPScatterStyle ChartPlot::markOf(const ChartSeries& series) const {
+    return markOfSeries(series, colourOf(series.colour), outlineOf(series));
+}
+
 QPen ChartPlot::penOf(QPen pen, const ChartColour& colour) const {
     pen.setColor(colourOf(colour));
     return pen;
@@ -206,7 +245,7 @@ void ChartPlot::setUpAxes() {
     setUpChartAxis(up(), m_chart.up);
     setUpChartAxis(second(), m_chart.second);
     second().grid()->setVisible(false);
-    across().setRangeReversed(m_chart.isLying);
+    across().setRangeReversed(m_chart.isLying != m_chart.across.isReversed);
     if (m_chart.isLying) {
         m_rect->setMinimumMargins(QMargins(0, 0, lastNumberRoom, 0));
     }
@@ -216,6 +255,13 @@ void ChartPlot::setUpAxes() {
         axis.setVisible(isSecond || m_chart.isFramed);
         axis.setTicks(isSecond);
         axis.setTickLabels(isSecond);
+    }
+    followValues();
+}
+
+void ChartPlot::followValues() {
+    if (m_chart.perValue > 0) {
+        second().setRange(up().range() * m_chart.perValue);
     }
 }
 
@@ -230,7 +276,13 @@ void ChartPlot::draw() {
                 *m_rect, zone, areaOf(zone.colour, zone.alpha), colourOf(zone.colour)));
         }
     }
-    const auto order = [](const ChartSeries& of) { return of.isArea() ? 0 : of.isLine() ? 1 : 2; };
+    if (m_chart.map) {
+        drawMap(*m_chart.map);
+    }
+    using enum ChartSeries::Kind;
+    const auto order = [](const ChartSeries& of) {
+        return of.isArea() ? 0 : of.kind == line || of.kind == steps ? 1 : 2;
+    };
     for (const int at : {0, 1, 2}) {
         for (const ChartSeries& series : m_chart.series) {
             if (shows(series.key) && order(series) == at) {
@@ -250,10 +302,12 @@ void ChartPlot::drawSeries(const ChartSeries& series) {
         drawBars(series);
     } else if (series.isArea()) {
         drawArea(series);
+    } else if (series.kind == ChartSeries::Kind::path || series.kind == ChartSeries::Kind::ribbon) {
+        drawPath(series);
     } else {
         QCPGraph* const graph = addGraphOf(series, series.points);
         graph->setLineStyle(lineOfSeries(series));
-        graph->setScatterStyle(markOfSeries(series, colourOf(series.colour)));
+        graph->setScatterStyle(markOf(series));
     }
 }
 
@@ -297,6 +351,78 @@ QCPGraph* ChartPlot::addGraphOf(const ChartSeries& series, const std::vector<XY>
     return graph;
 }
 
+void ChartPlot::drawPath(const ChartSeries& series) {
+    const auto add = [&](const QPen& pen) {
+        auto* const path = new QCPCurve(&across(), &up());
+        QVector<QCPCurveData> drawn;
+        for (const XY& point : series.points) {
+            drawn.emplace_back(static_cast<double>(drawn.size()), point.x, point.y);
+        }
+        path->data()->set(drawn, true);
+        path->setPen(pen);
+        return path;
+    };
+    QPen pen = penOf(series.pen, series.colour);
+    if (series.kind == ChartSeries::Kind::ribbon) {
+        pen.setColor(ribbonOf(series));
+        pen.setCapStyle(Qt::FlatCap);
+        pen.setJoinStyle(Qt::RoundJoin);
+        add(pen)->setLayer(QStringLiteral("bands"));
+        return;
+    }
+    if (series.outline.isValid()) {
+        add(QPen(outlineOf(series), pen.widthF() + 2 * outlineWidth));
+    }
+    add(pen)->setScatterStyle(markOf(series));
+}
+
+void ChartPlot::addScale() {
+    m_scale = new QCPColorScale(this);
+    plotLayout()->addElement(0, 1, m_scale);
+    m_scale->setType(QCPAxis::atRight);
+    m_scale->setBarWidth(scaleWidth);
+    m_scale->axis()->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker));
+    m_scale->axis()->setNumberFormat(QStringLiteral("g"));
+    m_scale->setRangeDrag(false);
+    m_scale->setRangeZoom(false);
+    auto* const together = new QCPMarginGroup(this);
+    m_rect->setMarginGroup(QCP::msBottom | QCP::msTop, together);
+    m_scale->setMarginGroup(QCP::msBottom | QCP::msTop, together);
+}
+
+void ChartPlot::drawMap(const ChartMap& map) {
+    if (!m_scale) {
+        addScale();
+    }
+    style::applyPalette(*m_scale->axis(), palette());
+    m_scale->axis()->setTickLabelFont(font());
+    m_scale->axis()->setLabelFont(font());
+    m_scale->setLabel(map.label);
+    auto* const drawn = new QCPColorMap(&across(), &up());
+    drawn->setInterpolate(false);
+    drawn->setTightBoundary(false);
+    const int columns = static_cast<int>(map.columns);
+    const int count = static_cast<int>(map.values.size());
+    drawn->data()->setSize(columns, count / columns);
+    drawn->data()->setRange({map.across.low, map.across.high}, {map.up.low, map.up.high});
+    ChartSpan span;
+    for (int i = 0; i < count; ++i) {
+        const double value = map.values[static_cast<std::size_t>(i)];
+        drawn->data()->setCell(i % columns, i / columns, value);
+        span.add(value);
+    }
+    const double least = std::max({std::abs(span.low), std::abs(span.high), 1e-6}) * 1e-6;
+    const QCPRange range = span.empty()          ? QCPRange(0, 1)
+                           : span.size() < least ? QCPRange(span.low - least, span.high + least)
+                                                 : QCPRange(span.low, span.high);
+    const QCPColorGradient colours = mapColours(isDimmed());
+    m_scale->setDataRange(range);
+    m_scale->setGradient(colours);
+    drawn->setColorScale(m_scale);
+    drawn->setDataRange(range);
+    drawn->setGradient(colours);
+}
+
 void ChartPlot::restyle() {
     ViewPlot::restyle();
     draw();
@@ -317,8 +443,14 @@ LegendEntries ChartPlot::legendEntries() const {
         }
     };
     for (const ChartSeries& of : m_chart.series) {
-        add(of.isLine() ? lineEntry(of.key, penOf(of.pen, of.colour), of.name)
-                        : areaEntry(of.key, colourOf(of.colour), of.name));
+        const QColor colour = of.kind == ChartSeries::Kind::ribbon ? ribbonOf(of)
+                              : of.outline.isValid()               ? ink()
+                                                                   : colourOf(of.colour);
+        LegendEntry entry = of.isLine() ? lineEntry(of.key, penOf(of.pen, of.colour), of.name)
+                                        : areaEntry(of.key, colour, of.name);
+        entry.swatch = of.swatch;
+        entry.halo = of.isLine() && of.outline.isValid() ? outlineOf(of) : QColor();
+        add(entry);
     }
     for (const ChartZone& of : m_chart.zones) {
         LegendEntry entry = areaEntry(of.key, areaOf(of.colour, of.alpha), of.name);
@@ -373,14 +505,18 @@ QPointF ChartPlot::pixelOf(const XY& point) const {
     return m_chart.isLying ? QPointF(value, place) : QPointF(place, value);
 }
 
-std::optional<double> ChartPlot::placeAt(const QPointF& at) const {
+std::optional<XY> ChartPlot::placeAt(const QPointF& at) const {
+    const QPointF along = m_chart.isLying ? at.transposed() : at;
     return m_rect->rect().contains(at.toPoint())
-               ? std::optional(across().pixelToCoord(m_chart.isLying ? at.y() : at.x()))
+               ? std::optional(XY{across().pixelToCoord(along.x()), up().pixelToCoord(along.y())})
                : std::nullopt;
 }
 
 std::optional<ChartPlot::Point> ChartPlot::pointAt(const QPointF& at) const {
     std::optional<Point> found;
+    if (!m_rect->rect().contains(at.toPoint())) {
+        return found;
+    }
     double nearest = m_chart.reach;
     for (std::size_t of = 0; of < std::min(m_chart.pointed, m_chart.series.size()); ++of) {
         const ChartSeries& series = m_chart.series[of];
@@ -401,7 +537,10 @@ QString ChartPlot::valuesAt(const QPointF& at) const {
         return found ? m_chart.pointText(found->series, found->point) : QString();
     }
     const auto place = placeAt(at);
-    return m_chart.placeText && place ? m_chart.placeText(*place) : QString();
+    if (place && m_chart.map) {
+        return m_chart.map->text(place->x, place->y);
+    }
+    return m_chart.placeText && place ? m_chart.placeText(place->x) : QString();
 }
 
 } // namespace sparkout

@@ -38,7 +38,8 @@ public:
 
 signals:
     void pointClicked(std::size_t series, std::size_t point);
-    void placeClicked(double place); ///< within the cell, also with the right button
+    /// Within the cell, also with the right button.
+    void placeClicked(double place, double value);
 
 protected:
     void setTexts() override;
@@ -54,21 +55,30 @@ private:
     [[nodiscard]] QCPAxis& second() const;
     [[nodiscard]] QColor colourOf(const ChartColour& colour) const; ///< faint while dimmed
     [[nodiscard]] QColor areaOf(const ChartColour& colour, int alpha) const;
+    /// The edge of a line or mark: its outline, or else its own colour.
+    [[nodiscard]] QColor outlineOf(const ChartSeries& series) const;
+    [[nodiscard]] QColor ribbonOf(const ChartSeries& series) const;
+    [[nodiscard]] QCPScatterStyle markOf(const ChartSeries& series) const;
     [[nodiscard]] QPen penOf(QPen pen, const ChartColour& colour) const;
     [[nodiscard]] std::optional<Point> pointAt(const QPointF& at) const;
-    [[nodiscard]] std::optional<double> placeAt(const QPointF& at) const; ///< within the cell
+    [[nodiscard]] std::optional<XY> placeAt(const QPointF& at) const; ///< within the cell
     void setUpAxes();
     void draw(); ///< draws the chart
     void drawSeries(const ChartSeries& series);
     void drawBars(const ChartSeries& series);
     void drawArea(const ChartSeries& series);
     QCPGraph* addGraphOf(const ChartSeries& series, const std::vector<XY>& points);
+    void drawPath(const ChartSeries& series);
+    void followValues(); ///< for a second axis tied to the first
+    void addScale();
+    void drawMap(const ChartMap& map);
 
     Maker m_make;
     LineChart m_chart;
     QCPAxisRect* m_rect;
     std::vector<std::unique_ptr<ZoneLayer>> m_zones;
-    QCPGraph* m_stacked = nullptr; ///< upper edge of the current stack
+    QCPGraph* m_stacked = nullptr;    ///< upper edge of the current stack
+    QCPColorScale* m_scale = nullptr; ///< colours of the map, if there is one
 };
 
 } // namespace sparkout

@@ -11,6 +11,9 @@ QColor chartColour(const ChartColour& colour, const QPalette& palette) {
     if (const auto* drawn = std::get_if<style::Drawn>(&colour)) {
         return style::colour(*drawn, palette);
     }
+    if (const auto* fixed = std::get_if<QColor>(&colour)) {
+        return *fixed;
+    }
     const Tone* const of = std::get_if<Tone>(&colour);
     return of ? tone(*of, palette) : palette.color(QPalette::Text);
 }
@@ -24,8 +27,12 @@ void ChartSpan::add(double value) {
 
 void LineChart::read(const ChartSeries& of, const QString& name, Digits digits) {
     const auto line = std::make_shared<const std::vector<XY>>(of.points);
-    readings.push_back(
-        {of.key, {{}, name, digits, [line](double x) { return valueAt(*line, x); }}});
+    const bool isPath = of.kind == ChartSeries::Kind::path;
+    const bool isLogarithmic = (of.onSecond ? second : up).isLogarithmic;
+    readings.push_back({of.key, {{}, name, digits, [=](double x) {
+                                     return isPath ? lastValueAt(*line, x, isLogarithmic)
+                                                   : valueAt(*line, x, isLogarithmic);
+                                 }}});
 }
 
 const ChartSeries* LineChart::find(int key) const {

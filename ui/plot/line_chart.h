@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/kit/hatch.h"
+#include "ui/plot/legend_drawing.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/plot/read_curves.h"
 #include "ui/tables/csv_table.h"
@@ -28,8 +29,9 @@ inline QPen linePen(double width, Qt::PenStyle style = Qt::SolidLine) {
     return pen;
 }
 
-/// A colour taken from the current palette: that of a drawn object, a tone, or that of texts.
-using ChartColour = std::variant<std::monostate, style::Drawn, Tone>;
+/// A colour taken from the current palette, that of a drawn object, a tone or that of texts; or a
+/// fixed colour.
+using ChartColour = std::variant<std::monostate, style::Drawn, Tone, QColor>;
 [[nodiscard]] QColor chartColour(const ChartColour& colour, const QPalette& palette);
 
 /// The least and the greatest of some values; non-finite values are ignored.
@@ -58,6 +60,9 @@ struct ChartAxis {
     bool isCounted = false;                    ///< only whole numbers
     std::optional<QStringList> names = {};     ///< replace the numbers 0, 1, …
     QSharedPointer<QCPAxisTicker> ticker = {}; ///< replaces the usual ticker
+    bool isLogarithmic = false;
+    bool isReversed = false; ///< falls in the usual direction
+    bool hasGrid = true;
 };
 
 /// Points in the order of their places, except for separate points; a NaN value is a gap.
@@ -70,8 +75,10 @@ struct ChartSeries {
         steps,    ///< a value applies up to the next place
         points,   ///< separate points
         impulses, ///< lines from 0
+        path,     ///< a line through the points in their order, whatever their places
+        ribbon,   ///< a wide, translucent path behind everything
     };
-    enum class Mark { none, disc, square, diamond, triangle, ring, cross };
+    enum class Mark { none, disc, square, diamond, triangle, ring, cross, frame };
 
     int key = -1;      ///< key of the legend; several series may share it
     QString name = {}; ///< name in the legend; empty: no entry
@@ -82,12 +89,16 @@ struct ChartSeries {
     Mark mark = Mark::none;
     double markSize = 0; ///< [px]
     double barWidth = 1;
-    int alpha = 255; ///< opacity of an area
+    int alpha = 255; ///< opacity of an area or a ribbon
     bool onSecond = false;
     InSight sight = InSight::always;
+    QColor outline = {};          ///< around a line or mark on a map
+    Swatch swatch = Swatch::area; ///< of a mark in the legend; with an outline in the text colour
 
     [[nodiscard]] bool isArea() const { return kind <= Kind::band; }
-    [[nodiscard]] bool isLine() const { return kind == Kind::line || kind == Kind::steps; }
+    [[nodiscard]] bool isLine() const {
+        return kind == Kind::line || kind == Kind::steps || kind == Kind::path;
+    }
 };
 
 /// A line through the cell at a value of one axis.
@@ -130,6 +141,16 @@ struct ChartTable {
     std::vector<Place> places = {};
 };
 
+/// A map behind the series: coloured fields of equal size in rows and columns, with a scale of the
+/// colours.
+struct ChartMap {
+    QString label = {};              ///< label of the scale
+    ChartSpan across = {}, up = {};  ///< middles of the first and the last fields
+    std::size_t columns = 1;         ///< number of fields in a row
+    std::vector<double> values = {}; ///< row by row, the lowest first; NaN: no colour
+    std::function<QString(double place, double value)> text = {}; ///< text for the mouse
+};
+
 /// A chart over one axis as a value: its drawn objects, legend, readings and table.
 struct LineChart {
     ChartAxis across = {}, up = {}, second = {};
@@ -146,8 +167,10 @@ struct LineChart {
     std::function<QString(std::size_t series, std::size_t point)> pointText = {};
     std::size_t pointed = 0;
     double reach = 8;
+    std::optional<ChartMap> map = {};
+    double perValue = 0; ///< the second axis has the values times this; 0: its own range
 
-    /// Makes a series readable under a name, with linear interpolation between its points.
+    /// Makes a series readable under a name, along straight lines between its points.
     void read(const ChartSeries& of, const QString& name, Digits digits);
     /// The series with a key of the legend, if it is drawn; for a key of one series.
     [[nodiscard]] const ChartSeries* find(int key) const;

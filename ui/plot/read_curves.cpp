@@ -26,17 +26,13 @@ double interpolated(const XY& a, const XY& b, double x, bool logarithmic) {
                                              : a.y + share * (b.y - a.y);
 }
 
-bool isLogarithmic(const QCPAxis* axis) {
-    return axis && axis->scaleType() == QCPAxis::stLogarithmic;
-}
-
 std::optional<double> finite(double value) {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 } // namespace
 
-std::optional<double> valueAt(const std::vector<XY>& line, double x) {
+std::optional<double> valueAt(const std::vector<XY>& line, double x, bool isLogarithmic) {
     const auto above = std::ranges::upper_bound(line, x, {}, &XY::x);
     if (above == line.begin()) {
         return std::nullopt;
@@ -45,7 +41,8 @@ std::optional<double> valueAt(const std::vector<XY>& line, double x) {
     if (below.x == x) {
         return finite(below.y);
     }
-    return above == line.end() ? std::nullopt : finite(interpolated(below, *above, x, false));
+    return above == line.end() ? std::nullopt
+                               : finite(interpolated(below, *above, x, isLogarithmic));
 }
 
 std::optional<double> valueAt(const QCPGraph& graph, double x) {
@@ -64,20 +61,16 @@ std::optional<double> valueAt(const QCPGraph& graph, double x) {
         return std::nullopt;
     }
     return finite(interpolated({below.key, below.value}, {above->key, above->value}, x,
-                               isLogarithmic(graph.valueAxis())));
+                               graph.valueAxis()->scaleType() == QCPAxis::stLogarithmic));
 }
 
-std::optional<double> valueAt(const QCPCurve& curve, double x) {
-    const auto data = curve.data();
+std::optional<double> lastValueAt(const std::vector<XY>& path, double x, bool isLogarithmic) {
     std::optional<double> value;
-    for (auto at = data->constBegin(); at != data->constEnd(); ++at) {
-        const auto before = at == data->constBegin() ? at : at - 1;
-        const bool falls = before->key > at->key;
-        const XY a{before->key, before->value}, b{at->key, at->value};
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const XY a = path[i == 0 ? 0 : i - 1], b = path[i];
         if (x >= std::min(a.x, b.x) && x <= std::max(a.x, b.x)) {
-            const bool logarithmic = isLogarithmic(curve.valueAxis());
-            value = finite(falls ? interpolated(b, a, x, logarithmic)
-                                 : interpolated(a, b, x, logarithmic));
+            value = finite(a.x > b.x ? interpolated(b, a, x, isLogarithmic)
+                                     : interpolated(a, b, x, isLogarithmic));
         }
     }
     return value;

@@ -9,7 +9,6 @@
 #include <optional>
 #include <vector>
 
-class QCPCurve;
 class QCPGraph;
 
 /// Curves that the two cursors of a plot can read.
@@ -28,12 +27,15 @@ struct ReadCurve {
 };
 using ReadCurves = std::vector<ReadCurve>;
 
-/// The value of a line at a place; at a step, the value after it.
-[[nodiscard]] std::optional<double> valueAt(const std::vector<XY>& line, double x);
+/// The value of a line at a place, interpolated along a straight line on its axes; at a step, the
+/// value after it.
+[[nodiscard]] std::optional<double> valueAt(const std::vector<XY>& line, double x,
+                                            bool isLogarithmic = false);
+/// If a path passes a place more than once, its last value there.
+[[nodiscard]] std::optional<double> lastValueAt(const std::vector<XY>& path, double x,
+                                                bool isLogarithmic = false);
 /// The value of a drawn graph, interpolated along a straight line on its axes.
 [[nodiscard]] std::optional<double> valueAt(const QCPGraph& graph, double x);
-/// If a curve passes a place more than once, its last value there.
-[[nodiscard]] std::optional<double> valueAt(const QCPCurve& curve, double x);
 
 [[nodiscard]] QString stated(double value, Digits digits);
 /// A signed difference with the decimals of its operands.

@@ -11,7 +11,7 @@
 
 namespace sparkout::test_chart_plot {
 
-enum Key { lineKey = 1, lowerKey, upperKey, zoneKey, ruleKey };
+enum Key { lineKey = 1, lowerKey, upperKey, zoneKey, ruleKey, ribbonKey };
 
 LineChart sample() {
     const std::vector<XY> rising{{0, 1}, {1, 2}, {2, 4}};
@@ -139,6 +139,96 @@ private slots:
         plot.remake();
         QCOMPARE(plot.chart().rules[0].at, 7.0);
         QCOMPARE(plot.up().range().upper, 3.0);
+    }
+
+    /// A line on a map may run back, has an outline and a gap; a click and the mouse have both
+    /// values, and outside the cell none.
+    void aMapHasAScaleAndLinesOnIt() {
+        ChartPlot plot;
+        plot.resize(400, 300);
+        plot.setChart([] {
+            LineChart chart;
+            chart.across = {.range = {-0.5, 1.5}, .room = 0};
+            chart.up = {.range = {9.5, 11.5}, .room = 0};
+            chart.series = {{.key = lineKey,
+                             .name = QStringLiteral("edge"),
+                             .kind = ChartSeries::Kind::path,
+                             .points = {{1, 10}, {0, 11}, {std::nan(""), std::nan("")}},
+                             .outline = Qt::black}};
+            chart.map = ChartMap{
+                .label = QStringLiteral("Size, µm"),
+                .across = {0, 1},
+                .up = {10, 11},
+                .columns = 2,
+                .values = {1, 2, std::nan(""), 5},
+                .text = [](double place, double value) {
+                    return QStringLiteral("%1 %2").arg(std::lround(place)).arg(std::lround(value));
+                }};
+            return chart;
+        });
+        plot.show();
+        plot.replot();
+        const auto* const map = qobject_cast<QCPColorMap*>(plot.plottable(0));
+        QVERIFY(map);
+        QCOMPARE(map->data()->cell(1, 0), 2.0);
+        QCOMPARE(map->data()->cell(1, 1), 5.0);
+        QCOMPARE(map->colorScale()->dataRange(), QCPRange(1, 5));
+        QCOMPARE(map->colorScale()->label(), QStringLiteral("Size, µm"));
+        const auto* const outline = qobject_cast<QCPCurve*>(plot.plottable(1));
+        const auto* const line = qobject_cast<QCPCurve*>(plot.plottable(2));
+        QVERIFY(outline && line);
+        QVERIFY(outline->pen().widthF() > line->pen().widthF());
+        QCOMPARE(line->data()->at(0)->key, 1.0);
+        QCOMPARE(plot.legendEntries().front().halo, QColor(Qt::black));
+        QSignalSpy said(&plot, &ViewPlot::pointed), clicked(&plot, &ChartPlot::placeClicked);
+        const QPoint at = plot.pixelOf({1, 11}).toPoint();
+        fixtures::hover(&plot, at);
+        QCOMPARE(said.last()[0].toString(), QStringLiteral("1 11"));
+        QTest::mouseClick(&plot, Qt::RightButton, {}, at);
+        QCOMPARE(clicked.size(), 1);
+        QVERIFY(std::abs(clicked[0][1].toDouble() - 11) < 0.1);
+        QTest::mouseClick(&plot, Qt::LeftButton, {}, {2, 2});
+        QCOMPARE(clicked.size(), 1);
+    }
+
+    /// The second axis has the values in another unit; a ribbon is behind all else and can be
+    /// hidden.
+    void anAxisFollowsAndARibbonIsBehind() {
+        ChartPlot plot;
+        plot.resize(400, 300);
+        plot.setChart([] {
+            LineChart chart = sample();
+            chart.across.isReversed = true;
+            chart.up.isLogarithmic = true;
+            chart.second = {.label = QStringLiteral("Way, m"), .isLogarithmic = true};
+            chart.perValue = 0.001;
+            chart.series.push_back({.key = ribbonKey,
+                                    .name = QStringLiteral("ribbon"),
+                                    .kind = ChartSeries::Kind::ribbon,
+                                    .points = {{0, 1}, {2, 4}},
+                                    .alpha = 100});
+            return chart;
+        });
+        plot.replot();
+        QVERIFY(plot.pixelOf({0, 1}).x() > plot.pixelOf({2, 1}).x());
+        QCOMPARE(plot.up().scaleType(), QCPAxis::stLogarithmic);
+        plot.up().setRange(2, 5);
+        const QCPAxis& right = *plot.cell().axis(QCPAxis::atRight);
+        QVERIFY(right.tickLabels() && right.scaleType() == QCPAxis::stLogarithmic);
+        QCOMPARE(right.range().lower, 0.002);
+        QCOMPARE(right.range().upper, 0.005);
+        const auto ribbons = [&plot] {
+            int count = 0;
+            for (const QCPLayerable* of : plot.layer(QStringLiteral("bands"))->children()) {
+                count += qobject_cast<const QCPCurve*>(of) ? 1 : 0;
+            }
+            return count;
+        };
+        QCOMPARE(ribbons(), 1);
+        QCOMPARE(plot.legendEntries()[3].text, QStringLiteral("ribbon"));
+        QCOMPARE(plot.legendEntries()[3].colour.alpha(), 100);
+        plot.toggleCurve(ribbonKey);
+        QCOMPARE(ribbons(), 0);
     }
 
     /// Rows from the top down, their values to the right.

@@ -15,6 +15,7 @@
 #include "ui/plot/plot_cursors.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/session/project_io.h"
+#include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/views/compliance/compliance_curves.h"
@@ -315,10 +316,11 @@ private slots:
         QVERIFY(std::abs(*curves.front().at(x) - cut.depth_mm * 1000) < 1e-6);
         int limits = 0;
         for (const DepthLimit& limit : depthLimits(project, cut.width_mm, cut.stock_mm)) {
-            const QCPGraph* graph = view.plot()->limit(limit.kind);
-            if (graph && limit.kind != ConstraintKind::roughness) {
+            const QString name = QStringLiteral("limit: %1, µm").arg(LimitNames::limit(limit.kind));
+            const auto curve = std::ranges::find(curves, name, &ReadCurve::name);
+            if (curve != curves.end() && limit.kind != ConstraintKind::roughness) {
                 ++limits;
-                const double read = *valueAt(*graph, x), is = limit.depth_mm * 1000;
+                const double read = *curve->at(x), is = limit.depth_mm * 1000;
                 QVERIFY2(std::abs(read - is) < 0.01 * is, qPrintable(QString::number(read / is)));
             }
         }
@@ -353,10 +355,12 @@ private slots:
         QCOMPARE(*valueAt(*graph, 1), 50.5);
         plot.yAxis->setScaleType(QCPAxis::stLogarithmic);
         QVERIFY(std::abs(*valueAt(*graph, 1) - 10) < 1e-9);
-        auto* back = new QCPCurve(plot.xAxis, plot.yAxis);
-        back->setData(QVector<double>{3, 1, 2}, QVector<double>{1, 100, 100});
-        QCOMPARE(*valueAt(*back, 1.5), 100.0); // passed twice: the last time
-        QVERIFY(std::abs(*valueAt(*back, 2.5) - std::sqrt(1.0 * std::sqrt(100.0))) < 1e-9);
+        QVERIFY(std::abs(*valueAt({{0, 1}, {2, 100}}, 1, true) - 10) < 1e-9);
+        const std::vector<XY> back{{3, 1}, {1, 100}, {2, 100}};
+        QCOMPARE(*lastValueAt(back, 1.5), 100.0); // passed twice: the last time
+        QCOMPARE(*lastValueAt(back, 2.5), 25.75);
+        QVERIFY(std::abs(*lastValueAt(back, 2.5, true) - std::sqrt(std::sqrt(100.0))) < 1e-9);
+        QVERIFY(!lastValueAt(back, 3.1));
     }
 
     void textsHaveRoomInEveryViewWithCursors_data() {

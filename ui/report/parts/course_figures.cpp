@@ -50,7 +50,7 @@ std::optional<Figure> limitsFigure(const OutcomePtr& outcome, const Place& at) {
     plot.setRun(outcome, group);
     plot.restyle();
     plot.fit();
-    if (!plot.hasCuts()) {
+    if (plot.limits().cuts()->cuts.empty()) {
         return {};
     }
     const QString caption =

@@ -3,6 +3,7 @@
 
 #include "core/project/machine.h"
 #include "core/units.h"
+#include "ui/plot/quantity_line.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 
@@ -14,10 +15,63 @@ namespace sparkout {
 
 namespace {
 
+using style::Drawn;
 using units::umPerMm;
+
+constexpr double lowest_um = 1e-6;    ///< replaces 0 on a logarithmic axis
+constexpr double stockRoom = 0.02;    ///< room beside the cycle, relative to it
+constexpr double feedHeadroom = 1.15; ///< headroom above the highest value
+constexpr double visibleLimits = 3;   ///< times the deepest cut, of limits that rise beyond
+constexpr double decades = 1e-4;      ///< least visible share of the deepest cut
+constexpr double forbidden_um = 1e6;  ///< far above all plots
+constexpr int forbiddenAlpha = 34;
+constexpr double pieceWidth = 9; ///< width of the ribbon along the binding limit [px]
+constexpr int pieceAlpha = 120;
+constexpr double markSize = 13, cutSize = 3.5, exceededSize = 6;
 
 double ratio(double value, double limit) {
     return limit > 0 ? value / limit : HUGE_VAL;
+}
+
+XY drawnPoint(double stock_mm, double depth_mm) {
+    return {stock_mm * umPerMm, std::max(depth_mm * umPerMm, lowest_um)};
+}
+
+std::vector<XY> drawnLine(const LimitPoints& points) {
+    std::vector<XY> line;
+    for (const LimitPoint& point : points) {
+        line.push_back(drawnPoint(point.stock_mm, point.depth_mm));
+    }
+    return line;
+}
+
+ChartSpan feedSpan(const LineChart& chart, int key) {
+    ChartSpan span;
+    if (const ChartSeries* of = chart.find(key)) {
+        for (const XY& point : of->points) {
+            span.add(point.y);
+        }
+    }
+    return span;
+}
+
+/// The range of the feeds: the cuts, and always part of the stepless limit.
+ChartSpan visibleFeeds(const LineChart& chart) {
+    const ChartSpan cuts = feedSpan(chart, LimitChart::actualKey);
+    const ChartSpan limit = feedSpan(chart, LimitChart::steplessKey);
+    double high = cuts.empty() ? 1 : cuts.high;
+    if (!limit.empty()) {
+        high =
+            cuts.empty()
+                ? limit.high
+                : std::max(high, std::min(limit.high, std::max(visibleLimits * high, limit.low)));
+    }
+    if (!chart.up.isLogarithmic) {
+        return {0, high * feedHeadroom};
+    }
+    const double least = std::min({high, limit.low, cuts.low});
+    const double top = std::max(high, limit.high) * 2;
+    return {std::clamp(least / 2, high * decades, top / 10), top};
 }
 
 } // namespace
@@ -179,6 +233,130 @@ QString LimitChart::feedLabel() const {
     const bool stroke =
         group && !group->standing && m_outcome->result.project.operation->countsStrokes;
     return stroke ? tr("Actual feed, µm per pass") : tr("Actual feed, µm per revolution");
+}
+
+LineChart LimitChart::chart(bool isLogarithmic) const {
+    const auto [least_mm, deepest_mm] = stocks_mm();
+    LineChart chart;
+    chart.isFramed = true;
+    chart.readSpan = {least_mm * umPerMm, deepest_mm * umPerMm};
+    chart.across = {.label = tr("Stock left after the cut, µm"),
+                    .range = isEmpty() ? ChartSpan{0, 1} : chart.readSpan,
+                    .room = stockRoom,
+                    .isReversed = true};
+    chart.up = {.label = feedLabel(), .room = 0, .isLogarithmic = isLogarithmic};
+    // The unit has a line of its own, since the plot may be low.
+    chart.up.label.replace(QStringLiteral(", "), QStringLiteral(",\n"));
+    if (const auto factor = perMinute()) {
+        chart.second = {.label = tr("mm/min"), .isLogarithmic = isLogarithmic};
+        chart.perValue = *factor;
+    }
+    if (cuts()) {
+        addCuts(chart);
+        addLimits(chart);
+        addEnvelope(chart);
+    }
+    if (m_marked) {
+        chart.series.push_back({.kind = ChartSeries::Kind::points,
+                                .points = {drawnPoint(m_marked->stock_mm, m_marked->depth_mm)},
+                                .mark = ChartSeries::Mark::ring,
+                                .markSize = markSize});
+    }
+    chart.up.range = visibleFeeds(chart);
+    return chart;
+}
+
+void LimitChart::addCuts(LineChart& chart) const {
+    ChartSeries actual{.key = actualKey,
+                       .name = tr("actual feed"),
+                       .kind = ChartSeries::Kind::path,
+                       .colour = Drawn::actualFeed,
+                       .pen = style::line(Drawn::actualFeed, {}),
+                       .mark = ChartSeries::Mark::disc,
+                       .markSize = cutSize};
+    ChartSeries exceeded{.key = actualKey,
+                         .kind = ChartSeries::Kind::points,
+                         .colour = Drawn::fails,
+                         .mark = ChartSeries::Mark::square,
+                         .markSize = exceededSize};
+    for (const LimitedCut& cut : cuts()->cuts) {
+        actual.points.push_back(drawnPoint(cut.stock_mm, cut.depth_mm));
+        if (cut.usage > 1) {
+            exceeded.points.push_back(actual.points.back());
+        }
+    }
+    if (!actual.points.empty()) {
+        chart.read(actual, tr("actual feed, µm"), Digits::significant);
+    }
+    chart.series = {std::move(actual), std::move(exceeded)};
+    chart.pointText = [self = *this](std::size_t, std::size_t cut) {
+        return self.valuesAt(self.cuts()->cuts[cut]);
+    };
+    chart.pointed = 1;
+    chart.reach = HUGE_VAL;
+}
+
+void LimitChart::addLimits(LineChart& chart) const {
+    const auto add = [&chart](int key, const LimitPoints& points, const QString& name,
+                              const QString& read, const ChartColour& colour, const QPen& pen) {
+        if (!points.empty()) {
+            chart.series.push_back({.key = key,
+                                    .name = name,
+                                    .colour = colour,
+                                    .pen = pen,
+                                    .points = drawnLine(points)});
+            chart.read(chart.series.back(), read, Digits::significant);
+        }
+    };
+    const auto limitOf = [](const QString& name) { return tr("limit: %1, µm").arg(name); };
+    add(steplessKey, m_stepless, tr("stepless limit"), tr("stepless limit, µm"), {}, linePen(3));
+    if (const ChartSeries* stepless = chart.find(steplessKey)) {
+        const std::vector<XY> edge = stepless->points;
+        chart.series.push_back(
+            {.key = steplessKey,
+             .kind = ChartSeries::Kind::band,
+             .colour = Drawn::forbidden,
+             .points = {{edge.front().x, forbidden_um}, {edge.back().x, forbidden_um}},
+             .lower = edge,
+             .alpha = forbiddenAlpha,
+             .sight = InSight::never});
+    }
+    const std::vector<ConstraintKind> kinds = depthLimitKinds();
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const QString name = LimitNames::limit(kinds[i]);
+        add(static_cast<int>(kinds[i]), limit(kinds[i]), name, limitOf(name),
+            style::limitOfDepth(i), style::lineOfDepthLimit(i, {}));
+    }
+    // Short names that fit two lines of the legend; the cursors have the full ones.
+    add(accuracyKey, accuracy(AccuracyProof::proved), tr("accuracy"),
+        limitOf(tr("accuracy, proved")), Tone::purple, linePen(2.6));
+    add(estimateKey, accuracy(AccuracyProof::estimate), tr("accuracy, estimate"),
+        limitOf(tr("accuracy at steady feed, estimate")), Tone::purple,
+        linePen(2.6, Qt::DashDotLine));
+    add(publishedKey, m_published, tr("runout (22)"),
+        limitOf(tr("runout in every pass, as published (22)")), Tone::orange,
+        linePen(2.6, Qt::DashDotDotLine));
+    add(programmedKey, m_programmed, tr("programmed"), tr("programmed feed, µm"),
+        Drawn::programmedFeed, linePen(3, Qt::DotLine));
+    add(machineKey, m_machineFeed, tr("machine's feed", "legend"),
+        limitOf(tr("machine's maximum feed")), {}, linePen(1.2, Qt::DashDotLine));
+}
+
+/// Ribbons in the colours of the limits they belong to.
+void LimitChart::addEnvelope(LineChart& chart) const {
+    for (const BoundCurve& piece : m_envelope) {
+        int key = static_cast<int>(piece.kind);
+        if (piece.bound != LimitBound::requirement) {
+            key = piece.bound == LimitBound::feed ? machineKey : accuracyKey;
+        }
+        chart.series.push_back({.key = envelopeKey,
+                                .name = tr("band: what binds"),
+                                .kind = ChartSeries::Kind::ribbon,
+                                .colour = chart.find(key)->colour,
+                                .pen = linePen(pieceWidth),
+                                .points = drawnLine(piece.points),
+                                .alpha = pieceAlpha});
+    }
 }
 
 CsvTable LimitChart::table(const std::function<bool(double)>& inSight,

@@ -16,7 +16,7 @@ constexpr double outlined = 4; ///< layers lower than this have no outline [px]
 } // namespace
 
 LayerStack::LayerStack(LayersPlot& plot)
-    : PaintedLayer(*plot.cell(), QStringLiteral("bands"), Edges::sharp), m_plot(plot) {}
+    : PaintedLayer(plot.cell(), QStringLiteral("bands"), Edges::sharp), m_plot(plot) {}
 
 QRect LayerStack::clipRect() const {
     return m_plot.painted();

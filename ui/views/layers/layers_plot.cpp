@@ -7,6 +7,7 @@
 #include "ui/views/layers/layers_look.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace sparkout {
 
@@ -18,36 +19,11 @@ using units::umPerMm;
 constexpr double roomAbove = 0.06, roomBelow = 0.08; ///< margins, as shares of the heights
 constexpr int fieldAlpha = 60;
 
-/// A height held over each stretch, with a step to the next.
-template <typename ValueOf>
-void setSteps(QCPGraph& graph, const LayerSeries& series, ValueOf valueOf) {
-    std::vector<const LayerColumn*> columns;
-    for (const LayerColumn& column : series.columns) {
-        columns.push_back(&column);
-    }
-    std::ranges::sort(columns, {}, [](const LayerColumn* c) { return c->stretch.from_mm; });
-    QVector<double> x, y;
-    for (const LayerColumn* column : columns) {
-        const double value = (valueOf(*column) - series.target_mm) * umPerMm;
-        x << column->stretch.from_mm << column->stretch.to_mm;
-        y << value << value;
-    }
-    graph.setData(x, y, true);
-}
-
 } // namespace
 
 LayersPlot::LayersPlot(QWidget* parent) : PartPlot(parent) {
     new LayerStack(*this);
-    for (QCPGraph** graph : {&m_lower, &m_upper, &m_target, &m_blank, &m_final}) {
-        *graph = addLine(*cell());
-        (*graph)->setAdaptiveSampling(false);
-    }
-    m_upper->setChannelFillGraph(m_lower);
-    setKeyed(fieldKey, {m_lower, m_upper});
-    setKeyed(targetKey, {m_target});
-    setKeyed(blankKey, {m_blank});
-    setKeyed(finalKey, {m_final});
+    setChart([this] { return made(); });
     onClick([this](const QPointF& at) {
         if (const std::optional<Hit> hit = layerAt(at)) {
             emit strokeClicked(m_series.spans[hit->span].last);
@@ -64,11 +40,10 @@ void LayersPlot::setSeries(LayerSeries series) {
                       && series.target_mm == m_series.target_mm && blank(series) == blank(m_series);
     m_series = std::move(series);
     m_done = allLayers(m_series);
-    fill();
+    remake();
     if (!same) {
         fit();
     }
-    emit contentChanged();
 }
 
 void LayersPlot::setDone(LayersDone done) {
@@ -80,52 +55,73 @@ double LayersPlot::radiusAfter_mm(std::size_t column, std::size_t count) const {
            - m_series.removalSign * sumDone_mm(m_series, m_done, column, count);
 }
 
-void LayersPlot::fill() {
-    setSteps(*m_lower, m_series, [this](const LayerColumn&) { return m_series.lowerLimit_mm; });
-    setSteps(*m_upper, m_series, [this](const LayerColumn&) { return m_series.upperLimit_mm; });
-    setSteps(*m_target, m_series, [this](const LayerColumn&) { return m_series.target_mm; });
-    setSteps(*m_blank, m_series, [](const LayerColumn& column) { return column.blank_mm; });
-    setSteps(*m_final, m_series, [](const LayerColumn& column) { return column.final_mm; });
-    fillBands();
-    showChoice();
-}
-
-void LayersPlot::fit() {
-    if (m_series.columns.empty()) {
-        return;
-    }
-    double low = (m_series.lowerLimit_mm - m_series.target_mm) * umPerMm;
-    double high = (m_series.upperLimit_mm - m_series.target_mm) * umPerMm;
-    for (const LayerColumn& column : m_series.columns) {
-        for (const double radius : {column.blank_mm, column.final_mm}) {
-            low = std::min(low, (radius - m_series.target_mm) * umPerMm);
-            high = std::max(high, (radius - m_series.target_mm) * umPerMm);
-        }
-    }
-    const double size = high - low;
-    style::setSafeRange(*cell()->axis(QCPAxis::atBottom), 0, m_series.length_mm);
-    style::setSafeRange(*cell()->axis(QCPAxis::atLeft), low - roomBelow * size,
-                        high + roomAbove * size);
+double LayersPlot::above_um(double radius_mm) const {
+    return (radius_mm - m_series.target_mm) * umPerMm;
 }
 
 // --- what is shown ------------------------------------------------------------------------------
 
-QCPGraph* LayersPlot::graph(Key key) const {
-    switch (key) {
-    case fieldKey: return m_upper;
-    case targetKey: return m_target;
-    case blankKey: return m_blank;
-    case finalKey: break;
+LineChart LayersPlot::made() const {
+    LineChart chart = partChart();
+    if (m_series.columns.empty()) {
+        return chart;
     }
-    return m_final;
+    std::vector<LayerColumn> columns = m_series.columns;
+    std::ranges::sort(columns, {},
+                      [](const LayerColumn& column) { return column.stretch.from_mm; });
+    ChartSpan span;
+    // A height held over each stretch, with a step to the next.
+    const auto heights = [&](const auto& radiusOf) {
+        std::vector<XY> line;
+        for (const LayerColumn& column : columns) {
+            const double height_um = above_um(std::invoke(radiusOf, column));
+            line.insert(line.end(),
+                        {{column.stretch.from_mm, height_um}, {column.stretch.to_mm, height_um}});
+            span.add(height_um);
+        }
+        return line;
+    };
+    const auto upper = heights([this](const auto&) { return m_series.upperLimit_mm; });
+    const auto lower = heights([this](const auto&) { return m_series.lowerLimit_mm; });
+    const auto target = heights([this](const auto&) { return m_series.target_mm; });
+    const ChartSeries edge{.key = fieldKey, .colour = Drawn::toleranceField, .pen = linePen(1)};
+    chart.series.assign(2, edge);
+    chart.series[0].points = upper;
+    chart.series[1].points = lower;
+    using enum ChartSeries::Kind; // the paths are drawn above the target
+    chart.series.push_back({.key = blankKey,
+                            .name = tr("initial radius"),
+                            .kind = path,
+                            .pen = linePen(1.5, Qt::DashLine),
+                            .points = heights(&LayerColumn::blank_mm)});
+    chart.series.push_back({.key = finalKey,
+                            .name = tr("final radius"),
+                            .kind = path,
+                            .pen = linePen(2),
+                            .points = heights(&LayerColumn::final_mm)});
+    chart.series.push_back({.key = targetKey,
+                            .name = tr("target"),
+                            .colour = Drawn::toleranceField,
+                            .pen = linePen(1.5, Qt::DashLine),
+                            .points = target});
+    chart.series.push_back({.key = fieldKey,
+                            .name = tr("tolerance band"),
+                            .kind = band,
+                            .colour = Drawn::toleranceField,
+                            .points = upper,
+                            .lower = lower,
+                            .alpha = fieldAlpha});
+    chart.across.range = {0, m_series.length_mm};
+    chart.up.range = {span.low - roomBelow * span.size(), span.high + roomAbove * span.size()};
+    chart.table = [this] { return doneTable(); };
+    return chart;
 }
 
 LegendEntries LayersPlot::legendEntries() const {
     LegendEntries entries = LayersLook::stages(m_series, choice(), palette());
-    entries.push_back(lineEntry(blankKey, m_blank->pen(), tr("initial radius")));
-    entries.push_back(lineEntry(finalKey, m_final->pen(), tr("final radius")));
-    entries.push_back(lineEntry(targetKey, m_target->pen(), tr("target")));
-    entries.push_back(areaEntry(fieldKey, m_upper->brush().color(), tr("tolerance band")));
+    for (const LegendEntry& entry : PartPlot::legendEntries()) {
+        entries.push_back(entry);
+    }
     return entries;
 }
 
@@ -134,22 +130,18 @@ QRectF LayersPlot::layerRect(std::size_t column, std::size_t span) const {
         return {};
     }
     const LayerColumn& of = m_series.columns[column];
-    const QCPAxis* const x = cell()->axis(QCPAxis::atBottom);
-    const auto pixel = [this](double radius_mm) {
-        return cell()
-            ->axis(QCPAxis::atLeft)
-            ->coordToPixel((radius_mm - m_series.target_mm) * umPerMm);
+    const auto corner = [this](double length_mm, double radius_mm) {
+        return pixelOf({length_mm, above_um(radius_mm)});
     };
-    const double from = pixel(radiusAfter_mm(column, span));
-    const double to = pixel(radiusAfter_mm(column, span + 1));
-    return {QPointF(x->coordToPixel(of.stretch.from_mm), std::min(from, to)),
-            QPointF(x->coordToPixel(of.stretch.to_mm), std::max(from, to))};
+    return QRectF(corner(of.stretch.from_mm, radiusAfter_mm(column, span)),
+                  corner(of.stretch.to_mm, radiusAfter_mm(column, span + 1)))
+        .normalized();
 }
 
 // --- mouse --------------------------------------------------------------------------------------
 
 std::optional<LayersPlot::Hit> LayersPlot::layerAt(const QPointF& at) const {
-    if (!cell()->rect().contains(at.toPoint())) {
+    if (!cell().rect().contains(at.toPoint())) {
         return {};
     }
     for (std::size_t j = 0; j < m_series.columns.size(); ++j) {
@@ -167,23 +159,9 @@ QString LayersPlot::valuesAt(const QPointF& at) const {
     return hit ? LayersLook::values(m_series, m_done, hit->column, hit->span) : QString();
 }
 
-// --- look and words -----------------------------------------------------------------------------
-
-void LayersPlot::restyle() {
-    PartPlot::restyle();
-    const QColor field = toned(Drawn::toleranceField);
-    m_lower->setPen(field);
-    m_upper->setPen(field);
-    m_target->setPen({field, 1.5, Qt::DashLine});
-    m_blank->setPen({ink(), 1.5, Qt::DashLine});
-    m_final->setPen({ink(), 2});
-    m_upper->setBrush(style::dimmed(
-        style::filling(style::colour(Drawn::toleranceField, palette()), fieldAlpha, palette()),
-        isDimmed()));
-}
-
-CsvTable LayersPlot::table() const {
-    CsvTable table;
+ChartTable LayersPlot::doneTable() const {
+    ChartTable whole;
+    CsvTable& table = whole.cells;
     table.header << tr("Stage") << tr("From double stroke or revolution")
                  << tr("To double stroke or revolution");
     for (const LayerColumn& column : m_series.columns) {
@@ -192,9 +170,6 @@ CsvTable LayersPlot::table() const {
     }
     for (std::size_t i = 0; i < m_done.count; ++i) {
         const LayerSpan& span = m_series.spans[i];
-        if (!shows(span.stage)) {
-            continue;
-        }
         std::vector<CsvCell> row{double(span.stage), double(span.first), double(span.last)};
         for (std::size_t j = 0; j < m_series.columns.size(); ++j) {
             const double before = sumDone_mm(m_series, m_done, j, i);
@@ -203,8 +178,9 @@ CsvTable LayersPlot::table() const {
             row.emplace_back(after * umPerMm);
         }
         table.rows.push_back(std::move(row));
+        whole.places.push_back({.key = span.stage});
     }
-    return table;
+    return whole;
 }
 
 } // namespace sparkout

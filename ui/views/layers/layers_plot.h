@@ -19,18 +19,14 @@ public:
 
     void setSeries(LayerSeries series); ///< no replot
     void setDone(LayersDone done);      ///< up to the moment of the cycle; no replot
-    void fit() override;
-    void restyle() override;
 
     [[nodiscard]] const LayerSeries& series() const { return m_series; }
-    [[nodiscard]] QCPGraph* graph(Key key) const; ///< for the tolerance the upper limit
     [[nodiscard]] const LayersDone& done() const { return m_done; }
     /// Radius of a column after this number of layers.
     [[nodiscard]] double radiusAfter_mm(std::size_t column, std::size_t count) const;
     /// The rectangle of a layer; empty if it is hidden or not cut yet.
     [[nodiscard]] QRectF layerRect(std::size_t column, std::size_t span) const;
     [[nodiscard]] LegendEntries legendEntries() const override;
-    [[nodiscard]] CsvTable table() const override;
 
 signals:
     void strokeClicked(int stroke); ///< last stroke of the layer
@@ -41,12 +37,12 @@ private:
     };
     [[nodiscard]] const LayerSeries& zones() const override { return m_series; }
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
-    void fill();
+    [[nodiscard]] LineChart made() const;
+    [[nodiscard]] ChartTable doneTable() const;
+    [[nodiscard]] double above_um(double radius_mm) const; ///< height above the target
     [[nodiscard]] std::optional<Hit> layerAt(const QPointF& at) const;
 
     LayerSeries m_series;
-    QCPGraph *m_lower = nullptr, *m_upper = nullptr;
-    QCPGraph *m_target = nullptr, *m_blank = nullptr, *m_final = nullptr;
     LayersDone m_done;
 };
 

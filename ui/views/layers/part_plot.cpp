@@ -14,14 +14,15 @@ constexpr int rightMargin = 14; ///< half of a number [px]
 constexpr int tickOut = 4;      ///< [px]
 } // namespace
 
-PartPlot::PartPlot(QWidget* parent)
-    : ViewPlot(parent), m_cell(addCell()), m_bands(new BandLayer(m_cell, true)) {
-    m_cell->axis(QCPAxis::atBottom)->setTickLength(0, tickOut); // the axis is named above them
-    connect(this, &QCustomPlot::afterLayout, this, [this] {
-        if (style::fitValueAxes(*m_cell, font())) {
-            replot(rpQueuedReplot);
-        }
-    });
+PartPlot::PartPlot(QWidget* parent) : ChartPlot(parent), m_bands(new BandLayer(&cell(), true)) {}
+
+LineChart PartPlot::partChart() {
+    LineChart chart;
+    chart.isFramed = true;
+    chart.across.label = tr("From the headstock end of the ground length, mm");
+    chart.up.label = tr("Radius from\ntarget, µm");
+    chart.across.room = chart.up.room = 0;
+    return chart;
 }
 
 void PartPlot::fillBands() {
@@ -29,21 +30,20 @@ void PartPlot::fillBands() {
 }
 
 void PartPlot::restyle() {
-    ViewPlot::restyle();
-    m_cell->axis(QCPAxis::atBottom)->setOffset(stripHeight());
-    m_cell->setMinimumMargins(QMargins(0, BandLayer::nameMargin(font()), rightMargin, 0));
+    ChartPlot::restyle();
+    across().setOffset(stripHeight());
+    cell().setMinimumMargins(QMargins(0, BandLayer::nameMargin(font()), rightMargin, 0));
     fillBands();
 }
 
 void PartPlot::setTexts() {
-    m_cell->axis(QCPAxis::atBottom)
-        ->setLabel(tr("From the headstock end of the ground length, mm"));
-    m_cell->axis(QCPAxis::atLeft)->setLabel(tr("Radius from\ntarget, µm"));
+    ChartPlot::setTexts();
+    across().setTickLength(0, tickOut); // the axis is named above them
     fillBands();
 }
 
 QRect PartPlot::painted() const {
-    return m_cell->rect().adjusted(0, 0, 0, stripHeight());
+    return cell().rect().adjusted(0, 0, 0, stripHeight());
 }
 
 int PartPlot::stripHeight() const {
@@ -51,7 +51,7 @@ int PartPlot::stripHeight() const {
 }
 
 void PartPlot::drawPartAxis(QCPPainter& painter) const {
-    const QRectF strip(m_cell->left(), m_cell->bottom() + 1.0, m_cell->width(), stripHeight());
+    const QRectF strip(cell().left(), cell().bottom() + 1.0, cell().width(), stripHeight());
     const double middle = strip.top() + (tooth + 1 + strip.height()) / 2;
     const QColor edge = style::thinned(palette().color(QPalette::Text), breakAlpha);
     painter.setPen(QPen(edge, 1));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/simulation/stock_layers.h"
-#include "ui/plot/view_plot.h"
+#include "ui/plot/chart_plot.h"
 
 namespace sparkout {
 
@@ -11,12 +11,11 @@ class BandLayer;
 /// A plot with one cell: the part's length over its axis of rotation, with its zones or sections as
 /// bands; radii from the target in micrometres, far above the axis, which is drawn in a strip below
 /// the cell after a break line.
-class PartPlot : public ViewPlot {
+class PartPlot : public ChartPlot {
     Q_OBJECT
 public:
     void restyle() override;
 
-    [[nodiscard]] QCPAxisRect* cell() const { return m_cell; }
     [[nodiscard]] QRect painted() const; ///< the cell and the strip below it
     [[nodiscard]] int stripHeight() const;
     void drawPartAxis(QCPPainter& painter) const;
@@ -25,11 +24,12 @@ protected:
     explicit PartPlot(QWidget* parent);
 
     [[nodiscard]] virtual const LayerSeries& zones() const = 0; ///< series with the bands
-    void fillBands();
+    [[nodiscard]] static LineChart partChart();                 ///< without series
     void setTexts() override;
 
 private:
-    QCPAxisRect* m_cell;
+    void fillBands();
+
     BandLayer* m_bands;
 };
 

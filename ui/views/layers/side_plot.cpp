@@ -23,6 +23,7 @@ constexpr double endRoom = 0.02;                    ///< margin, as a share of t
 SidePlot::SidePlot(QWidget* parent) : PartPlot(parent) {
     setNotAntialiasedElements(QCP::aeNone);
     new SideScene(*this);
+    setChart([this] { return made(); });
     built();
 }
 
@@ -35,7 +36,7 @@ void SidePlot::setRun(OutcomePtr outcome) {
     };
     const bool same = m_outcome && frame(m_outcome->layers) == frame(outcome->layers);
     m_outcome = std::move(outcome);
-    fillBands();
+    remake();
     if (!same) {
         m_scene = grindingScene(m_outcome->result, m_outcome->trajectory, {});
         fit();
@@ -51,10 +52,20 @@ const LayerSeries& SidePlot::limits() const {
     return m_outcome ? m_outcome->layers : none;
 }
 
-/// Shows the wheel's travel from end to end, and all radii of the stock.
-void SidePlot::fit() {
+/// The wheel's travel from end to end, and all radii of the stock.
+LineChart SidePlot::made() const {
+    LineChart chart = partChart();
+    using enum ChartSeries::Kind;
+    chart.series = {
+        {.key = wheelKey, .name = tr("wheel"), .kind = band, .colour = Drawn::wheel},
+        {.key = surfaceKey, .name = tr("surface, given way"), .pen = linePen(1)},
+        {.key = unloadedKey, .name = tr("without load"), .pen = linePen(1, Qt::DashLine)},
+        {.key = fieldKey,
+         .name = tr("tolerance band"),
+         .kind = band,
+         .colour = Drawn::toleranceField}};
     if (limits().columns.empty()) {
-        return;
+        return chart;
     }
     const Project& project = m_outcome->result.project;
     const double L = project.part->length_mm, B = project.wheel->width_mm;
@@ -65,7 +76,7 @@ void SidePlot::fit() {
         std::swap(left, right);
     }
     const double margin = endRoom * (L + left + right);
-    style::setSafeRange(*cell()->axis(QCPAxis::atBottom), -left - margin, L + right + margin);
+    chart.across.range = {-left - margin, L + right + margin};
     const GrindingScene blank = grindingScene(m_outcome->result, m_outcome->trajectory, Progress{});
     double low = above_um(limits().lowerLimit_mm), high = above_um(limits().upperLimit_mm);
     for (const double radius_mm : {blank.edge_mm, limits().columns.front().final_mm}) {
@@ -74,8 +85,9 @@ void SidePlot::fit() {
     }
     const bool bore = limits().removalSign < 0;
     const double size = high - low;
-    style::setSafeRange(*cell()->axis(QCPAxis::atLeft), low - size * (bore ? wheelRoom : metalRoom),
-                        high + size * (bore ? metalRoom : wheelRoom));
+    chart.up.range = {low - size * (bore ? wheelRoom : metalRoom),
+                      high + size * (bore ? metalRoom : wheelRoom)};
+    return chart;
 }
 
 double SidePlot::above_um(double radius_mm) const {
@@ -87,28 +99,17 @@ double SidePlot::seen_mm(const SceneSurface& surface) const {
 }
 
 QRectF SidePlot::wheelRect() const {
-    const QCPAxis* const x = cell()->axis(QCPAxis::atBottom);
-    const double edge = cell()->axis(QCPAxis::atLeft)->coordToPixel(above_um(m_scene.edge_mm));
-    const double far = m_scene.removalSign > 0 ? std::min<double>(cell()->top(), edge)
-                                               : std::max(cell()->bottom() + 1.0, edge);
-    return {QPointF(x->coordToPixel(m_scene.wheel.from_mm), std::min(edge, far)),
-            QPointF(x->coordToPixel(m_scene.wheel.to_mm), std::max(edge, far))};
+    const double edge = up().coordToPixel(above_um(m_scene.edge_mm));
+    const double far = m_scene.removalSign > 0 ? std::min<double>(cell().top(), edge)
+                                               : std::max(cell().bottom() + 1.0, edge);
+    return {QPointF(across().coordToPixel(m_scene.wheel.from_mm), std::min(edge, far)),
+            QPointF(across().coordToPixel(m_scene.wheel.to_mm), std::max(edge, far))};
 }
 
 // --- what is shown ------------------------------------------------------------------------------
 
 QColor SidePlot::colourOf(Key key) const {
-    const QColor colour = key == wheelKey   ? style::colour(Drawn::wheel, palette())
-                          : key == fieldKey ? style::colour(Drawn::toleranceField, palette())
-                                            : palette().color(QPalette::Text);
-    return style::dimmed(colour, isDimmed());
-}
-
-LegendEntries SidePlot::legendEntries() const {
-    return {areaEntry(wheelKey, colourOf(wheelKey), tr("wheel")),
-            lineEntry(surfaceKey, colourOf(surfaceKey), tr("surface, given way")),
-            lineEntry(unloadedKey, {colourOf(unloadedKey), 1, Qt::DashLine}, tr("without load")),
-            areaEntry(fieldKey, colourOf(fieldKey), tr("tolerance band"))};
+    return style::dimmed(chartColour(chart().find(key)->colour, palette()), isDimmed());
 }
 
 QString SidePlot::values() const {

@@ -18,22 +18,20 @@ public:
 
     void setRun(OutcomePtr outcome);    ///< no replot
     void setScene(GrindingScene scene); ///< no replot
-    void fit() override;
 
     [[nodiscard]] const GrindingScene& scene() const { return m_scene; }
     [[nodiscard]] const LayerSeries& limits() const; ///< target and tolerance of the run
-    [[nodiscard]] bool shows(Key key) const { return ViewPlot::shows(key); }
     [[nodiscard]] QColor colourOf(Key key) const;
     [[nodiscard]] double above_um(double radius_mm) const; ///< height above the target, as drawn
     /// Drawn radius of a surface, including its deflection.
     [[nodiscard]] double seen_mm(const SceneSurface& surface) const;
     [[nodiscard]] QRectF wheelRect() const;
-    [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] QString values() const;          ///< the balance under the wheel in one sentence
     [[nodiscard]] CsvTable table() const override; ///< one row for each zone or section
 
 private:
     [[nodiscard]] const LayerSeries& zones() const override { return limits(); }
+    [[nodiscard]] LineChart made() const; ///< axes and legend of the scene
 
     OutcomePtr m_outcome;
     GrindingScene m_scene;

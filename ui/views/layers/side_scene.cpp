@@ -27,11 +27,11 @@ QRect SideScene::clipRect() const {
 }
 
 double SideScene::xOf(double length_mm) const {
-    return m_plot.cell()->axis(QCPAxis::atBottom)->coordToPixel(length_mm);
+    return m_plot.across().coordToPixel(length_mm);
 }
 
 double SideScene::yOf(double radius_mm) const {
-    return m_plot.cell()->axis(QCPAxis::atLeft)->coordToPixel(m_plot.above_um(radius_mm));
+    return m_plot.up().coordToPixel(m_plot.above_um(radius_mm));
 }
 
 void SideScene::draw(QCPPainter* painter) {
@@ -39,7 +39,7 @@ void SideScene::draw(QCPPainter* painter) {
         return;
     }
     m_plot.drawPartAxis(*painter);
-    painter->setClipRect(m_plot.cell()->rect().adjusted(0, 0, 1, 1));
+    painter->setClipRect(m_plot.cell().rect().adjusted(0, 0, 1, 1));
     drawBody(*painter);
     drawField(*painter);
     drawGauge(*painter);
@@ -65,7 +65,7 @@ void SideScene::drawBody(QCPPainter& painter) const {
     const GrindingScene& scene = m_plot.scene();
     const QColor text = m_plot.colourOf(SidePlot::surfaceKey);
     const double foot =
-        scene.removalSign > 0 ? m_plot.cell()->bottom() + 1.0 : double(m_plot.cell()->top());
+        scene.removalSign > 0 ? m_plot.cell().bottom() + 1.0 : double(m_plot.cell().top());
     const bool whole = m_plot.shows(SidePlot::surfaceKey);
     for (const SceneSurface& surface : scene.surfaces) {
         const double left = xOf(surface.stretch.from_mm), right = xOf(surface.stretch.to_mm);
@@ -122,7 +122,7 @@ void SideScene::drawYield(QCPPainter& painter) const {
     const bool below = to > from; // beyond the arrow, in the metal
     QRectF box(x + besideText, below ? to + 2 : to - metrics.height() - 2,
                metrics.horizontalAdvance(text) + 2, metrics.height());
-    if (box.right() > m_plot.cell()->right()) {
+    if (box.right() > m_plot.cell().right()) {
         box.moveRight(x - besideText);
     }
     painter.setFont(m_plot.font());
@@ -134,7 +134,7 @@ void SideScene::drawGauge(QCPPainter& painter) const {
     const double x = xOf(m_plot.scene().gauge_mm);
     const QColor colour =
         style::dimmed(style::colour(style::Drawn::gauge, m_plot.palette()), m_plot.isDimmed());
-    const QCPAxisRect& cell = *m_plot.cell();
+    const QCPAxisRect& cell = m_plot.cell();
     painter.setPen(QPen(colour, 1, Qt::DashDotLine));
     painter.drawLine(QLineF(x, cell.top(), x, cell.bottom()));
     const QFontMetrics metrics(m_plot.font());

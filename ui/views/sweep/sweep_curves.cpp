@@ -58,7 +58,7 @@ std::vector<ChartSpan> holdingOf(const SweepShown& shown) {
 
 LineChart SweepCurves::chart(const SweepShown& shown) {
     LineChart chart;
-    if (shown.empty()) {
+    if (shown.empty() || shown.isMap()) {
         return chart;
     }
     const std::vector<double> places = shown.placesOf(0);
@@ -89,17 +89,7 @@ LineChart SweepCurves::chart(const SweepShown& shown) {
                         .pen = linePen(1.5, Qt::DotLine)}};
     }
     chart.placeText = [shown](double place) { return shown.textOf(shown.pointNear(place)); };
-    chart.table = [shown] {
-        ChartTable table{SweepShown::tableOf(*shown.result, shown.entry.quantities,
-                                             [](std::size_t) { return true; })};
-        for (std::size_t i = 0; i < shown.result->points.size(); ++i) {
-            if (shown.result->points[i].status != SweepStatus::pending) {
-                const double place = shown.placeOf(i, 0);
-                table.places.push_back({.across = {place, place}});
-            }
-        }
-        return table;
-    };
+    chart.table = [shown] { return shown.table(); };
     return chart;
 }
 

@@ -89,8 +89,22 @@ SweepShown::statusMarks(double size, const std::function<double(std::size_t)>& h
     return marks;
 }
 
-CsvTable SweepShown::tableOf(const SweepResult& sweep, const std::vector<std::size_t>& quantities,
-                             const std::function<bool(std::size_t)>& wanted) {
+ChartTable SweepShown::table() const {
+    ChartTable table{tableOf(*result, entry.quantities)};
+    for (std::size_t i = 0; i < result->points.size(); ++i) {
+        if (result->points[i].status != SweepStatus::pending) {
+            const double across = placeOf(i, 0);
+            ChartTable::Place& place = table.places.emplace_back();
+            place.across = {across, across};
+            if (isMap()) {
+                place.up = {placeOf(i, 1), placeOf(i, 1)};
+            }
+        }
+    }
+    return table;
+}
+
+CsvTable SweepShown::tableOf(const SweepResult& sweep, const std::vector<std::size_t>& quantities) {
     CsvTable table;
     for (const SweptInput& input : sweep.inputs) {
         table.header << SweepText::inputAxis(input);
@@ -103,7 +117,7 @@ CsvTable SweepShown::tableOf(const SweepResult& sweep, const std::vector<std::si
     }
     for (std::size_t i = 0; i < sweep.points.size(); ++i) {
         const SweepPoint& point = sweep.points[i];
-        if (point.status == SweepStatus::pending || !wanted(i)) {
+        if (point.status == SweepStatus::pending) {
             continue;
         }
         const std::vector<double> values = sweep.valuesAt(i);

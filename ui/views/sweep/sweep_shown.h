@@ -45,10 +45,10 @@ public:
     [[nodiscard]] std::vector<ChartSeries>
     statusMarks(double size, const std::function<double(std::size_t point)>& height) const;
 
-    /// A row for each wanted point that was run: its inputs, its state, the quantities.
+    /// A row for each point that was run: its inputs, its state, the quantities.
     [[nodiscard]] static CsvTable tableOf(const SweepResult& sweep,
-                                          const std::vector<std::size_t>& quantities,
-                                          const std::function<bool(std::size_t)>& wanted);
+                                          const std::vector<std::size_t>& quantities);
+    [[nodiscard]] ChartTable table() const; ///< of the shown quantities
 };
 
 } // namespace sparkout

@@ -30,7 +30,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <initializer_list>
 #include <utility>
 
 namespace sparkout {
@@ -50,14 +49,14 @@ SweepView::SweepView(QWidget* parent, Settings* settings, Studies* studies)
     , m_phaseBar(new PhaseBar(this))
     , m_axes{new SweepAxisBox(0, this), new SweepAxisBox(1, this)}
     , m_curves(new ChartPlot(this))
-    , m_map(new SweepMap(this))
+    , m_map(new ChartPlot(this))
     , m_phases(new ChartPlot(this))
     , m_point(new QSpinBox(this))
     , m_bar(new RunBar(QStringLiteral("sweep"), this, SweepText::progress))
     , m_take(new QAction(this))
     , m_takeButton(new QPushButton(this))
     , m_add(new QPushButton(this)) {
-    for (ViewPlot* plot : std::initializer_list<ViewPlot*>{m_curves, m_map}) {
+    for (ChartPlot* plot : {m_curves, m_map}) {
         plot->setMinimumSize(240, 120);
         PlotSubject subject;
         subject.own = {m_take};
@@ -105,12 +104,13 @@ void SweepView::connectParts() {
     connect(m_phaseBar, &PhaseBar::changed, this, &SweepView::takePhases);
     connect(m_entry, &QComboBox::currentIndexChanged, this, &SweepView::chooseEntry);
     connect(m_side, &QComboBox::currentIndexChanged, this, &SweepView::chooseEntry);
-    connect(m_map, &SweepMap::pointChosen, this, [this](std::size_t at) { choosePoint(at); });
-    connect(m_curves, &ChartPlot::placeClicked, this, [this](double place) {
-        if (!m_shown.empty()) {
-            choosePoint(m_shown.pointNear(place));
-        }
-    });
+    for (ChartPlot* plot : {m_curves, m_map}) {
+        connect(plot, &ChartPlot::placeClicked, this, [this](double place, double value) {
+            if (!m_shown.empty()) {
+                choosePoint(m_shown.pointNear(place, value));
+            }
+        });
+    }
     connect(m_bar->run(), &QPushButton::clicked, this, &SweepView::runSweep);
     connect(m_take, &QAction::triggered, this, &SweepView::takeValues);
     connect(m_takeButton, &QPushButton::clicked, m_take, &QAction::trigger);
@@ -152,8 +152,8 @@ void SweepView::connectEdits() {
 
 // --- choices ------------------------------------------------------------------------------------
 
-ViewPlot& SweepView::plot() const {
-    return sweep() && sweep()->inputs.size() > 1 ? static_cast<ViewPlot&>(*m_map) : *m_curves;
+ChartPlot& SweepView::plot() const {
+    return sweep() && sweep()->inputs.size() > 1 ? *m_map : *m_curves;
 }
 
 SweepEntry SweepView::chosenEntry() const {
@@ -185,7 +185,7 @@ void SweepView::choosePoint(std::optional<std::size_t> point) {
     m_shown.chosen = sweep() ? point : std::nullopt;
     const QSignalBlocker blocker(m_point);
     m_point->setValue(m_shown.chosen ? static_cast<int>(*m_shown.chosen) + 1 : 0);
-    showMarks();
+    plot().remake();
     showState();
     replotFront();
 }
@@ -301,15 +301,7 @@ void SweepView::showPresent() {
     }
     if (m_shown.present != values) {
         m_shown.present = std::move(values);
-        showMarks();
-    }
-}
-
-void SweepView::showMarks() {
-    if (m_shown.isMap()) {
-        m_map->setMarks(m_shown);
-    } else {
-        m_curves->remake();
+        plot().remake();
     }
 }
 
@@ -358,9 +350,8 @@ void SweepView::showSweep() {
 void SweepView::showEntry() {
     m_shown.entry = chosenEntry();
     m_shown.margins = m_side->currentIndex() == 1;
-    m_map->setSweep(m_shown.isMap() ? m_shown : SweepShown());
-    m_curves->setChart(
-        [this] { return SweepCurves::chart(m_shown.isMap() ? SweepShown() : m_shown); });
+    m_map->setChart([this] { return SweepMap::chart(m_shown); });
+    m_curves->setChart([this] { return SweepCurves::chart(m_shown); });
     showFront();
     showState();
 }

@@ -22,7 +22,6 @@ class ChartPlot;
 class PhaseBar;
 class RunBar;
 class SweepAxisBox;
-class SweepMap;
 
 /// The view "Sweep": one or two inputs varied over a range and any result over them, as curves or
 /// as a map. A short sweep runs by itself after a change of the inputs, a long one on demand;
@@ -35,7 +34,7 @@ public:
                        Studies* studies = nullptr);
 
     [[nodiscard]] ChartPlot* curves() const { return m_curves; }
-    [[nodiscard]] SweepMap* map() const { return m_map; }
+    [[nodiscard]] ChartPlot* map() const { return m_map; }
     [[nodiscard]] const SweepResultPtr& sweep() const { return studies().sweep.result(); }
     [[nodiscard]] ChartPlot* phases() const { return m_phases; }
     [[nodiscard]] bool busy() const override;
@@ -63,7 +62,7 @@ private:
     void connectParts();
     void connectEdits();
     void nameButtons();
-    [[nodiscard]] ViewPlot& plot() const; ///< the visible one
+    [[nodiscard]] ChartPlot& plot() const; ///< the visible one
     void chooseEntry();
     void chooseSubject();
     [[nodiscard]] bool showsPhases() const; ///< otherwise a sweep
@@ -83,7 +82,6 @@ private:
     void showEntry();
     void showFront();
     void showPresent();
-    void showMarks();                          ///< updates the marks of the drawn content
     [[nodiscard]] QString sweepRemark() const; ///< a remark on the shown content
     [[nodiscard]] SweepEntry chosenEntry() const;
 
@@ -92,7 +90,7 @@ private:
     PhaseBar* m_phaseBar;
     std::array<SweepAxisBox*, 2> m_axes;
     ChartPlot* m_curves;
-    SweepMap* m_map;
+    ChartPlot* m_map;
     ChartPlot* m_phases;
     PhaseOutcomePtr m_phasesShown;
     QSpinBox* m_point; ///< number of the chosen point, from 1; 0: none

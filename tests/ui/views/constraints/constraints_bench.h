@@ -70,6 +70,14 @@ struct Shown {
         QTest::qWait(20);
     }
     [[nodiscard]] ConstraintsPlot& plot() const { return *view.plot(); }
+    /// The points drawn first under a key of the legend; none if it is not drawn.
+    [[nodiscard]] std::vector<XY> points(int key) const {
+        const ChartSeries* const of = plot().chart().find(key);
+        return of ? of->points : std::vector<XY>();
+    }
+    [[nodiscard]] std::vector<XY> actual() const { return points(LimitChart::actualKey); }
+    /// The cuts above their limit.
+    [[nodiscard]] std::vector<XY> exceeded() const { return plot().chart().series.at(1).points; }
     template <typename T>
     [[nodiscard]] T& part(const char* name) const {
         return *view.findChild<T*>(QLatin1String(name));

@@ -16,7 +16,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
-#include <QSet>
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
@@ -68,11 +68,11 @@ private slots:
         for (int g = 0; g < zones.count(); ++g) {
             zones.setCurrentIndex(g);
             const LimitGroup& group = groups[static_cast<std::size_t>(g)];
-            const auto drawn = shown.plot().actual()->data();
-            QCOMPARE(drawn->size(), static_cast<int>(group.cuts.size()));
+            const std::vector<XY> drawn = shown.actual();
+            QCOMPARE(drawn.size(), group.cuts.size());
             // Each is a visit of that zone, with the stock its radius keeps.
-            for (int i = 0; i < drawn->size(); i += 7) {
-                const double stock_um = drawn->at(i)->key, depth_um = drawn->at(i)->value;
+            for (std::size_t i = 0; i < drawn.size(); i += 7) {
+                const double stock_um = drawn[i].x, depth_um = drawn[i].y;
                 const bool found =
                     std::ranges::any_of(outcome->trajectory.passes, [&](const Pass& pass) {
                         if (pass.place.zone != group.zone) {
@@ -96,7 +96,7 @@ private slots:
         }
     }
 
-    /// A band lies on the least of the limits at each stock, in its colour and with its name.
+    /// A ribbon lies on the least of the limits at each stock, in its colour and with its name.
     void aBandNamesWhatBindsAtEachStock() {
         Project project = fixtures::plungeProject(1);
         project.material->burn_rise_k = 400;
@@ -104,17 +104,23 @@ private slots:
         project.machine->limits.plunge_feed_mm_min = std::vector<double>{0.01, 1.5, 0.01};
         const OutcomePtr outcome = run(project);
         const Shown shown(outcome);
-        const ConstraintsPlot& plot = shown.plot();
-        const LimitChart& chart = plot.chart();
-        QCOMPARE(plot.pieces().size(), chart.envelope().size());
-        QVERIFY(plot.pieces().size() > 1);
+        const LimitChart& chart = shown.plot().limits();
+        std::vector<ChartSeries> ribbons;
+        for (const ChartSeries& of : shown.plot().chart().series) {
+            if (of.kind == ChartSeries::Kind::ribbon) {
+                ribbons.push_back(of);
+            }
+        }
+        QCOMPARE(ribbons.size(), chart.envelope().size());
+        QVERIFY(ribbons.size() > 1);
         const double feed_um = 1000 * *greatestInfeed_mm(project);
-        QVERIFY(plot.machineFeed()->dataCount() == 2
-                && plot.machineFeed()->data()->at(0)->value == feed_um);
-        QSet<QString> names;
-        for (std::size_t i = 0; i < plot.pieces().size(); ++i) {
+        const std::vector<XY> feed = shown.points(LimitChart::machineKey);
+        QVERIFY(feed.size() == 2 && feed.front().y == feed_um);
+        QStringList names;
+        for (std::size_t i = 0; i < ribbons.size(); ++i) {
             const BoundCurve& piece = chart.envelope()[i];
-            names << plot.pieceName(i);
+            names << LimitChart::boundName(piece);
+            QCOMPARE(ribbons[i].points.size(), piece.points.size());
             const LimitPoint &from = piece.points.front(), &to = piece.points.back();
             const double middle = (from.stock_mm + to.stock_mm) / 2;
             QCOMPARE(chart.boundAt(middle), LimitChart::boundName(piece));
@@ -124,17 +130,14 @@ private slots:
         }
         QVERIFY(names.contains(QStringLiteral("burn")));
         QVERIFY(names.contains(QStringLiteral("machine's feed")));
-        for (std::size_t i = 1; i < plot.pieces().size();
-             ++i) { // neighbours differ in name and colour
-            QVERIFY(plot.pieceName(i) != plot.pieceName(i - 1));
-            QVERIFY(plot.pieces()[i]->pen().color() != plot.pieces()[i - 1]->pen().color());
+        for (std::size_t i = 1; i < ribbons.size(); ++i) { // neighbours differ in name and colour
+            QVERIFY(names[static_cast<int>(i)] != names[static_cast<int>(i) - 1]);
+            QVERIFY(ribbons[i].colour != ribbons[i - 1].colour);
         }
-        const LegendEntries entries = plot.legendEntries();
+        const LegendEntries entries = shown.plot().legendEntries();
         QVERIFY(std::ranges::any_of(entries, [](const LegendEntry& entry) {
             return entry.text.contains(QStringLiteral("what binds"));
         }));
-        shown.plot().toggleCurve(ConstraintsPlot::envelopeKey);
-        QVERIFY(!plot.pieces().front()->visible());
     }
 
     void theCurvesDrawnAreTheEnginesLimits() {
@@ -143,26 +146,25 @@ private slots:
         Shown shown(outcome);
         for (const ConstraintKind kind :
              {ConstraintKind::burn, ConstraintKind::wheelPower, ConstraintKind::roughness}) {
-            const QCPGraph* graph = shown.plot().limit(kind);
-            QVERIFY(graph);
+            const std::vector<XY> drawn = shown.points(static_cast<int>(kind));
+            QVERIFY(!drawn.empty());
             const LimitGroup& group =
                 outcome->limits.groups[static_cast<std::size_t>(shown.plot().group())];
-            for (const QCPGraphData& point : *graph->data()) {
+            for (const XY& point : drawn) {
                 bool met = false;
                 for (const LimitedStage& stage : group.stages) {
                     for (const DepthLimit& limit :
-                         depthLimits(project, stage.width_mm, point.key / 1000)) {
+                         depthLimits(project, stage.width_mm, point.x / 1000)) {
                         met = met
                               || (limit.kind == kind
-                                  && std::abs(limit.depth_mm * 1000 - point.value)
-                                         < 1e-9 * point.value);
+                                  && std::abs(limit.depth_mm * 1000 - point.y) < 1e-9 * point.y);
                     }
                 }
                 QVERIFY(met);
             }
         }
-        QVERIFY(!shown.plot().limit(ConstraintKind::selfSharpening));
-        QVERIFY(shown.plot().stepless()->dataCount() > 2);
+        QVERIFY(shown.points(static_cast<int>(ConstraintKind::selfSharpening)).empty());
+        QVERIFY(shown.points(LimitChart::steplessKey).size() > 2);
     }
 
     /// The examples of the three limits, with the programme and the feeds in mm/min.
@@ -179,12 +181,13 @@ private slots:
         const auto limit =
             accuracyLimit(outcome->result, outcome->limits, group, AccuracyProof::proved);
         QVERIFY(limit.has_value());
-        QCOMPARE(plot.accuracy()->dataCount(), static_cast<int>(limit->curve.size()));
-        const double lowest_um = plot.accuracy()->data()->constBegin()->value;
+        const std::vector<XY> accuracy = shown.points(LimitChart::accuracyKey);
+        QCOMPARE(accuracy.size(), limit->curve.size());
+        const double lowest_um = accuracy.front().y;
         QVERIFY(std::abs(lowest_um - limit->lastCut_mm * 1000) < 1e-9);
-        QVERIFY(plot.estimate()->data()->constBegin()->value < lowest_um);
-        QVERIFY(plot.published()->dataCount() > 10);
-        QVERIFY(plot.programmed()->dataCount() >= 4);
+        QVERIFY(shown.points(LimitChart::estimateKey).at(0).y < lowest_um);
+        QVERIFY(shown.points(LimitChart::publishedKey).size() > 10);
+        QVERIFY(shown.points(LimitChart::programmedKey).size() >= 4);
         QString names;
         for (const LegendEntry& entry : plot.legendEntries()) {
             names += entry.text + u'|';
@@ -194,14 +197,14 @@ private slots:
         QVERIFY(names.contains(QStringLiteral("runout (22)")));
         QVERIFY(names.contains(QStringLiteral("programmed")));
         // 160 rev/min: 1 µm a revolution is 0.16 mm/min.
-        QVERIFY(plot.minuteAxis()->tickLabels());
-        QVERIFY(std::abs(plot.minuteAxis()->range().upper - plot.feedAxis()->range().upper * 0.16)
-                < 1e-9);
+        const QCPAxis& perMinute = *plot.cell().axis(QCPAxis::atRight);
+        QVERIFY(perMinute.tickLabels());
+        QVERIFY(std::abs(perMinute.range().upper - plot.up().range().upper * 0.16) < 1e-9);
         shown.show(run(limitedProject()));
         for (int g = 0; g < shown.part<QComboBox>("constraintsZone").count(); ++g) {
             shown.part<QComboBox>("constraintsZone").setCurrentIndex(g);
-            QCOMPARE(plot.minuteAxis()->tickLabels(),
-                     plot.feedAxis()->label().endsWith(QStringLiteral("per revolution")));
+            QCOMPARE(perMinute.tickLabels(),
+                     plot.up().label().endsWith(QStringLiteral("per revolution")));
         }
     }
 
@@ -263,7 +266,7 @@ private slots:
         const OutcomePtr second = run(edited);
         Shown shown(first);
         shown.plot().setRun(first, shown.plot().group());
-        const QCPAxis &stock = *shown.plot().stockAxis(), &feeds = *shown.plot().feedAxis();
+        const QCPAxis &stock = shown.plot().across(), &feeds = shown.plot().up();
         const QCPRange stockBefore = stock.range(), feedsBefore = feeds.range();
         shown.show(second);
         QVERIFY(feeds.range() != feedsBefore);
@@ -279,31 +282,31 @@ private slots:
         const OutcomePtr second = run(edited);
         Shown shown(first);
         shown.view.tools()->navigation().zoom(0.5);
-        const QCPRange stock = shown.plot().stockAxis()->range();
-        const QCPRange feeds = shown.plot().feedAxis()->range();
+        const QCPRange stock = shown.plot().across().range();
+        const QCPRange feeds = shown.plot().up().range();
         for (const OutcomePtr& outcome : {second, first, second}) {
             shown.show(outcome);
-            QCOMPARE(shown.plot().stockAxis()->range(), stock);
-            QCOMPARE(shown.plot().feedAxis()->range(), feeds);
+            QCOMPARE(shown.plot().across().range(), stock);
+            QCOMPARE(shown.plot().up().range(), feeds);
         }
         shown.view.forget(); // another document
         shown.show(first);
-        QVERIFY(shown.plot().stockAxis()->range() != stock);
+        QVERIFY(shown.plot().across().range() != stock);
     }
 
     void theCycleRunsFromLeftToRight() {
         Shown shown(run(limitedProject()));
-        const QCPAxis* axis = shown.plot().stockAxis();
-        QVERIFY(axis->coordToPixel(100) < axis->coordToPixel(0));
-        const QCPRange before = axis->range();
+        const QCPAxis& axis = shown.plot().across();
+        QVERIFY(axis.coordToPixel(100) < axis.coordToPixel(0));
+        const QCPRange before = axis.range();
         shown.view.tools()->navigation().pan(1, 0); // to the right: less stock
-        QVERIFY(axis->range().center() < before.center());
+        QVERIFY(axis.range().center() < before.center());
     }
 
     void cutsAboveTheirLimitAreMarked() {
         Project project = limitedProject();
         Shown held(run(project));
-        QCOMPARE(held.plot().exceeded()->data()->size(), 0);
+        QVERIFY(held.exceeded().empty());
         project.material->burn_rise_k = 60;
         const OutcomePtr outcome = run(project);
         Shown shown(outcome);
@@ -312,22 +315,19 @@ private slots:
         const auto above =
             std::ranges::count_if(group.cuts, [](const LimitedCut& c) { return c.usage > 1; });
         QVERIFY(above > 0);
-        QCOMPARE(shown.plot().exceeded()->data()->size(), static_cast<int>(above));
+        QCOMPARE(shown.exceeded().size(), static_cast<std::size_t>(above));
         // It starts with the zone that comes nearest, and marks where.
         for (const LimitGroup& other : outcome->limits.groups) {
             QVERIFY(other.worst.usage <= group.worst.usage);
         }
-        QCOMPARE(shown.plot().marked().value().depth_mm, group.worst.depth_mm);
+        QCOMPARE(shown.plot().limits().marked().value().depth_mm, group.worst.depth_mm);
     }
 
     void cutsThatOutgrowThePlotBringItAlong() {
         Project project = unlimited(plungeProject(1));
         Shown shown(run(project));
-        const auto feeds = [&] { return shown.plot().feedAxis()->range(); };
-        const auto highest = [&] {
-            bool found = false;
-            return shown.plot().actual()->getValueRange(found).upper;
-        };
+        const auto feeds = [&] { return shown.plot().up().range(); };
+        const auto highest = [&] { return std::ranges::max(shown.actual(), {}, &XY::y).y; };
         const auto feedTimes = [&project](double times) {
             for (Stage& stage : project.cycle->stages) {
                 *stage.radial_feed_mm_min *= times;
@@ -351,8 +351,8 @@ private slots:
         for (int g = 0; g < zones.count(); ++g) {
             zones.setCurrentIndex(g);
             const bool standing = zones.itemText(g).contains(QStringLiteral("standing"));
-            QVERIFY2(shown.plot().feedAxis()->label().endsWith(
-                         standing ? QStringLiteral("per revolution") : QStringLiteral("per pass")),
+            QVERIFY2(shown.plot().up().label().endsWith(standing ? QStringLiteral("per revolution")
+                                                                 : QStringLiteral("per pass")),
                      qPrintable(zones.itemText(g)));
         }
     }
@@ -379,12 +379,12 @@ private slots:
         spark.stock_mm = 0;
         project.cycle->stages.push_back(spark);
         Shown shown(run(project));
-        const auto sight = [&] { return shown.plot().feedAxis()->range(); };
+        const auto sight = [&] { return shown.plot().up().range(); };
         const auto reaches = [&](const QCPRange& range) { // the least of the limits
-            bool found = false;
-            return range.contains(shown.plot().stepless()->getValueRange(found).lower);
+            return range.contains(
+                std::ranges::min(shown.points(LimitChart::steplessKey), {}, &XY::y).y);
         };
-        QCOMPARE(shown.plot().feedAxis()->scaleType(), QCPAxis::stLogarithmic);
+        QCOMPARE(shown.plot().up().scaleType(), QCPAxis::stLogarithmic);
         QVERIFY(sight().lower > 0 && reaches(sight()));
         shown.part<QCheckBox>("logarithmic").click();
         QVERIFY(sight().lower == 0 && reaches(sight()));
@@ -409,22 +409,15 @@ private slots:
                     zones.setCurrentIndex(g);
                     ConstraintsPlot& plot = shown.plot();
                     plot.replot(QCustomPlot::rpImmediateRefresh);
-                    QCPItemText* text = nullptr;
-                    for (int i = 0; i < plot.itemCount(); ++i) {
-                        text = text ? text : qobject_cast<QCPItemText*>(plot.item(i));
-                    }
-                    QVERIFY(text);
-                    if (!text->visible() || text->text().isEmpty()) {
+                    const QRectF box = plot.callOut();
+                    QCOMPARE(box.isNull(), plot.limits().markText().isEmpty());
+                    if (box.isNull()) {
                         continue;
                     }
                     ++tried;
-                    const QRectF box(text->topLeft->pixelPosition(),
-                                     text->bottomRight->pixelPosition());
-                    QVERIFY2(QRectF(plot.stockAxis()->axisRect()->rect()).contains(box), name);
-                    for (const QCPCurveData& cut : *plot.actual()->data()) {
-                        const QPointF at(plot.stockAxis()->coordToPixel(cut.key),
-                                         plot.feedAxis()->coordToPixel(cut.value));
-                        QVERIFY2(!box.contains(at), name);
+                    QVERIFY2(QRectF(plot.cell().rect()).contains(box), name);
+                    for (const XY& cut : shown.actual()) {
+                        QVERIFY2(!box.contains(plot.pixelOf(cut)), name);
                     }
                 }
             }
@@ -456,9 +449,8 @@ private slots:
                 bench.window->findChild<QLabel*>(QStringLiteral("constraintsValues"));
             auto* plot = bench.window->findChild<ConstraintsView*>()->plot();
             QVERIFY(values->isVisible());
-            for (const QCPCurveData& cut : *plot->actual()->data()) {
-                fixtures::hover(plot, QPointF(plot->stockAxis()->coordToPixel(cut.key),
-                                              plot->feedAxis()->coordToPixel(cut.value)));
+            for (const XY& cut : plot->chart().find(LimitChart::actualKey)->points) {
+                fixtures::hover(plot, plot->pixelOf(cut));
                 QVERIFY(values->text().contains(u'%'));
                 QVERIFY2(values->heightForWidth(values->width()) <= values->height(),
                          qPrintable(values->text()));

@@ -137,8 +137,7 @@ private slots:
             const ConstraintResult constraint = shown.view.margins()->at(shown.rowOf(kind));
             const LimitedCut cut =
                 limitedCutOf(outcome->result, outcome->trajectory, constraint).value();
-            QVERIFY(shown.plot().marked());
-            QCOMPARE(shown.plot().marked()->depth_mm, cut.depth_mm);
+            QCOMPARE(shown.plot().limits().marked().value().depth_mm, cut.depth_mm);
             QCOMPARE(shown.plot().group(), limitGroupAt(outcome->limits, cut.place));
             const FormulaSheet sheet =
                 constraintSheet(outcome->result, outcome->accuracy, constraint).value();
@@ -194,8 +193,8 @@ private slots:
     void whatIsOffLeadsToItsField() {
         Shown shown(run(unlimited(traverseProject())));
         QVERIFY(shown.part<QLabel>("constraintsNotice").isVisible());
-        QVERIFY(shown.plot().hasCuts());
-        QCOMPARE(shown.plot().stepless()->dataCount(), 0);
+        QVERIFY(!shown.actual().empty());
+        QVERIFY(shown.points(LimitChart::steplessKey).empty());
         auto& off = shown.part<QLabel>("limitsOff");
         QVERIFY(off.isVisible());
         QSignalSpy asked(&shown.view, &ConstraintsView::pathAsked);
@@ -243,10 +242,10 @@ private slots:
         QVERIFY(notice.isVisible() && !notice.text().isEmpty());
         QVERIFY(!view.plot()->isVisible());
         Shown shown(run(limitedProject()));
-        const auto cuts = shown.plot().actual()->data()->size();
+        const std::size_t cuts = shown.actual().size();
         shown.show(fixtures::refused());
         QVERIFY(shown.part<QLabel>("constraintsNotice").isVisible());
-        QCOMPARE(shown.plot().actual()->data()->size(), cuts); // the last good run's
+        QCOMPARE(shown.actual().size(), cuts); // the last good run's
         auto unrecorded = std::make_shared<Outcome>(*run(limitedProject()));
         unrecorded->trajectory = {};
         unrecorded->limits = makeLimitSeries(unrecorded->result, {});
@@ -254,14 +253,12 @@ private slots:
         QVERIFY(!shown.plot().isVisible());
         QVERIFY(shown.part<CopyTable>("margins").isVisible());
         shown.click(shown.rowOf(ConstraintKind::burn));
-        QVERIFY(!shown.plot().marked());
+        QVERIFY(!shown.plot().limits().marked());
     }
 
     void mouseLegendAndTable() {
         Shown shown(run(limitedProject()));
-        const auto& point = *shown.plot().actual()->data()->at(3);
-        fixtures::hover(&shown.plot(), QPointF(shown.plot().stockAxis()->coordToPixel(point.key),
-                                               shown.plot().feedAxis()->coordToPixel(point.value)));
+        fixtures::hover(&shown.plot(), shown.plot().pixelOf(shown.actual()[3]));
         QVERIFY(shown.part<QLabel>("constraintsValues").text().contains(QStringLiteral("%")));
         auto* legend = shown.view.findChild<LegendStrip*>();
         for (std::size_t i = 0; i < legend->entries().size(); ++i) {
@@ -270,10 +267,9 @@ private slots:
                                   legend->entryRect(static_cast<int>(i)).center());
             }
         }
-        QVERIFY(!shown.plot().limit(ConstraintKind::burn)->visible());
+        QVERIFY(!shown.plot().shows(static_cast<int>(ConstraintKind::burn)));
         const CsvTable table = shown.plot().table();
-        QCOMPARE(table.rows.size(),
-                 static_cast<std::size_t>(shown.plot().actual()->data()->size()));
+        QCOMPARE(table.rows.size(), shown.actual().size());
         for (const auto& row : table.rows) {
             QCOMPARE(static_cast<qsizetype>(row.size()), table.header.size());
         }

@@ -52,8 +52,7 @@ struct Bench {
 };
 
 double micrometresIn(const LayersPlot& plot, double pixels) {
-    QCPAxis* const y = plot.cell()->axis(QCPAxis::atLeft);
-    return std::abs(y->pixelToCoord(pixels) - y->pixelToCoord(0));
+    return std::abs(plot.up().pixelToCoord(pixels) - plot.up().pixelToCoord(0));
 }
 
 class TestLayersView : public QObject {
@@ -94,13 +93,14 @@ private slots:
         const OutcomePtr outcome = fixtures::run(fixtures::traverseProject());
         Bench bench(outcome);
         const LayerSeries& series = outcome->layers;
-        QCPGraph& last = *bench.plot().graph(LayersPlot::finalKey);
+        const LineChart& chart = bench.plot().chart();
+        const std::vector<XY>& last = chart.find(LayersPlot::finalKey)->points;
         for (const LayerColumn& column : series.columns) {
             const double middle = (column.stretch.from_mm + column.stretch.to_mm) / 2;
-            const auto after = last.data()->findEnd(middle, false);
-            QVERIFY(std::abs(after->value - (column.final_mm - series.target_mm) * 1e3) < 1e-9);
+            const double radius_um = valueAt(last, middle).value();
+            QVERIFY(std::abs(radius_um - (column.final_mm - series.target_mm) * 1e3) < 1e-9);
         }
-        const double upper = bench.plot().graph(LayersPlot::fieldKey)->data()->at(0)->value;
+        const double upper = chart.find(LayersPlot::fieldKey)->points.front().y;
         QVERIFY(std::abs(upper - (series.upperLimit_mm - series.target_mm) * 1e3) < 1e-9);
     }
 
@@ -233,10 +233,8 @@ private slots:
                 QCOMPARE(scene.radius, bench.cursor.radius());
                 if (scene.cut_mm > 0) {
                     ++cuts;
-                    const double seen = side.cell()
-                                            ->axis(QCPAxis::atLeft)
-                                            ->coordToPixel(side.above_um(
-                                                side.seen_mm(scene.surfaces[scene.leading])));
+                    const double seen = side.up().coordToPixel(
+                        side.above_um(side.seen_mm(scene.surfaces[scene.leading])));
                     const QRectF wheel = side.wheelRect();
                     const double edge = scene.removalSign > 0 ? wheel.bottom() : wheel.top();
                     QVERIFY(std::abs(edge - seen) < 1e-6);
@@ -255,7 +253,7 @@ private slots:
         bench.cursor.step(CursorUnit::stroke, 1);
         const double entry = side.wheelRect().left(); // a double stroke ends where it began
         double farthest = entry;
-        const QRect cell = side.cell()->rect();
+        const QRect cell = side.cell().rect();
         while (bench.cursor.step(CursorUnit::radius, 1), bench.cursor.stroke() == 5) {
             farthest = std::max(farthest, side.wheelRect().left());
             QVERIFY(side.wheelRect().left() >= cell.left());

@@ -152,7 +152,7 @@ private slots:
             return entry.key == static_cast<int>(GridPart::wrong);
         }));
         const StateFault& first = exact.faults.front();
-        fixtures::hover(&bench.plot(), bench.plot().cell(first.level, first.feed).center());
+        fixtures::hover(&bench.plot(), bench.plot().stateRect(first.level, first.feed).center());
         QVERIFY(bench.readout().contains(StateGridText::wrong(first)));
     }
 
@@ -227,7 +227,7 @@ private slots:
     void aClickLooksAtAState() {
         Bench bench(traverse());
         QVERIFY(bench.settled());
-        const QPointF at = bench.plot().cell(4, 2).center();
+        const QPointF at = bench.plot().stateRect(4, 2).center();
         QTest::mouseClick(&bench.plot(), Qt::LeftButton, {}, at.toPoint());
         QCOMPARE(bench.moment(), momentOf(bench.grid(), 4, 2));
         fixtures::hover(&bench.plot(), QPointF(1, 1));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The view "Sweep": chosen, run, stopped and taken from with mouse and keys; its curves are the
-// engine's; a project from which the varied stage has gone does no harm.
+// sweep's; a project from which the varied stage has gone does no harm.
 #include "core/project/number_input.h"
 #include "core/study/evaluate.h"
 #include "core/study/sweep_edits.h"
@@ -17,7 +17,7 @@
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
 #include "ui/views/sweep/contour_lines.h"
-#include "ui/views/sweep/sweep_map.h"
+#include "ui/views/sweep/sweep_shown.h"
 #include "ui/views/sweep/sweep_view.h"
 
 #include <QComboBox>
@@ -28,6 +28,8 @@
 #include <QSpinBox>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 
 namespace sparkout::test_sweep_view {
@@ -101,15 +103,17 @@ struct Bench {
         QTest::keyClicks(&line, text);
         QTest::keyClick(&line, Qt::Key_Return);
     }
-    void clickPoint(SweepMap& map, std::size_t point) {
-        map.replot();
-        QTest::mouseClick(&map, Qt::LeftButton, {}, map.pixelOf(point).toPoint());
-    }
-    void clickPoint(ChartPlot& curves, std::size_t point) {
-        curves.replot();
-        const double x = curves.across().coordToPixel(view.sweep()->valuesAt(point)[0]);
-        const QPointF at(x, curves.cell().center().y());
-        QTest::mouseClick(&curves, Qt::LeftButton, {}, at.toPoint());
+    /// Both axes have equal steps, or the second one has equal ratios.
+    void clickPoint(ChartPlot& plot, std::size_t point) {
+        plot.replot();
+        const std::vector<double> values = view.sweep()->valuesAt(point);
+        const bool isMap = values.size() > 1;
+        const bool hasRatios =
+            isMap && view.sweep()->inputs[1].axis.spacing == SweepSpacing::logarithmic;
+        const double up = !isMap      ? plot.up().range().center()
+                          : hasRatios ? std::log10(values[1])
+                                      : values[1];
+        QTest::mouseClick(&plot, Qt::LeftButton, {}, plot.pixelOf({values[0], up}).toPoint());
     }
     Document document;
     SweepView view;
@@ -214,25 +218,27 @@ private slots:
         }
     }
 
-    void theCurvesAreTheResultsOfTheEngine() {
-        const Project project = swept(shaft(), {{dullness, 0.01, 0.06, 11}});
-        Bench bench(project);
+    void theCurvesAreTheResultsOfTheSweep() {
+        Bench bench(swept(shaft(), {{dullness, 0.01, 0.06, 11}}));
         QVERIFY(bench.settled());
         auto& result = bench.part<QComboBox>("sweepResult");
         result.setCurrentIndex(result.findText(QStringLiteral("Radial runout")));
         const LineChart& chart = bench.view.curves()->chart();
         QVERIFY(chart.find(2) && !chart.find(3));
-        for (int i = 0; i < 11; ++i) {
-            Project single = project;
-            const double value = bench.view.sweep()->inputs[0].values[std::size_t(i)];
-            QVERIFY(setNumberInput(single, dullness, value));
-            const SimulationResult run = simulate(single);
-            for (std::size_t zone = 0; zone < 3; ++zone) {
-                const XY& at = chart.find(static_cast<int>(zone))->points[std::size_t(i)];
-                QVERIFY(at.x == value); // QCOMPARE would round
-                QVERIFY(at.y == run.sections[zone].radialRunout_mm * 1000);
+        const SweepResult& sweep = *bench.view.sweep();
+        int curve = 0;
+        for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
+            if (sweep.quantities[q].name != "radial_runout") {
+                continue;
+            }
+            const std::vector<XY>& drawn = chart.find(curve++)->points;
+            QCOMPARE(drawn.size(), std::size_t{11});
+            for (std::size_t i = 0; i < drawn.size(); ++i) {
+                QVERIFY(drawn[i].x == sweep.inputs[0].values[i]); // QCOMPARE would round
+                QVERIFY(drawn[i].y == sweep.points[i].values[q].value);
             }
         }
+        QCOMPARE(curve, 3);
         QVERIFY(
             std::ranges::count_if(
                 chart.series, [](const ChartSeries& of) { return of.key == SweepShown::limitKey; })
@@ -295,15 +301,15 @@ private slots:
         const SweepResult& sweep = *bench.view.sweep();
         auto& result = bench.part<QComboBox>("sweepResult");
         result.setCurrentIndex(result.findText(QStringLiteral("Mean diameter, NZ")));
-        QCPColorMapData& cells = *bench.view.map()->map()->data();
-        QCOMPARE(cells.keySize(), 12);
-        QCOMPARE(cells.valueSize(), 8);
+        const ChartMap cells = bench.view.map()->chart().map.value();
+        QCOMPARE(cells.columns, std::size_t{12});
+        QCOMPARE(cells.values.size(), std::size_t{12 * 8});
         for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
             if (sweep.quantities[q].name == "diameter" && sweep.quantities[q].section == 1) {
-                for (int x = 0; x < 12; ++x) {
-                    for (int y = 0; y < 8; ++y) {
-                        const auto at = sweep.index(std::size_t(x), std::size_t(y));
-                        QVERIFY(cells.cell(x, y) == sweep.points[at].values[q].value);
+                for (std::size_t x = 0; x < 12; ++x) {
+                    for (std::size_t y = 0; y < 8; ++y) {
+                        QVERIFY(cells.values[y * 12 + x]
+                                == sweep.points[sweep.index(x, y)].values[q].value);
                     }
                 }
             }
@@ -316,8 +322,10 @@ private slots:
             std::get<ZoneCompliance>(bench.document.project().machine->compliance_mm_per_n);
         QCOMPARE(taken.nz, sweep.inputs[1].values[5]);
         QCOMPARE(bench.document.project().wheel->dullness, sweep.inputs[0].values[3]);
-        const CsvTable table = bench.view.map()->table();
-        QCOMPARE(table.rows.size(), std::size_t{96});
+        ChartPlot& map = *bench.view.map();
+        QCOMPARE(map.table().rows.size(), std::size_t{96});
+        map.up().setRange(map.up().range().center(), map.up().range().upper);
+        QCOMPARE(map.table().rows.size(), std::size_t{48});
     }
 
     void aLongSweepWaitsForRunAndAStopKeepsWhatWasDone() {
@@ -463,8 +471,8 @@ private slots:
                                     {"/cycle/stages/0/radial_feed_mm", 0.001, 0.01, 6}}));
         bench.click("sweepRun");
         QVERIFY(bench.settled());
-        SweepMap& map = *bench.view.map();
-        const QCPAxisRect& rect = *map.axisRect(0);
+        ChartPlot& map = *bench.view.map();
+        const QCPAxisRect& rect = map.cell();
         const QCPAxis& axis = *rect.axis(QCPAxis::atLeft);
         QVERIFY(QFontMetrics(map.font()).horizontalAdvance(axis.label()) > 260);
         for (const int height : {620, 500}) {
@@ -483,29 +491,23 @@ private slots:
         }
     }
 
-    void whatIsDrawnOfAMapIsInItsLegendAsItIsDrawn() {
+    void theLegendOfAMapHasWhatIsDrawn() {
         Bench bench(swept(shaft(), {{dullness, 0.005, 0.08, 12}, {"/part/stock_mm", 0.1, 0.2, 6}}));
         bench.click("sweepRun");
         QVERIFY(bench.settled());
-        SweepMap& map = *bench.view.map();
+        ChartPlot& map = *bench.view.map();
         bench.clickPoint(map, bench.view.sweep()->index(3, 3));
-        std::set<int> keys;
+        std::map<int, LegendEntry> entries;
         for (const LegendEntry& entry : map.legendEntries()) {
-            keys.insert(entry.key);
-            for (const auto& [key, line] :
-                 {std::pair<int, QCPCurve*>{SweepShown::limitKey, map.limitLine()},
-                  {SweepShown::holdsKey, map.holdsLine()}}) {
-                if (entry.key == key) {
-                    QCOMPARE(entry.colour, line->pen().color());
-                    QCOMPARE(entry.pen, line->pen().style());
-                    QVERIFY(entry.halo.isValid());
-                }
-            }
+            entries.emplace(entry.key, entry);
         }
-        QCOMPARE(keys.contains(SweepShown::limitKey), !map.limitLine()->data()->isEmpty());
-        QCOMPARE(keys.contains(SweepShown::holdsKey), !map.holdsLine()->data()->isEmpty());
-        QVERIFY(keys.contains(SweepShown::presentKey));
-        QVERIFY(keys.contains(SweepShown::chosenKey));
+        for (const int key : {SweepShown::limitKey, SweepShown::holdsKey}) {
+            const auto entry = entries.find(key);
+            QCOMPARE(entry != entries.end(), map.chart().find(key) != nullptr);
+            QVERIFY(entry == entries.end() || entry->second.halo == onMap::dark);
+        }
+        QCOMPARE(entries.at(SweepShown::presentKey).swatch, Swatch::rhombus);
+        QCOMPARE(entries.at(SweepShown::chosenKey).swatch, Swatch::square);
     }
 };
 
