@@ -5,6 +5,7 @@
 #include "core/batch/batch_json.h"
 #include "core/batch/batch_state_reader.h"
 #include "core/batch/part_table.h"
+#include "core/digits.h"
 #include "core/format/project_file.h"
 #include "core/printable.h"
 #include "core/project/validate.h"
@@ -47,15 +48,15 @@ std::string verdictText(const BatchVerdict& verdict, const BatchSummary& summary
             ? placeKey(summary.characteristics[*verdict.characteristic].characteristic) + " "
                   + summary.characteristics[*verdict.characteristic].characteristic.name
             : std::string();
-    const std::string limit = numberText(verdict.limit);
+    const std::string limit = plainNumber(verdict.limit);
     switch (verdict.reason) {
     case BatchReason::noPart: return "unfit: no part was run";
     case BatchReason::partsFail:
         return "unfit: " + fixed(100 * verdict.value, 2) + " % of the parts are rejected, allowed "
-               + numberText(100 * verdict.limit) + " %";
+               + plainNumber(100 * verdict.limit) + " %";
     case BatchReason::someFail:
         return "conditionally fit: some parts are rejected, but no more than the allowed "
-               + numberText(100 * verdict.limit) + " %";
+               + plainNumber(100 * verdict.limit) + " %";
     case BatchReason::stopped: return "conditionally fit: not all parts were run";
     case BatchReason::noSample:
         return "conditionally fit: all corner combinations are good, but they are not a sample, so "
@@ -63,7 +64,7 @@ std::string verdictText(const BatchVerdict& verdict, const BatchSummary& summary
     case BatchReason::fewParts: return "conditionally fit: Ppk cannot be computed from one part";
     case BatchReason::outside:
         return "conditionally fit: of " + of + " " + fixed(100 * verdict.value, 3)
-               + " % are expected out of tolerance, allowed " + numberText(100 * verdict.limit)
+               + " % are expected out of tolerance, allowed " + plainNumber(100 * verdict.limit)
                + " %";
     case BatchReason::ppk:
         return "conditionally fit: the lower 95 % bound of Ppk of " + of + " is "
@@ -83,7 +84,7 @@ std::string factorsText(const BatchResult& result, std::int64_t part) {
     std::string text;
     for (std::size_t i = 0; i < values.size(); ++i) {
         text += std::string(i == 0 ? ": " : ", ") + factorKey(source.factors()[i]) + " "
-                + numberText(values[i]);
+                + plainNumber(values[i]);
     }
     return text;
 }

@@ -3,6 +3,7 @@
 
 #include "app/io/cli_outputs.h"
 #include "app/io/cli_report.h"
+#include "core/digits.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/validate.h"
@@ -19,7 +20,7 @@ std::string stageLine(const Operation& operation, const Stage& stage, std::size_
         feeds = "spark-out, " + std::to_string(*steps)
                 + (operation->countsStrokes ? " double strokes" : " revolutions");
     } else if (stage.continuousFeed_mm_min() > 0) {
-        feeds = numberText(stage.continuousFeed_mm_min()) + " mm/min continuous";
+        feeds = plainNumber(stage.continuousFeed_mm_min()) + " mm/min continuous";
     } else {
         const double radial = *(stage.*operation->radial().value);
         feeds = operation->perMinute ? fixed(radial, 3) + " mm/min"
@@ -37,7 +38,7 @@ std::string machineLines(const SearchOutcome& outcome) {
     for (const FreeSetting& each : freeSettings(outcome.project, outcome.answer()->machine)) {
         const Field& row = *tableOf<Machine>().find(each.key);
         text +=
-            std::string("  ") + row.label + ": " + numberText(each.value) + ' ' + row.unit + '\n';
+            std::string("  ") + row.label + ": " + plainNumber(each.value) + ' ' + row.unit + '\n';
     }
     return text;
 }

@@ -6,6 +6,7 @@
 #include "app/io/cli_report.h"
 #include "app/io/cli_surfaces.h"
 #include "app/io/stop_signals.h"
+#include "core/digits.h"
 #include "core/phases/phases_json.h"
 #include "core/printable.h"
 #include "core/project/part.h"
@@ -89,8 +90,8 @@ int decideOne(const Project& project, const std::string& name, const manual::Giv
     range.from_mm = given.number("--from").value_or(range.from_mm);
     range.to_mm = given.number("--to").value_or(range.to_mm);
     if (range.from_mm > range.to_mm) {
-        return usageError("--from " + numberText(range.from_mm) + " lies above --to "
-                          + numberText(range.to_mm));
+        return usageError("--from " + plainNumber(range.from_mm) + " lies above --to "
+                          + plainNumber(range.to_mm));
     }
     PhaseDecision decision;
     {

@@ -6,6 +6,7 @@
 #include "app/io/cli_report.h"
 #include "app/io/cli_surfaces.h"
 #include "app/io/stop_signals.h"
+#include "core/digits.h"
 #include "core/project/validate.h"
 #include "core/quality/result_names.h"
 #include "core/sweep/sweep_json.h"
@@ -63,7 +64,7 @@ std::string sweepText(const SweepResult& sweep) {
     for (std::size_t i = 0; i < sweep.points.size(); ++i) {
         const SweepPoint& point = sweep.points[i];
         for (const double value : sweep.valuesAt(i)) {
-            text += numberText(value) + "  ";
+            text += plainNumber(value) + "  ";
         }
         text += sweepStatusKey(point.status);
         for (std::size_t q = 0; q < point.values.size(); ++q) {

@@ -22,4 +22,15 @@ std::string fixed(double value, int decimals) {
     return {buffer, end};
 }
 
+std::string plainNumber(double value) {
+    constexpr double smallestPlain = 1e-7, largestPlain = 1e15;
+    const double size = std::abs(value);
+    char buffer[64];
+    const auto [end, error] =
+        size == 0 || (size >= smallestPlain && size < largestPlain)
+            ? std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed)
+            : std::to_chars(buffer, buffer + sizeof buffer, value);
+    return {buffer, end};
+}
+
 } // namespace sparkout

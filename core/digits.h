@@ -17,4 +17,8 @@ namespace sparkout {
 /// Formats with this number of decimals and a point in any locale; never "-0".
 [[nodiscard]] std::string fixed(double value, int decimals);
 
+/// Formats with as many digits as the value needs, in any locale; with an exponent only below 1e-7
+/// and from 1e15 on.
+[[nodiscard]] std::string plainNumber(double value);
+
 } // namespace sparkout

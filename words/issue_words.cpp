@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "words/issue_words.h"
 
+#include "core/digits.h"
 #include "core/project/validate.h"
 #include "core/text.h"
 
@@ -330,7 +331,7 @@ std::string Wording::translated(const char*, const std::string& text) const {
     return text;
 }
 std::string Wording::number(double value) const {
-    return numberText(value);
+    return plainNumber(value);
 }
 std::string Wording::numeral(const std::string& digits) const {
     return digits;

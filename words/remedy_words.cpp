@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "words/remedy_words.h"
 
+#include "core/digits.h"
 #include "core/phases/sampled_phases.h"
 #include "core/project/cycle.h"
 #include "core/project/member.h"
@@ -181,7 +182,7 @@ const char* whereTheFirstIsMended(bool room, const RemedyConflict& conflict) {
 } // namespace
 
 std::string RemedyWording::number(double value) const {
-    return numberText(value);
+    return plainNumber(value);
 }
 
 std::string RemedyWording::input(const char* label, const char* symbol) const {

@@ -26,7 +26,7 @@ std::string SearchWording::translated(const char* text) const {
 }
 
 std::string SearchWording::number(double value) const {
-    return numberText(value);
+    return plainNumber(value);
 }
 
 std::string SearchWording::whole(std::int64_t count) const {

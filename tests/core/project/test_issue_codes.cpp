@@ -79,7 +79,7 @@ private slots:
             addRow(name, QString::fromStdString(Wording().detail(detail)), expected);
         };
         row("nothing", {}, "");
-        row("number", Amount{1e-5}, "1e-05");
+        row("number", Amount{1e-5}, "0.00001");
         row("amount", Amount{-2.5, "mm"}, "-2.5 mm");
         row("amount of a formula", Amount{0.5, "mm", "ΔR"}, "0.5 mm (ΔR)");
         row("count", Count{100'000}, "100000");
