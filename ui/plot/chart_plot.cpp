@@ -194,7 +194,7 @@ void ChartPlot::setTexts() {
     if (m_make) {
         m_chart = m_make();
         setUpAxes();
-        draw();
+        drawChart();
     }
 }
 
@@ -265,7 +265,7 @@ void ChartPlot::followValues() {
     }
 }
 
-void ChartPlot::draw() {
+void ChartPlot::drawChart() {
     clearPlottables();
     clearItems();
     m_zones.clear();
@@ -425,11 +425,11 @@ void ChartPlot::drawMap(const ChartMap& map) {
 
 void ChartPlot::restyle() {
     ViewPlot::restyle();
-    draw();
+    drawChart();
 }
 
 void ChartPlot::showChoice() {
-    draw();
+    drawChart();
 }
 
 // --- what is shown ------------------------------------------------------------------------------

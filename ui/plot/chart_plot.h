@@ -63,7 +63,7 @@ private:
     [[nodiscard]] std::optional<Point> pointAt(const QPointF& at) const;
     [[nodiscard]] std::optional<XY> placeAt(const QPointF& at) const; ///< within the cell
     void setUpAxes();
-    void draw(); ///< draws the chart
+    void drawChart();
     void drawSeries(const ChartSeries& series);
     void drawBars(const ChartSeries& series);
     void drawArea(const ChartSeries& series);
