@@ -17043,6 +17043,14 @@ target, µm</source>
             <translation>Выполнено, но не определено: {names}</translation>
         </message>
         <message>
+            <source>Met, Ppk of the batch too low: {low}…{high}</source>
+            <translation>Выполнено, но Ppk партии мал: {low}…{high}</translation>
+        </message>
+        <message>
+            <source>; Ppk {low}…{high}</source>
+            <translation>; Ppk {low}…{high}</translation>
+        </message>
+        <message>
             <source>Met, close to the limit: {name}, {share} %</source>
             <translation>Выполнено, близко к пределу: {name}, {share} %</translation>
         </message>

@@ -49,6 +49,10 @@ constexpr Output<JudgedBatch> batchRows[] = {
     {{.key = "bad", .hint = "parts that are not good"}, [](const JudgedBatch& b) { return b.bad; }},
     {{.key = "interval_95", .hint = "of the share that is not good; null for corners"},
      [](const JudgedBatch& b) { return b.interval; }},
+    {{.key = "low_ppk_95",
+      .hint = "of the least P_pk, where that or the expected share outside misses the batch's "
+              "limit; else null"},
+     [](const JudgedBatch& b) { return b.lowPpk; }},
 };
 
 constexpr Output<Undecided> undecidedRows[] = {

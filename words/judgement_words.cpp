@@ -104,6 +104,11 @@ std::string JudgementWording::bad(const JudgedBatch& batch) const {
                    {"high", percent(batch.interval->high)}});
 }
 
+std::string JudgementWording::withPpk(const char* text, const Interval& ppk) const {
+    constexpr int decimals = 2;
+    return filled(text, {{"low", number(ppk.low, decimals)}, {"high", number(ppk.high, decimals)}});
+}
+
 std::string JudgementWording::names(const std::vector<Undecided>& undecided) const {
     std::string names;
     for (const Undecided& each : undecided) {
@@ -132,6 +137,11 @@ std::string JudgementWording::headline(const Judgement& judgement) const {
         return filled(SPARKOUT_NOOP("Judgement", "Met, except {names}: not decided"),
                       {{"names", names(judgement.notDecided)}});
     case JudgedState::close:
+        if (judgement.batch && judgement.batch->lowPpk) {
+            return withPpk(
+                SPARKOUT_NOOP("Judgement", "Met, Ppk of the batch too low: {low}…{high}"),
+                *judgement.batch->lowPpk);
+        }
         return filled(SPARKOUT_NOOP("Judgement", "Met, close to the limit: {name}, {share} %"),
                       {{"name", requirement(judgement.worst->kind)},
                        {"share", percent(std::max(judgement.worst->relativeMargin, 0.0))}});
@@ -165,8 +175,12 @@ std::string JudgementWording::batch(const Judgement& judgement, bool isComing) c
         return translated(isComing ? SPARKOUT_NOOP("Judgement", "Batch: being run")
                                    : SPARKOUT_NOOP("Judgement", "Batch: not run"));
     }
-    return filled(SPARKOUT_NOOP("Judgement", "Batch: rejected {bad}"),
-                  {{"bad", bad(*judgement.batch)}});
+    const std::string text = filled(SPARKOUT_NOOP("Judgement", "Batch: rejected {bad}"),
+                                    {{"bad", bad(*judgement.batch)}});
+    return judgement.batch->lowPpk ? text
+                                         + withPpk(SPARKOUT_NOOP("Judgement", "; Ppk {low}…{high}"),
+                                                   *judgement.batch->lowPpk)
+                                   : text;
 }
 
 std::string JudgementWording::notDecided(const Undecided& undecided) const {

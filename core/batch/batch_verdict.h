@@ -32,6 +32,12 @@ struct BatchVerdict {
     std::optional<std::size_t> characteristic;
     double value = 0; ///< a share or the lower bound of P_pk
     double limit = 0; ///< its limit for the batch
+
+    /// Whether all parts that were run are good, but not enough of the further ones are expected to
+    /// be; of a characteristic with a P_pk.
+    [[nodiscard]] bool missesForecast() const {
+        return reason == BatchReason::outside || reason == BatchReason::ppk;
+    }
 };
 
 /// Unfit if the share of rejected parts exceeds the batch's `most_outside_share` (0, if not given).

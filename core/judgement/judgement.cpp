@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/judgement/judgement.h"
 
+#include "core/batch/batch_verdict.h"
 #include "core/phases/failing_share.h"
 #include "core/process/printed_form.h"
 #include "core/project/batch.h"
+#include "core/project/machine.h"
 #include "core/quality/roughness.h"
 
 #include <algorithm>
@@ -100,7 +102,7 @@ JudgedState stateOf(const Judgement& of, bool nominalFails) {
     if (!of.notDecided.empty()) {
         return JudgedState::undecided;
     }
-    if (of.worst && isClose(*of.worst)) {
+    if ((of.worst && isClose(*of.worst)) || (of.batch && of.batch->lowPpk)) {
         return JudgedState::close;
     }
     return of.batch && of.batch->holds() ? JudgedState::batchHolds
@@ -168,12 +170,17 @@ std::optional<JudgedStocks> judgeStocks(const SimulationResult& result,
 
 JudgedBatch judgeBatch(const BatchResult& result, const BatchSummary& summary) {
     const Batch batch = result.project.batch.value_or(Batch{});
-    return {summary.parts,
-            summary.bad.count,
-            batch.seed,
-            summary.bad.interval,
-            batch.most_outside_share.value_or(0),
-            result.status != BatchStatus::stopped};
+    JudgedBatch judged{summary.parts,
+                       summary.bad.count,
+                       batch.seed,
+                       summary.bad.interval,
+                       batch.most_outside_share.value_or(0),
+                       result.status != BatchStatus::stopped};
+    const BatchVerdict verdict = weigh(summary, result);
+    if (verdict.missesForecast()) {
+        judged.lowPpk = summary.characteristics[*verdict.characteristic].ppk->interval;
+    }
+    return judged;
 }
 
 Judgement judge(const SimulationResult& result, const std::vector<ConstraintResult>& constraints,

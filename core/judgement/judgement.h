@@ -74,6 +74,9 @@ struct JudgedBatch {
         interval;            ///< 95 % interval of the share of rejected parts; not for corners
     double allowedShare = 0; ///< allowed share of rejected parts: most_outside_share
     bool isWhole = false;    ///< every part of the batch was run
+    /// 95 % interval of the least P_pk, where that or the expected share outside misses the batch's
+    /// limit.
+    std::optional<Interval> lowPpk{};
 
     [[nodiscard]] bool fails() const {
         return static_cast<double>(bad) > allowedShare * static_cast<double>(parts);
@@ -89,7 +92,7 @@ enum class JudgedState {
     stocksFail,  ///< the cycle fails for some stocks within one infeed
     batchFails,  ///< more parts of the batch are rejected than allowed
     undecided,   ///< all requirements are met except those that cannot be checked
-    close,       ///< all requirements are met, with little margin
+    close,       ///< all requirements are met, with little margin or a low P_pk of the batch
     batchHolds,
     stocksHold, ///< the cycle is fit for every stock within one infeed; there is no batch, or it
                 ///< was not run

@@ -116,7 +116,7 @@ FreshPartsTrial triedOnParts(const Project& batch, const std::stop_token& stop) 
     const BatchResult result = runBatchUnchecked(batch, options);
     const BatchSummary summary = summarise(result);
     trial.good.tried = static_cast<int>(summary.parts);
-    trial.good.isCapable = weigh(summary, result).fitness == Fitness::fit;
+    trial.good.isCapable = !weigh(summary, result).missesForecast();
     for (const CharacteristicSummary& each : summary.characteristics) {
         if (each.ppk) {
             const double low = each.ppk->interval.low;
@@ -481,8 +481,15 @@ FreshPartsTrial triedOnFreshParts(const Project& best, int draw, const std::stop
         return {};
     }
     FreshPartsTrial own = triedOnParts(best, stop);
-    return own.bad || stop.stop_requested() ? std::move(own)
-                                            : triedOnParts(withFreshParts(best, draw), stop);
+    if (own.bad || stop.stop_requested()) {
+        return own;
+    }
+    FreshPartsTrial fresh = triedOnParts(withFreshParts(best, draw), stop);
+    fresh.good.isCapable &= own.good.isCapable;
+    if (own.good.ppk && fresh.good.ppk) {
+        fresh.good.ppk = std::min(*own.good.ppk, *fresh.good.ppk);
+    }
+    return fresh;
 }
 
 RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& source,

@@ -23,11 +23,12 @@ struct RobustOptions {
     int mostRounds = 50;
 };
 
-/// Fresh parts of a batch on which a cycle was tried, all of them good.
+/// Fresh parts of a batch on which a cycle was tried after those of the batch itself, all of them
+/// good.
 struct FreshParts {
     int tried = 0;             ///< 0: the search is not for the corners of a batch
     std::optional<double> ppk; ///< lower 95 % bound of the least P_pk, where there is scatter
-    bool isCapable = true;     ///< the forecast for further parts is within the batch's limits
+    bool isCapable = true;     ///< the forecasts of both are within the batch's limits
 };
 
 /// Result of a trial on fresh parts.

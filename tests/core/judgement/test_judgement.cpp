@@ -98,6 +98,12 @@ private slots:
         known.stocks = stocksOf(0, 0.04);
         QCOMPARE(known.judged().state, JudgedState::close);
         QCOMPARE(headline(known), std::string("Met, close to the limit: maximum diameter, 4.0 %"));
+        known.stocks = stocksOf(0, 0.5);
+        known.batch->lowPpk = Interval{0.72, 1.16};
+        QCOMPARE(known.judged().state, JudgedState::close);
+        QCOMPARE(headline(known), std::string("Met, Ppk of the batch too low: 0.72…1.16"));
+        QCOMPARE(JudgementWording().batch(known.judged()),
+                 std::string("Batch: rejected 0 of 50 (≤ 7.1 %); Ppk 0.72…1.16"));
         known.asksRoughness = true;
         QCOMPARE(known.judged().state, JudgedState::undecided);
         QCOMPARE(headline(known), std::string("Met, except roughness Ra: not decided"));
