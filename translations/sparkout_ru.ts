@@ -10473,7 +10473,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Time of your cycle</source>
-            <translation>Время исходного цикла</translation>
+            <translation>Время вашего цикла</translation>
         </message>
         <message>
             <source>Requirement</source>
@@ -13477,7 +13477,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Against yours, %</source>
-            <translation>К исходному, %</translation>
+            <translation>К вашему, %</translation>
         </message>
         <message>
             <source>Gap, %</source>
@@ -13501,7 +13501,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Against the time of your cycle: the current one, or the one that a cycle found took the place of</source>
-            <translation>По сравнению с временем исходного цикла: текущего или того, который заменил найденный</translation>
+            <translation>По сравнению с временем вашего цикла: текущего или того, который заменил найденный</translation>
         </message>
         <message>
             <source>By how much a stepless cycle might at most be quicker</source>
@@ -13570,7 +13570,7 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Against
 yours, %</source>
-            <translation>К исходному,
+            <translation>К вашему,
 %</translation>
         </message>
         <message>
@@ -13719,7 +13719,7 @@ yours, %</source>
         </message>
         <message>
             <source>Your cycle</source>
-            <translation>Исходный цикл</translation>
+            <translation>Ваш цикл</translation>
         </message>
         <message>
             <source>Nominal part alone</source>
@@ -14860,7 +14860,7 @@ target, µm</source>
         </message>
         <message>
             <source>Your cycle</source>
-            <translation>Исходный цикл</translation>
+            <translation>Ваш цикл</translation>
         </message>
         <message>
             <source>Cycle found</source>
@@ -14868,7 +14868,7 @@ target, µm</source>
         </message>
         <message>
             <source>Point at a curve to read its values beside those of your cycle.</source>
-            <translation>Наведите указатель на кривую, чтобы прочитать её значения рядом со значениями исходного цикла.</translation>
+            <translation>Наведите указатель на кривую, чтобы прочитать её значения рядом со значениями вашего цикла.</translation>
         </message>
         <message>
             <source>Point at a number of stages to read its time.</source>
@@ -14888,7 +14888,7 @@ target, µm</source>
         </message>
         <message>
             <source>Feeds and radii of your cycle and of the one found</source>
-            <translation>Подачи и радиусы исходного и найденного циклов</translation>
+            <translation>Подачи и радиусы вашего и найденного циклов</translation>
         </message>
         <message>
             <source>Machining time over the number of stages</source>
@@ -16247,7 +16247,7 @@ target, µm</source>
         </message>
         <message>
             <source>your cycle</source>
-            <translation>исходный цикл</translation>
+            <translation>ваш цикл</translation>
         </message>
         <message>
             <source>stepless limit</source>
@@ -20838,7 +20838,7 @@ s</source>
         </message>
         <message>
             <source>your cycle</source>
-            <translation>исходный цикл</translation>
+            <translation>ваш цикл</translation>
         </message>
         <message>
             <source>cycle chosen</source>
