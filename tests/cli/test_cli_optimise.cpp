@@ -547,18 +547,6 @@ private slots:
             optimize({save("endless.sparkout", endless()), "--time-limit", "2", "--json"}));
     }
 
-    // Thousands of cycles differ in one setting, and each takes its time: the moment that is left
-    // after a stop is not enough to run them.
-    void whatBindsIsNotKnownOfAStoppedSearch() {
-        json file = endless();
-        file["part"]["radii_per_section"] = 360;
-        const QString saved = save("endless-fine.sparkout", file);
-        const json answer = json::parse(interruptedWithAnAnswer({saved, "--json"}).out);
-        QVERIFY(!answer.at("cycle").is_null() && answer.at("binding").is_null());
-        const std::string text = interruptedWithAnAnswer({saved}).out;
-        QVERIFY2(has(text, "is not known: the search was stopped first"), text.c_str());
-    }
-
     // A refinement takes some thousand runs: without a limit of its own it takes far longer.
     void theTimeLimitIsThatOfTheRefinementToo() {
         RunningTimer took;

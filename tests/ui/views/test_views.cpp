@@ -177,24 +177,6 @@ private slots:
         }
     }
 
-    void theVerdictIsRetranslated() {
-        VerdictPanel panel;
-        settle(panel, m_traverse);
-        Marking marking;
-        QApplication::installTranslator(&marking);
-        QCoreApplication::processEvents();
-        for (const QLabel* label : panel.findChildren<QLabel*>()) {
-            if (!label->isHidden() && !label->text().isEmpty()) {
-                QVERIFY2(label->text().contains(QChar(0x00AB)), qPrintable(label->text()));
-            }
-        }
-        QVERIFY(panel.model()->index(1, 0).data().toString().startsWith(QChar(0x00AB)));
-        QApplication::removeTranslator(&marking);
-        QCoreApplication::processEvents();
-        QCOMPARE(panel.model()->headerData(1, Qt::Horizontal, Qt::DisplayRole).toString(),
-                 QStringLiteral("Value"));
-    }
-
 private:
     OutcomePtr m_traverse;
 };

@@ -142,23 +142,6 @@ private slots:
             QVERIFY(table.viewport()->rect().contains(cell));
         }
     }
-
-    void anotherLanguageReachesEveryText() {
-        Bench bench(run(several()));
-        fixtures::Marking marking;
-        QApplication::installTranslator(&marking);
-        QTest::qWait(30);
-        const ValueModel& model = *bench.panel.form().model();
-        for (int row = 0; row < model.rowCount(); ++row) {
-            for (const int role : {int(Qt::DisplayRole), int(Qt::ToolTipRole)}) {
-                QVERIFY(model.headerData(row, Qt::Vertical, role).toString().contains(u'«'));
-            }
-        }
-        QVERIFY(bench.panel.form().table()->accessibleName().contains(u'«'));
-        QApplication::removeTranslator(&marking);
-        QTest::qWait(30);
-        QCOMPARE(bench.panel.form().table()->accessibleName(), QStringLiteral("Form by zone"));
-    }
 };
 
 } // namespace test_verdict_form

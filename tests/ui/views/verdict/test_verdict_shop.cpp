@@ -24,7 +24,6 @@ namespace test_verdict_shop {
 
 using namespace sparkout;
 using namespace verdict_bench;
-using fixtures::Marking;
 using verdict_bench::Bench;
 
 namespace {
@@ -211,28 +210,6 @@ private slots:
         QVERIFY(bench.model().index(0, 0).data(Qt::ForegroundRole).isValid());
         bench.show(m_traverse);
         QVERIFY(!bench.model().index(0, 0).data(Qt::ForegroundRole).isValid());
-    }
-
-    void anotherLanguageReachesEveryTextOfTheTable() {
-        Project p = traverseProject();
-        p.wheel->dullness = 0;
-        Bench bench(run(p));
-        Marking marking;
-        QApplication::installTranslator(&marking);
-        QTest::qWait(30);
-        const auto isMarked = [](const QString& text) { return text.contains(QChar(0x00AB)); };
-        const ValueModel& model = bench.model();
-        for (int row = 0; row < model.rowCount(); ++row) {
-            QVERIFY(isMarked(model.headerData(row, Qt::Vertical, Qt::DisplayRole).toString()));
-            QVERIFY(isMarked(model.headerData(row, Qt::Vertical, Qt::ToolTipRole).toString()));
-        }
-        QVERIFY(isMarked(model.headerData(2, Qt::Horizontal, Qt::DisplayRole).toString()));
-        QVERIFY(isMarked(bench.label("shopRemarks").text()));
-        QVERIFY(isMarked(bench.table().accessibleName()));
-        QVERIFY(isMarked(bench.table().toolTip()));
-        QApplication::removeTranslator(&marking);
-        QTest::qWait(30);
-        QCOMPARE(bench.table().accessibleName(), QStringLiteral("Grinding figures by stage"));
     }
 
 private:
