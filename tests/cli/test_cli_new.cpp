@@ -105,9 +105,7 @@ private slots:
     }
 
     void whatIsRefusedIsNamedWithWhatIsAllowed_data() {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QString>("named");
-        QTest::addColumn<QString>("allowed");
+        addColumns<QStringList, QString, QString>("arguments", "named", "allowed");
         const QStringList size{"--length", "28", "--stock", "0.15"};
         addRow("field", QStringList{"30z6"} + size, QString("30z6"), QString("IT4…IT14"));
         addRow("machine", QStringList{"35k6", "--machine", "3М15"} + size, QString("/machine/name"),

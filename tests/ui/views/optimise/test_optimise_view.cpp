@@ -39,11 +39,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace test_optimise_view {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_optimise_view {
 
 constexpr int patience_ms = 120'000;
 constexpr int searchPage = 7;
@@ -147,8 +143,6 @@ struct Desk {
     Bench bench;
     OptimiseView* view;
 };
-
-} // namespace
 
 /// Of the times across it, by its title.
 double unitOf_s(const MarginFrontPlot& plot) {
@@ -757,7 +751,7 @@ private slots:
     }
 };
 
-} // namespace test_optimise_view
+} // namespace sparkout::test_optimise_view
 
 SPARKOUT_TEST(test_optimise_view, TestOptimiseView)
 #include "test_optimise_view.moc"

@@ -29,11 +29,7 @@
 
 #include <algorithm>
 
-namespace test_state_grid_page {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_state_grid_page {
 
 constexpr int patience_ms = 60'000;
 
@@ -95,8 +91,6 @@ struct Bench {
     Document document;
     OptimiseView view;
 };
-
-} // namespace
 
 class TestStateGridPage : public QObject {
     Q_OBJECT
@@ -283,7 +277,7 @@ private slots:
     }
 };
 
-} // namespace test_state_grid_page
+} // namespace sparkout::test_state_grid_page
 
 SPARKOUT_TEST(test_state_grid_page, TestStateGridPage)
 #include "test_state_grid_page.moc"

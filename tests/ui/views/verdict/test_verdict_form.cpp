@@ -20,13 +20,10 @@
 #include <cstddef>
 #include <variant>
 
-namespace test_verdict_form {
+namespace sparkout::test_verdict_form {
 
-using namespace sparkout;
 using namespace verdict_bench;
 using verdict_bench::Bench;
-
-namespace {
 
 Project several(int sections = 5) {
     Project p = traverseProject();
@@ -40,8 +37,6 @@ enum FormRow { roundness, cylindricity, totalRunout, taper, crown, formRows };
 QString shown(const ValueModel& model, int row, int zone) {
     return model.index(row, zone).data(Qt::DisplayRole).toString();
 }
-
-} // namespace
 
 class TestVerdictForm : public VerdictTest {
     Q_OBJECT
@@ -144,7 +139,7 @@ private slots:
     }
 };
 
-} // namespace test_verdict_form
+} // namespace sparkout::test_verdict_form
 
 SPARKOUT_TEST(test_verdict_form, TestVerdictForm)
 #include "test_verdict_form.moc"

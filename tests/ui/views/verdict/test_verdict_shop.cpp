@@ -20,13 +20,10 @@
 #include <numbers>
 #include <utility>
 
-namespace test_verdict_shop {
+namespace sparkout::test_verdict_shop {
 
-using namespace sparkout;
 using namespace verdict_bench;
 using verdict_bench::Bench;
-
-namespace {
 
 /// A press of the right button as the windowing system sends it, which makes the menu event.
 QMenu* rightClick(QWidget& on, const QPoint& at) {
@@ -36,8 +33,6 @@ QMenu* rightClick(QWidget& on, const QPoint& at) {
     QTest::qWait(20);
     return qobject_cast<QMenu*>(QApplication::activePopupWidget());
 }
-
-} // namespace
 
 class TestVerdictShop : public VerdictTest {
     Q_OBJECT
@@ -106,8 +101,7 @@ private slots:
     }
 
     void numbersKeepThreeDigitsAndNeverVanish_data() {
-        QTest::addColumn<double>("value");
-        QTest::addColumn<QString>("shown");
+        addColumns<double, QString>("value", "shown");
         QTest::newRow("nothing") << 0.0 << QStringLiteral("0");
         QTest::newRow("hardly anything") << 0.00004321 << QStringLiteral("0.00004");
         QTest::newRow("small") << 0.024172 << QStringLiteral("0.024");
@@ -228,7 +222,7 @@ private:
     }
 };
 
-} // namespace test_verdict_shop
+} // namespace sparkout::test_verdict_shop
 
 SPARKOUT_TEST(test_verdict_shop, TestVerdictShop)
 #include "test_verdict_shop.moc"
