@@ -88,14 +88,7 @@ private slots:
         addRow("no size", QStringList{"new"});
         addRow("no field",
                QStringList{"new", "35", "--length", "28", "--stock", "0.1", "-o", file});
-        addRow("no length", QStringList{"new", "35k6", "--stock", "0.1", "-o", file});
-        addRow("no stock", QStringList{"new", "35k6", "--length", "28", "-o", file});
         addRow("no file", QStringList{"new", "35k6", "--length", "28", "--stock", "0.1"});
-        addRow("length of nothing", QStringList{"new", "35k6", "--length", "0"});
-        addRow("stock beyond", QStringList{"new", "35k6", "--stock", "6"});
-        addRow("no operation", QStringList{"new", "35k6", "--operation", "turning"});
-        addRow("no end", QStringList{"new", "35k6", "--shoulder", "left"});
-        addRow("option of another", QStringList{"new", "35k6", "--json"});
     }
 
     void usageErrors() {

@@ -61,10 +61,6 @@ private slots:
         QTest::newRow("six stages") << QStringList{"a", "--stages", "1,6"};
         QTest::newRow("empty stage") << QStringList{"a", "--stages", "1,,2"};
         QTest::newRow("half a stage") << QStringList{"a", "--stages", "1.5"};
-        QTest::newRow("no thread") << QStringList{"a", "--threads", "0"};
-        QTest::newRow("negative time") << QStringList{"a", "--time-limit", "-1"};
-        QTest::newRow("no time") << QStringList{"a", "--time-limit", "nan"};
-        QTest::newRow("no output") << QStringList{"a", "-o"};
         QTest::newRow("empty output") << QStringList{"a", "-o", ""};
         QTest::newRow("over its input") << QStringList{m_shaft, "-o", m_shaft};
     }
