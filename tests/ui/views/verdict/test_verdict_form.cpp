@@ -6,16 +6,12 @@
 #include "core/project/wheel.h"
 #include "core/units.h"
 #include "tests/registry.h"
-#include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
 #include "ui/charts/result_tables.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/text/names.h"
 #include "ui/views/verdict/form_section.h"
 #include "ui/views/verdict/narrow_table.h"
-
-#include <QApplication>
-#include <QClipboard>
 
 #include <cstddef>
 #include <variant>
@@ -100,20 +96,6 @@ private slots:
             QCOMPARE(shown(*bench.panel.form().model(), row, 1), QStringLiteral("—"));
         }
         QVERIFY(std::holds_alternative<std::monostate>(formTable(*outcome).rows.at(1).at(1)));
-    }
-
-    void itIsCopiedWithItsHeads() {
-        Bench bench(run(several()));
-        NarrowTable& table = *bench.panel.form().table();
-        table.setFocus();
-        QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
-        const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
-        QCOMPARE(lines.size(), 6);
-        QCOMPARE(lines.front().split(u'\t'),
-                 (QStringList{QStringLiteral("Quantity"), Names::zoneFull(Zone::rz1, 0),
-                              Names::zoneFull(Zone::nz, 1), Names::zoneFull(Zone::rz2, 2)}));
-        QVERIFY(lines[2].startsWith(QStringLiteral("Cylindricity, minimum zone, µm\t")));
-        QVERIFY(!QApplication::clipboard()->text().contains(u'−')); // as a spreadsheet reads it
     }
 
     /// What its menu saves has all digits, a row a zone.
