@@ -284,8 +284,6 @@ private slots:
             }
         }
     }
-
-private:
 };
 
 } // namespace sparkout::test_compliance_studies
