@@ -263,8 +263,9 @@ private slots:
         QTRY_COMPARE(run.text(), QStringLiteral("Continue"));
     }
 
-    /// The margins by time are the engine's; a click chooses a cycle.
-    void aPointOfTheMarginsByTimeIsChosenAndTaken() {
+    /// The margins by time are the engine's; a click chooses a cycle, the arrows go from point to
+    /// point, Enter takes the one chosen.
+    void aPointOfTheMarginsByTimeIsChosenByMouseAndKeysAndTaken() {
         const Project project = fixtures::searchedShaft();
         const TradeOff engine = tradeOff(project, optimise(project), {}, 40);
         const Desk desk(project);
@@ -290,36 +291,18 @@ private slots:
         QVERIFY(plot.chart().rules.empty());
         const std::size_t last = engine.cycles.size() - 1;
         QTest::mouseClick(&plot, Qt::LeftButton, {}, plot.pixelOf(curve[last]).toPoint());
-        const int row = desk.part<CopyTable>("optimiseFound").currentIndex().row();
-        QCOMPARE(desk.cell(row, FoundColumn::cycle),
-                 OptimiseText::cycle(engine.cycles[last].cycle));
+        const auto cycleAt = [&] {
+            const int row = desk.part<CopyTable>("optimiseFound").currentIndex().row();
+            return desk.cell(row, FoundColumn::cycle);
+        };
+        QCOMPARE(cycleAt(), OptimiseText::cycle(engine.cycles[last].cycle));
         QCOMPARE(pointsOf(plot, MarginFrontPlot::chosenKey).at(0).y,
                  100 * engine.cycles[last].best->leastRelativeMargin);
-        desk.click("optimiseTake");
-        desk.bench.settle();
-        QCOMPARE(OptimiseText::cycle(*desk.project().cycle),
-                 OptimiseText::cycle(engine.cycles[last].cycle));
-        QVERIFY(!desk.view->stale());
-    }
-
-    /// By keys alone: the arrows go from point to point, Enter takes the one chosen.
-    void theKeysChooseAPointOfTheMarginsByTime() {
-        const Project project = fixtures::searchedShaft();
-        const TradeOff engine = tradeOff(project, optimise(project), {}, 40);
-        const Desk desk(project);
-        QVERIFY(desk.searched());
-        desk.part<QComboBox>("optimiseContent").setCurrentIndex(2);
-        desk.bench.settle();
-        MarginFrontPlot& plot = *desk.view->margins();
         plot.setFocus();
         const QCPRange before = plot.across().range();
         for (int i = 0; i < 60; ++i) {
             QTest::keyClick(&plot, Qt::Key_Left);
         }
-        const auto cycleAt = [&] {
-            const int row = desk.part<CopyTable>("optimiseFound").currentIndex().row();
-            return desk.cell(row, FoundColumn::cycle);
-        };
         for (std::size_t i = 0; i < engine.cycles.size(); ++i) {
             const SearchSummary& point = engine.cycles[i];
             QCOMPARE(cycleAt(), OptimiseText::cycle(point.cycle));
@@ -336,6 +319,7 @@ private slots:
         desk.bench.settle();
         QCOMPARE(OptimiseText::cycle(*desk.project().cycle),
                  OptimiseText::cycle(engine.cycles[engine.cycles.size() - 2].cycle));
+        QVERIFY(!desk.view->stale());
     }
 
     /// Over every stock of the range: the answer is its quickest point, and none is better.
