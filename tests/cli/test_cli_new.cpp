@@ -88,14 +88,7 @@ private slots:
         addRow("no size", QStringList{"new"});
         addRow("no field",
                QStringList{"new", "35", "--length", "28", "--stock", "0.1", "-o", file});
-        addRow("no length", QStringList{"new", "35k6", "--stock", "0.1", "-o", file});
-        addRow("no stock", QStringList{"new", "35k6", "--length", "28", "-o", file});
         addRow("no file", QStringList{"new", "35k6", "--length", "28", "--stock", "0.1"});
-        addRow("length of nothing", QStringList{"new", "35k6", "--length", "0"});
-        addRow("stock beyond", QStringList{"new", "35k6", "--stock", "6"});
-        addRow("no operation", QStringList{"new", "35k6", "--operation", "turning"});
-        addRow("no end", QStringList{"new", "35k6", "--shoulder", "left"});
-        addRow("option of another", QStringList{"new", "35k6", "--json"});
     }
 
     void usageErrors() {
@@ -105,9 +98,7 @@ private slots:
     }
 
     void whatIsRefusedIsNamedWithWhatIsAllowed_data() {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QString>("named");
-        QTest::addColumn<QString>("allowed");
+        addColumns<QStringList, QString, QString>("arguments", "named", "allowed");
         const QStringList size{"--length", "28", "--stock", "0.15"};
         addRow("field", QStringList{"30z6"} + size, QString("30z6"), QString("IT4…IT14"));
         addRow("machine", QStringList{"35k6", "--machine", "3М15"} + size, QString("/machine/name"),

@@ -57,9 +57,7 @@ bool isNumber(const Value& value) {
 /// A row for each option that takes such a value.
 template <class Takes>
 void optionRows(Takes takes) {
-    QTest::addColumn<QString>("program");
-    QTest::addColumn<QStringList>("command");
-    QTest::addColumn<QString>("option");
+    addColumns<QString, QStringList, QString>("program", "command", "option");
     for (const Program* program : programs) {
         for (const Command* command : withAllBelow(*program)) {
             for (const Option& option : command->options) {
@@ -87,8 +85,7 @@ class TestCliOptions : public QObject {
 
 private slots:
     void everyCommandHelps_data() {
-        QTest::addColumn<QStringList>("words");
-        QTest::addColumn<QStringList>("options");
+        addColumns<QStringList, QStringList>("words", "options");
         const Program& program = commandLineProgram();
         for (const Command* command : withAllBelow(program)) {
             QStringList options;

@@ -21,16 +21,10 @@ private slots:
 
     void usageErrors_data() {
         QTest::addColumn<QStringList>("arguments");
-        addRow("nothing", QStringList{});
         addRow("empty", QStringList{""});
-        addRow("unknown command", QStringList{"grind", "a"});
         addRow("no file", QStringList{"simulate"});
         addRow("no file to validate", QStringList{"validate"});
         addRow("no folder", QStringList{"examples"});
-        addRow("empty file name", QStringList{"simulate", ""});
-        addRow("two files", QStringList{"simulate", "a", "b"});
-        addRow("unknown option", QStringList{"simulate", "a", "--jsom"});
-        addRow("option of another command", QStringList{"validate", "a", "--json"});
         addRow("no trace file", QStringList{"simulate", "a", "--trace"});
         addRow("empty trace file", QStringList{"simulate", "a", "--trace", ""});
     }

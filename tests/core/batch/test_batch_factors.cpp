@@ -152,20 +152,6 @@ private slots:
         }
     }
 
-    // MODEL-2: P_y is proportional to b. A system that does not yield cuts what it is fed, so the
-    // greatest force is that of the full depth of cut at each part's width.
-    void withoutComplianceTheForceIsProportionalToTheContactWidth() {
-        Project project = fixtures::stiffBatch(20);
-        project.batch->factors.contact_width_mm = uniform(20, 40);
-        const ScenarioSource source(project);
-        const double perWidth =
-            simulateUnchecked(project).peakNormalForce_n / project.part->length_mm;
-        for (std::int64_t part = 0; part < 20; ++part) {
-            QVERIFY(close(simulateUnchecked(source.project(part)).peakNormalForce_n,
-                          perWidth * source.values(part).at(0), 1e-9));
-        }
-    }
-
     // --- position control: the datum is the nominal blank's [MODEL-7] ---------------------------
 
     void atTheNominalBlankTheDatumChangesNothing() {

@@ -100,24 +100,6 @@ private slots:
         QVERIFY(within(mean, 0.3, 0.02));
     }
 
-    /// The sizes of the parts follow the error, to a revolution's infeed on the diameter.
-    void partsEndSmallerByTheirError() {
-        Project p = fineBatch(40);
-        p.batch->factors.gauge_error = normal(0, 1);
-        p.batch->factors.gauge_age_h = growing(0, 1, 40);
-        QVERIFY2(checkBatch(p).empty(), samples::listed(checkBatch(p)).c_str());
-        const double nominal_um =
-            1000 * simulate(ScenarioSource(p).nominal()).sections.front().diameterDeviationMin_mm;
-        const ScenarioSource source(p);
-        const std::vector<double> errors = errorsOf(source);
-        for (std::int64_t part = 0; part < source.parts(); ++part) {
-            const double size_um =
-                1000 * simulate(source.project(part)).sections.front().diameterDeviationMin_mm;
-            const double expected_um = nominal_um - errors[static_cast<std::size_t>(part)];
-            QVERIFY(within(size_um, expected_um, 0.1 + 1e-6));
-        }
-    }
-
     /// A factor that multiplies nothing changes no part, and those before it are drawn as ever.
     void withoutTheMachinesNumbersNothingScatters() {
         Project p = fixtures::shaftBatch(12);

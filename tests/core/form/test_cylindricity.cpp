@@ -161,24 +161,6 @@ private slots:
         }));
     }
 
-    void minimumZoneIsBetweenTheWorstSectionAndTheLeastSquares() {
-        QVERIFY(holds("order", [] {
-            const std::size_t J = std::size_t(pick(2, 6)), K = std::size_t(2 * pick(2, 18));
-            const double form = decades(-4, -2);
-            const Body body = anyBody(J, K, form);
-            const auto shapes = body.shapes();
-            const Directions directions(K);
-            const CylinderZone zone = minimumZoneCylinder(shapes, directions);
-            RC_ASSERT(zone.deviation()
-                      <= leastSquaresCylinder(shapes, directions).deviation() + 1e-14);
-            const double lean = std::hypot(zone.slopeX, zone.slopeY);
-            for (const Radii& radii : body.radii) {
-                const double roundness = minimumZoneCircles(radii, directions).deviation();
-                RC_ASSERT(zone.deviation() >= roundness - 8 * lean * lean - 1e-12);
-            }
-        }));
-    }
-
     void otherAxisHasNoLessSquares() {
         QVERIFY(holds("least", [] {
             const std::size_t J = std::size_t(pick(2, 6)), K = std::size_t(2 * pick(2, 18));
@@ -211,24 +193,6 @@ private slots:
                     > least);
                 RC_ASSERT(squares(axis, zone.reference_mm + by) > least);
             }
-        }));
-    }
-
-    void partTurnedEndForEndIsTheSame() {
-        QVERIFY(holds("end for end", [] {
-            const std::size_t K = std::size_t(2 * pick(2, 12));
-            const Body body = anyBody(4, K, decades(-3, -1));
-            Body turned = body;
-            std::reverse(turned.radii.begin(), turned.radii.end());
-            for (std::size_t j = 0; j < 4; ++j) {
-                turned.positions[j] = 500 - body.positions[3 - j];
-            }
-            const Directions directions(K);
-            const double w = minimumZoneCylinder(body.shapes(), directions).deviation();
-            RC_ASSERT(within(minimumZoneCylinder(turned.shapes(), directions).deviation(), w,
-                             curvature(body, w)));
-            RC_ASSERT(within(leastSquaresCylinder(turned.shapes(), directions).deviation(),
-                             leastSquaresCylinder(body.shapes(), directions).deviation(), 4e-12));
         }));
     }
 

@@ -239,16 +239,6 @@ private slots:
         }));
     }
 
-    void minimumZoneIsNeverWiderThanTheLeastSquaresZone() {
-        QVERIFY(holds("order", [] {
-            const std::size_t K = anyEven(4, 60);
-            const Radii radii = anyRadii(K, 15, decades(-4, 0));
-            const Directions directions(K);
-            RC_ASSERT(minimumZoneCircles(radii, directions).deviation()
-                      <= leastSquaresCircle(radii, directions).deviation());
-        }));
-    }
-
     // The header's bound on what the limaçon leaves out.
     void limaconsAndCirclesDifferByNoMoreThanTheCurvature() {
         QVERIFY(holds("curvature", [] {
@@ -268,68 +258,6 @@ private slots:
 
     // --- laws ---
 
-    void turnedSectionIsAsRoundAndItsCentreTurns() {
-        QVERIFY(holds("turned", [] {
-            const std::size_t K = anyEven(4, 40);
-            const Radii radii = anyRadii(K, 15, decades(-4, -2));
-            const std::size_t by = std::size_t(pick(0, int(K)));
-            Radii turned(K);
-            for (std::size_t k = 0; k < K; ++k) {
-                turned[(k + by) % K] = radii[k];
-            }
-            const double phi = 2 * std::numbers::pi * double(by) / double(K);
-            const Directions directions(K);
-            for (const bool zone : {false, true}) {
-                const auto measure = [&](const Radii& r) {
-                    return zone ? minimumZoneCircles(r, directions)
-                                : leastSquaresCircle(r, directions);
-                };
-                const RoundnessZone a = measure(radii), b = measure(turned);
-                RC_ASSERT(within(a.deviation(), b.deviation(), 1e-12));
-                if (!zone) { // the zone's centre may be free to move where four touch by chance
-                    RC_ASSERT(
-                        within(b.x_mm, a.x_mm * std::cos(phi) - a.y_mm * std::sin(phi), 1e-12));
-                    RC_ASSERT(
-                        within(b.y_mm, a.x_mm * std::sin(phi) + a.y_mm * std::cos(phi), 1e-12));
-                }
-            }
-        }));
-    }
-
-    void roundnessIsALength() {
-        QVERIFY(holds("scaling", [] {
-            const std::size_t K = anyEven(4, 40);
-            Radii radii = anyRadii(K, 15, decades(-3, -1));
-            const Directions directions(K);
-            const double c = decades(-1, 1);
-            const double least = leastSquaresCircle(radii, directions).deviation();
-            const double zone = minimumZoneCircles(radii, directions).deviation();
-            for (double& R : radii) {
-                R *= c;
-            }
-            RC_ASSERT(
-                within(leastSquaresCircle(radii, directions).deviation(), c * least, c * 1e-12));
-            RC_ASSERT(
-                within(minimumZoneCircles(radii, directions).deviation(), c * zone, c * 1e-12));
-        }));
-    }
-
-    // A bore is a shaft turned inside out: outer and inner circle change places.
-    void boreWithTheSameFormIsAsRound() {
-        QVERIFY(holds("inside out", [] {
-            const std::size_t K = anyEven(4, 40);
-            const Radii shaft = anyRadii(K, 15, decades(-4, -1));
-            Radii bore(K);
-            for (std::size_t k = 0; k < K; ++k) {
-                bore[k] = 30 - shaft[k];
-            }
-            const Directions directions(K);
-            RC_ASSERT(within(minimumZoneCircles(bore, directions, ZoneModel::limacons).deviation(),
-                             minimumZoneCircles(shaft, directions, ZoneModel::limacons).deviation(),
-                             1e-13));
-        }));
-    }
-
     void shiftOfTheCentreIsNoForm() {
         QVERIFY(holds("shift", [] {
             const std::size_t K = anyEven(4, 40);
@@ -347,29 +275,6 @@ private slots:
     }
 
     // --- least squares ---
-
-    void noOtherCircleHasLessSquares() {
-        QVERIFY(holds("least", [] {
-            const std::size_t K = anyEven(4, 40);
-            const Radii radii = anyRadii(K, 15, decades(-3, -1));
-            const RoundnessZone zone = leastSquaresCircle(radii, Directions(K));
-            const auto squares = [&](double x, double y, double r) {
-                double sum = 0;
-                for (std::size_t k = 0; k < K; ++k) {
-                    sum += std::pow(distanceTo(radii, k, x, y) - r, 2);
-                }
-                return sum;
-            };
-            const double least = squares(zone.x_mm, zone.y_mm, zone.reference_mm);
-            const double step = decades(-6, -2);
-            const double phi = between(0, 6.3);
-            RC_ASSERT(squares(zone.x_mm + step * std::cos(phi), zone.y_mm + step * std::sin(phi),
-                              zone.reference_mm)
-                      > least);
-            RC_ASSERT(squares(zone.x_mm, zone.y_mm, zone.reference_mm + step) > least);
-            RC_ASSERT(squares(zone.x_mm, zone.y_mm, zone.reference_mm - step) > least);
-        }));
-    }
 
     // The conditions of the minimum themselves: Σ(d − r) = 0, Σ(d − r)·n = 0.
     void leastSquaresConditionsAreMet() {

@@ -225,17 +225,6 @@ private slots:
         }));
     }
 
-    void theMinimumZoneIsTheLeastOfAll() {
-        QVERIFY(holds("MZC is not above LSC, MIC, MCC", [] {
-            const Radii radii = anyRadii(std::size_t(2 * pick(10, 90)));
-            for (const RoundnessReading& reading : roundnessReadings(radii)) {
-                for (const double deviation : deviationsOf(reading)) {
-                    RC_ASSERT(reading.minimumZone.deviation() <= deviation + 1e-12);
-                }
-            }
-        }));
-    }
-
     /// A part turned or set off on the machine's table has the same roundness, up to the limaçon.
     void neitherTurnNorCentreMatters() {
         QVERIFY(holds("invariance", [] {

@@ -68,9 +68,7 @@ private slots:
     }
 
     void chanceIsHardlyEverALack_data() {
-        QTest::addColumn<double>("white");
-        QTest::addColumn<double>("phi");
-        QTest::addColumn<int>("count");
+        addColumns<double, double, int>("white", "phi", "count");
         QTest::newRow("white, 100") << 1.0 << 0.0 << 100;
         QTest::newRow("white, 600") << 1.0 << 0.0 << 600;
         QTest::newRow("follows, 600") << 0.0 << 0.9 << 600;

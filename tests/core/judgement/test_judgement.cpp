@@ -17,12 +17,9 @@
 #include <string>
 #include <vector>
 
-namespace test_judgement {
+namespace sparkout::test_judgement {
 
-using namespace sparkout;
 using nlohmann::json;
-
-namespace {
 
 /// A requirement that holds by this share of its limit, or fails by it.
 ConstraintResult held(ConstraintKind kind, double relativeMargin) {
@@ -76,8 +73,6 @@ struct Known {
 std::string headline(const Known& known) {
     return JudgementWording().headline(known.judged());
 }
-
-} // namespace
 
 class TestJudgement : public QObject {
     Q_OBJECT
@@ -317,7 +312,7 @@ private slots:
     }
 };
 
-} // namespace test_judgement
+} // namespace sparkout::test_judgement
 
 SPARKOUT_TEST(test_judgement, TestJudgement)
 #include "test_judgement.moc"

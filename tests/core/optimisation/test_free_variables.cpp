@@ -169,39 +169,6 @@ private slots:
                      + QByteArray::number(continuous));
     }
 
-    void moreLevelsNeverSlow() {
-        int quicker = 0;
-        for (unsigned seed = 0; seed < searches(60); ++seed) {
-            const Project few = freeCase(seed);
-            const SearchSummary best = search(few);
-            for (Levels Optimisation::*levels :
-                 {&Optimisation::work_speed_rpm, &Optimisation::dwell_exit_s,
-                  &Optimisation::unfed_steps}) {
-                Project more = few;
-                std::vector<double> values = levelValues((*few.optimisation).*levels);
-                if (values.empty()) {
-                    values = {levels == &Optimisation::work_speed_rpm ? few.machine->work_speed_rpm
-                              : levels == &Optimisation::dwell_exit_s ? few.machine->dwell_exit_s
-                                                                      : 0};
-                }
-                values.push_back(levels == &Optimisation::work_speed_rpm ? 330
-                                 : levels == &Optimisation::dwell_exit_s ? 0.2
-                                                                         : 3);
-                (*more.optimisation).*levels = values;
-                const SearchSummary other = search(more);
-                QVERIFY(noSlower(other, best));
-                quicker += other.best && !noSlower(best, other) ? 1 : 0;
-            }
-            Project free = few;
-            free.optimisation->stage_stock_mm.reset();
-            free.optimisation->stage_radial_feed_mm.reset();
-            free.optimisation->stage_radial_feed_mm_min.reset();
-            free.optimisation->stage_axial_feed_mm_min.reset();
-            QVERIFY(noSlower(search(free), best));
-        }
-        QVERIFY2(quicker > 5, QByteArray::number(quicker));
-    }
-
     // The bound in the progress holds for the variants still to be searched, too.
     void aStoppedSearchKeepsItsBound() {
         int stopped = 0;

@@ -117,8 +117,7 @@ private slots:
     }
 
     void theStageTakesNoFewerStepsAndWhatIsToldTooDeepIsSo_data() {
-        QTest::addColumn<bool>("travels");
-        QTest::addColumn<bool>("continuous");
+        addColumns<bool, bool>("travels", "continuous");
         QTest::addRow("traverse") << true << false;
         QTest::addRow("continuous infeed") << true << true;
         QTest::addRow("plunge") << false << false;

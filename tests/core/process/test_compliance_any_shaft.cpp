@@ -185,26 +185,6 @@ private slots:
         QVERIFY(took_ms() < 200);
     }
 
-    void aRestNeverMakesTheShaftSofter() {
-        QVERIFY(rc::check(
-            "gamma(x) with one more rest is not larger, and never below the wheel head's", [] {
-                ShaftModel model = anyShaft(fromRapidcheck);
-                const Compliance before(model);
-                const double x = before.length() * fromRapidcheck(0, 1001) / 1000;
-                const double p = before.length() * fromRapidcheck(0, 1001) / 1000;
-                model.rests.push_back({p, double(fromRapidcheck(0, 1000000))});
-                const Compliance after(model);
-                const double rounding = 1e-12
-                                        * Compliance([&] {
-                                              model.rests.clear();
-                                              return model;
-                                          }())
-                                              .at(x);
-                RC_ASSERT(after.at(x) <= before.at(x) + rounding);
-                RC_ASSERT(after.at(x) >= 1 / model.wheelHead_n_mm - rounding);
-            }));
-    }
-
     void finiteElementsOfTheShaftSayTheSame_data() {
         QTest::addColumn<unsigned>("seed");
         for (unsigned seed = 1; seed <= 60; ++seed)

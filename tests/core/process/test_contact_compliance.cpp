@@ -196,20 +196,6 @@ private slots:
         }
     }
 
-    void softerContactCutsLessAndMoreLagCutsMore() {
-        const bool held = rc::check("monotone", [] {
-            const double soft = logUniform(1, 1e3), gamma = logUniform(1e-7, 1e-3);
-            const ContactCompliance one({{10, soft}, {200, 3 * soft}});
-            const ContactCompliance two({{10, 2 * soft}, {200, 4 * soft}});
-            const double h = logUniform(1e-5, 0.1);
-            const double a = rootOf(one, gamma, bks, bkr, h);
-            RC_ASSERT(a < rootOf(two, gamma, bks, bkr, h));
-            RC_ASSERT(a < kernelRoot(gamma, bks, bkr, h));
-            RC_ASSERT(a < rootOf(one, gamma, bks, bkr, 1.01 * h));
-        });
-        QVERIFY(held);
-    }
-
     // Range, ramp, sums and depths as the kernel's: the rigid contact over many lanes.
     void passKeepsTheKernelsBooks() {
         const ContactCompliance rigid({{0, 1e18}});
@@ -233,26 +219,6 @@ private slots:
         }
         QCOMPARE(one.depth_mm[2], 2e-4); // outside the range
         QCOMPARE(one.root[15], 0.0);
-    }
-
-    // A soft contact lets go slowly: after the same spark-out more is left, and in the end nothing.
-    void softContactSparksOutMoreSlowly() {
-        const auto left = [](const ContactCompliance& contact, int revolutions) {
-            Lanes lanes(1);
-            lanes.share[0] = 1;
-            LaneCoefficients coefficients(1);
-            coefficients.set(0, 2e-5, bks, 0);
-            for (int m = 0; m < revolutions; ++m) {
-                contact.cut(lanes, coefficients, {.base = 0.02}, {.count = 1, .bks = bks});
-            }
-            return 0.02 - lanes.depth_mm[0];
-        };
-        const ContactCompliance soft({{0, 20}}), stiff({{0, 200}});
-        QVERIFY(left(soft, 10) > 10 * left(stiff, 10));
-        QVERIFY(left(soft, 3000) < 1e-15);
-        // without dullness r = γ'·b·k_s/(1 + γ'·b·k_s), γ' = γ + 1/k [MODEL-11]
-        const double c = (2e-5 + 1 / 20e3) * bks;
-        QVERIFY(within(left(soft, 10), 0.02 * std::pow(c / (1 + c), 10), 1e-16));
     }
 };
 

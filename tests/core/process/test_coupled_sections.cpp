@@ -14,7 +14,6 @@
 
 namespace sparkout::test_coupled_sections {
 
-using fixtures::close;
 using fixtures::within;
 
 /// A system of sections; the conditions are written out here a second time.
@@ -205,27 +204,6 @@ private slots:
         QVERIFY(within(solution.force[0], 40 * law.normal(1, solution.u[0]), 1e-9));
     }
 
-    // Nothing beside the diagonal: section j is one of the independent model with γ_j·b =
-    // G_jj·Δx_j.
-    void diagonalInfluenceIsTheIndependentModel() {
-        const bool held = rc::check("diagonal", [] {
-            const auto J = static_cast<std::size_t>(*rc::gen::inRange(1, 12));
-            System system = randomSystem(J, 1);
-            for (std::size_t j = 0; j < J * J; ++j) {
-                system.G[j] = j % (J + 1) == 0 ? logUniform(1e-8, 1e-3) : 0;
-            }
-            const std::vector<double> h = randomLags(J);
-            const Solution solution = solve(system, h);
-            RC_ASSERT(solution.outcome.converged);
-            for (std::size_t j = 0; j < J; ++j) {
-                const double u =
-                    closedForm(system.G[j * (J + 1)], system.width[j], system.law, h[j]);
-                RC_ASSERT(within(solution.u[j] * solution.u[j], u * u, 1e-12));
-            }
-        });
-        QVERIFY(held);
-    }
-
     // The same over a whole cycle, warm-started, against the pass of the independent model.
     void diagonalCycleIsThePassKernels() {
         constexpr std::size_t J = 5;
@@ -343,35 +321,6 @@ private slots:
             }
         });
         QVERIFY(held);
-    }
-
-    // Two lags and their forces: (h − h')·(f − f') ≥ 0.
-    void forcesFollowTheLagsMonotonically() {
-        const bool held = rc::check("monotone", [] {
-            const auto J = static_cast<std::size_t>(*rc::gen::inRange(1, 10));
-            const System system = randomSystem(J, 2);
-            const std::vector<double> h1 = randomLags(J), h2 = randomLags(J);
-            const Solution one = solve(system, h1), two = solve(system, h2);
-            double product = 0, size = 0;
-            for (std::size_t j = 0; j < J; ++j) {
-                product += (h1[j] - h2[j]) * (one.force[j] - two.force[j]);
-                size += std::abs(one.force[j] - two.force[j]);
-            }
-            RC_ASSERT(product >= -1e-12 * size);
-        });
-        QVERIFY(held);
-    }
-
-    void orderOfTheSectionsDoesNotMatter() {
-        const System system = beam(7, dull);
-        System mirrored = system;
-        std::reverse(mirrored.G.begin(), mirrored.G.end());
-        const std::vector<double> h{1e-3, 4e-3, -1e-3, 2e-3, 5e-3, 1e-5, 3e-3};
-        const Solution one = solve(system, h);
-        const Solution two = solve(mirrored, {h.rbegin(), h.rend()});
-        for (std::size_t j = 0; j < 7; ++j) {
-            QVERIFY(within(one.u[j] * one.u[j], two.u[6 - j] * two.u[6 - j], 1e-12));
-        }
     }
 
     void nothingCutsWithoutALag() {

@@ -110,19 +110,6 @@ private slots:
         }
     }
 
-    void tolerancesRiseWithSizeAndGrade() {
-        for (int grade = 4; grade <= 14; ++grade) {
-            for (int r = 0; r + 1 < ranges; ++r) {
-                QVERIFY(*standardTolerance(bounds[r + 1], grade)
-                        <= *standardTolerance(bounds[r + 2], grade));
-            }
-            for (int r = 0; grade < 14 && r < ranges; ++r) {
-                QVERIFY(*standardTolerance(bounds[r + 1], grade)
-                        < *standardTolerance(bounds[r + 1], grade + 1));
-            }
-        }
-    }
-
     // The fundamental deviations by the standard's formulas, rounded to 1 µm (d 5 over 60, e 5 over
     // 100), and the tables' own.
     void deviationIsItsFormulaButForTheTablesOwn() {

@@ -220,22 +220,6 @@ private slots:
         QVERIFY(!factorOfMeasuredRa(p));
     }
 
-    void coarserGrainAndFasterWorkAreRougher() {
-        Project p = fixtures::plunge();
-        const double Ra = RoughnessModel(p).roughness(0.002);
-        p.wheel->grain_mm *= 1.1;
-        QVERIFY(RoughnessModel(p).roughness(0.002) > Ra);
-        p = fixtures::plunge();
-        p.machine->work_speed_rpm *= 1.1;
-        QVERIFY(RoughnessModel(p).roughness(0.002) > Ra);
-        p = fixtures::plunge();
-        p.machine->wheel_speed_m_s *= 1.1;
-        QVERIFY(RoughnessModel(p).roughness(0.002) < Ra);
-        p = fixtures::plunge();
-        p.wheel->dullness *= 1.1;
-        QVERIFY(RoughnessModel(p).roughness(0.002) < Ra);
-    }
-
     // --- self-sharpening -------------------------------------------------------------------------
 
     void selfSharpeningIsOffUntilEveryStrengthIsGiven() {

@@ -265,31 +265,6 @@ private slots:
         QVERIFY(shop.stages[0].meanPower_w <= shop.stages[0].power_w.value);
     }
 
-    // Friction goes as √a, removal as a: the shallower the cuts of a spark-out, the dearer.
-    void sparkOutNeedsMoreEnergyPerVolumeTheLongerItIs() {
-        double last = 0;
-        for (const int revolutions : {1, 5, 25}) {
-            Project p = fixtures::plunge();
-            p.cycle->stages.push_back(fixtures::sparkStage(fixtures::count(revolutions)));
-            const ShopNumbers shop = shopNumbers(simulateUnchecked(p));
-            const double energy = *shop.stages[1].energy_j_mm3;
-            QVERIFY(energy > *shop.stages[0].energy_j_mm3);
-            QVERIFY(energy > last);
-            last = energy;
-        }
-    }
-
-    void dullerWheelNeedsMoreEnergyPerVolume() {
-        double last = 0;
-        for (const double dullness : {0.0, 0.02, 0.08}) {
-            Project p = fixtures::traverse();
-            p.wheel->dullness = dullness;
-            const double energy = *shopNumbers(simulateUnchecked(p)).cycle.energy_j_mm3;
-            QVERIFY(energy > last);
-            last = energy;
-        }
-    }
-
     // --- time -----------------------------------------------------------------------------------
 
     // Of every example and of random projects, as a program reads them: the wheel grinds in all of

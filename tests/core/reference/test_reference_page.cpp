@@ -30,12 +30,9 @@
 #include <tuple>
 #include <vector>
 
-namespace test_reference_page {
+namespace sparkout::test_reference_page {
 
-using namespace sparkout;
 using nlohmann::json;
-
-namespace {
 
 /// As much of JSON Schema as projectSchema() uses. The fault found, or nothing.
 class SchemaCheck {
@@ -143,8 +140,6 @@ Project example(const std::string& name) {
 
 const char* refresh = "not up to date: cmake --build build/release --target sparkout-reference && "
                       "build/release/app/sparkout-reference resources/help python/sparkout.pyi";
-
-} // namespace
 
 class TestReferencePage : public QObject {
     Q_OBJECT
@@ -293,9 +288,7 @@ private slots:
     }
 
     void conditionsAreWorded_data() {
-        QTest::addColumn<QString>("path");
-        QTest::addColumn<QString>("required");
-        QTest::addColumn<QString>("relevant");
+        addColumns<QString, QString, QString>("path", "required", "relevant");
         QTest::newRow("always") << "/wheel/width_mm"
                                 << "always"
                                 << "";
@@ -333,8 +326,7 @@ private slots:
     }
 
     void validProjectsSatisfyTheSchema_data() {
-        QTest::addColumn<QString>("file");
-        QTest::addColumn<bool>("vector");
+        addColumns<QString, bool>("file", "vector");
         for (const char* folder : {"tests/data/projects", "resources/examples"}) {
             for (const auto& entry :
                  std::filesystem::directory_iterator(samples::sourcePath(folder))) {
@@ -508,7 +500,7 @@ private slots:
     }
 };
 
-} // namespace test_reference_page
+} // namespace sparkout::test_reference_page
 
 SPARKOUT_TEST(test_reference_page, TestReferencePage)
 #include "test_reference_page.moc"

@@ -175,71 +175,48 @@ private slots:
     }
 
     void faultsAreNamedWhereTheyStand() {
-        json file = twoSurfaces();
-        file["wheel"]["diameter_mm"] = -1; // of both surfaces, reported once
-        QVERIFY(isRefused(file, IssueCode::outOfRange, "/wheel/diameter_mm"));
-        file = twoSurfaces();
-        file["surfaces"][1]["machine"]["work_speed_rpm"] = -1;
-        QVERIFY(isRefused(file, IssueCode::outOfRange, "/surfaces/1/machine/work_speed_rpm"));
-        file = twoSurfaces();
-        file["surfaces"][1]["wheel"] = file["wheel"];
-        QVERIFY(isRefused(file, IssueCode::sharedKey, "/surfaces/1/wheel"));
-        file = twoSurfaces();
-        file["surfaces"][0]["machine"]["wheel_speed_m_s"] = 30;
-        QVERIFY(isRefused(file, IssueCode::sharedKey, "/surfaces/0/machine/wheel_speed_m_s"));
-        file = twoSurfaces();
-        file["machine"]["work_speed_rpm"] = 100;
-        QVERIFY(isRefused(file, IssueCode::unknownKey, "/machine/work_speed_rpm"));
-        file = twoSurfaces();
-        file["wheels"] = 1;
-        QVERIFY(isRefused(file, IssueCode::unknownKey, "/wheels"));
-        file = twoSurfaces();
-        file["machine"] = nullptr;
-        QVERIFY(names(file, IssueCode::wrongType, "/machine"));
-        file = twoSurfaces();
-        file["part"]["shaft"] = json::array();
-        QVERIFY(names(file, IssueCode::wrongType, "/part/shaft"));
-        file = twoSurfaces();
-        file["surfaces"][1]["part"] = 5;
-        QVERIFY(names(file, IssueCode::wrongType, "/surfaces/1/part"));
-        file = twoSurfaces();
-        file["times"] = 5;
-        QVERIFY(names(file, IssueCode::wrongType, "/times"));
-        file = twoSurfaces();
-        file["surfaces"][1]["version"] = 1;
-        QVERIFY(isRefused(file, IssueCode::sharedKey, "/surfaces/1/version"));
-        file = twoSurfaces();
-        file["part/name"] = "x";
-        QVERIFY(isRefused(file, IssueCode::unknownKey, "/part~1name"));
-        file = twoSurfaces();
-        file["surfaces"][1]["speed"] = 1;
-        QVERIFY(isRefused(file, IssueCode::unknownKey, "/surfaces/1/speed"));
-        file = twoSurfaces();
-        file["surfaces"][1]["name"] = file["surfaces"][0]["name"];
-        QVERIFY(isRefused(file, IssueCode::sameName, "/surfaces/1/name"));
+        struct Fault {
+            const char* at;
+            json value;
+            IssueCode code;
+        };
+        const json two = twoSurfaces();
+        for (const auto& [at, value, code] : std::vector<Fault>{
+                 {"/wheel/diameter_mm", -1, IssueCode::outOfRange}, // of both surfaces, said once
+                 {"/surfaces/1/machine/work_speed_rpm", -1, IssueCode::outOfRange},
+                 {"/surfaces/1/wheel", two["wheel"], IssueCode::sharedKey},
+                 {"/surfaces/0/machine/wheel_speed_m_s", 30, IssueCode::sharedKey},
+                 {"/machine/work_speed_rpm", 100, IssueCode::unknownKey},
+                 {"/wheels", 1, IssueCode::unknownKey},
+                 {"/surfaces/1/version", 1, IssueCode::sharedKey},
+                 {"/part~1name", "x", IssueCode::unknownKey},
+                 {"/surfaces/1/speed", 1, IssueCode::unknownKey},
+                 {"/surfaces/1/name", two["surfaces"][0]["name"], IssueCode::sameName},
+                 {"/surfaces/1/name", 7, IssueCode::wrongType},
+                 {"/surfaces", json::array(), IssueCode::wrongCount},
+                 {"/surfaces", std::vector<json>(21, two["surfaces"][0]), IssueCode::wrongCount},
+                 {"/surfaces", 1, IssueCode::wrongType},
+                 {"/times/batch_size", 0, IssueCode::outOfRange},
+                 {"/wear/grinding_ratio", 0, IssueCode::outOfRange},
+                 {"/version", 3, IssueCode::newerVersion}}) {
+            json file = two;
+            file[json::json_pointer(at)] = value;
+            QVERIFY2(isRefused(file, code, at), at);
+        }
+        for (const auto& [at, value] :
+             std::vector<std::pair<const char*, json>>{{"/machine", nullptr},
+                                                       {"/part/shaft", json::array()},
+                                                       {"/surfaces/1/part", 5},
+                                                       {"/times", 5}}) {
+            json file = two;
+            file[json::json_pointer(at)] = value;
+            QVERIFY2(names(file, IssueCode::wrongType, at), at);
+        }
+        json file = two;
         file["surfaces"][1].erase("name");
         QVERIFY(isRefused(file, IssueCode::missingKey, "/surfaces/1/name"));
-        file = twoSurfaces();
-        file["surfaces"][1]["name"] = 7;
-        QVERIFY(isRefused(file, IssueCode::wrongType, "/surfaces/1/name"));
-        file = twoSurfaces();
-        file["surfaces"] = json::array();
-        QVERIFY(isRefused(file, IssueCode::wrongCount, "/surfaces"));
-        file["surfaces"] = std::vector<json>(21, twoSurfaces()["surfaces"][0]);
-        QVERIFY(isRefused(file, IssueCode::wrongCount, "/surfaces"));
-        file["surfaces"] = 1;
-        QVERIFY(isRefused(file, IssueCode::wrongType, "/surfaces"));
         file.erase("surfaces");
         QVERIFY(isRefused(file, IssueCode::missingKey, "/surfaces"));
-        file = twoSurfaces();
-        file["times"]["batch_size"] = 0;
-        QVERIFY(isRefused(file, IssueCode::outOfRange, "/times/batch_size"));
-        file = twoSurfaces();
-        file["wear"]["grinding_ratio"] = 0;
-        QVERIFY(isRefused(file, IssueCode::outOfRange, "/wear/grinding_ratio"));
-        file = twoSurfaces();
-        file["version"] = 3;
-        QVERIFY(isRefused(file, IssueCode::newerVersion, "/version"));
     }
 
     /// The wheel covers the first surface and not the second: that one is named.

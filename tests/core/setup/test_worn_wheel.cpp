@@ -146,17 +146,6 @@ private slots:
         }
     }
 
-    /// A compliant system: not by 2w exactly, but the more the more it is worn.
-    void theMoreTheWheelIsWornTheLargerThePart() {
-        Project p = byPosition(fixtures::traverse());
-        double last = simulate(p).sections[1].diameterDeviationMin_mm;
-        for (double wear_um = 0.5; wear_um < 20; wear_um += 0.5) {
-            const double size = worn(p, wear_um).sections[1].diameterDeviationMin_mm;
-            QVERIFY(size > last);
-            last = size;
-        }
-    }
-
     void gaugeControlDoesNotKnowTheWear() {
         for (Project p : rigidProjects()) {
             QVERIFY(fixtures::sameBits(worn(p, 12), simulate(p)));
@@ -316,16 +305,6 @@ private slots:
             QCOMPARE(run.surfaces[1].result.time_s, time_s);
             QVERIFY(compared >= 5);
         }
-    }
-
-    /// A smaller wheel that runs slower presses harder: what the input is for.
-    void aSlowerWheelTakesMoreForce() {
-        Setup setup = plainSetup(fixtures::plunge());
-        setup.wear.grinding_ratio = 0.02;
-        const double kept = partsOf(setup, 3).back().peakNormalForce_n;
-        setup.surfaces[0].project.machine->wheel_speed_control =
-            WheelSpeedControl::constant_revolutions;
-        QVERIFY(partsOf(setup, 3).back().peakNormalForce_n > 1.0001 * kept);
     }
 
     /// A V_k that is varied itself counts as it is, in either place of the sweep.

@@ -190,60 +190,6 @@ private slots:
         QCOMPARE(run.result.peakNormalForceAt.stage, 1);
     }
 
-    // At a steady feed every section loses what is fed; the shaft's form is its bent form.
-    void steadyFormIsTheDeflectionUnderTheForces() {
-        Project p = slender(9);
-        p.gauge->control = Control::position;
-        p.part->initial_runout_mm = 0;
-        p.part->stock_mm = 4; // long enough to be steady
-        p.cycle->stages = {plungeStage(0.9, 4)};
-        const Traced run(p);
-        const int last = run.result.cycleCount - 1;
-        const double pressure = fixtures::Law(p).force(1, 0.005);
-        for (int j = 0; j < 9; ++j) {
-            QVERIFY(within(visitOf(run, last, j, 3).actual_mm, 0.005, 1e-12));
-            double bent = 0;
-            for (int l = 0; l < 9; ++l) {
-                bent += influence(p, middle(p, j), middle(p, l)) * pressure * 40.0 / 9;
-            }
-            const Visit& v = visitOf(run, last, j, 3);
-            QVERIFY(within(v.programmed_mm - v.accumulated_mm, bent, 1e-9));
-        }
-    }
-
-    // Steady, every section loses what is fed, so the pressure is even: that is what the
-    // independent model takes for granted. Before that it is not: each of its sections finds its
-    // own way into the cut, while a common shaft lets the stiff end take more of the force.
-    void modelsAgreeWhenSteadyAndDifferBefore() {
-        const auto taper = [](double stock_mm, bool coupled) {
-            Project p = slender(8, coupled);
-            p.gauge->control = Control::position;
-            p.wheel->dullness = 0.1;
-            p.part->initial_runout_mm = 0;
-            p.part->stock_mm = stock_mm;
-            p.cycle->stages[0].stock_mm = stock_mm;
-            const SimulationResult r = simulateUnchecked(p);
-            return r.sections.back().diameterDeviationMax_mm
-                   - r.sections.front().diameterDeviationMax_mm;
-        };
-        QVERIFY(within(taper(1, true), taper(1, false), 2e-5));
-        QVERIFY(taper(0.05, true) > taper(0.05, false) + 1e-3);
-    }
-
-    void longSparkOutMakesACylinder() {
-        Project p = slender(6);
-        p.gauge->control = Control::position;
-        p.wheel->dullness = 0;
-        p.cycle->stages.push_back(sparkStage(fixtures::count(400)));
-        const SimulationResult r = simulateUnchecked(p);
-        const double target = r.sections[0].radii_mm[0];
-        for (const SectionResult& section : r.sections) {
-            for (const double R : section.radii_mm) {
-                QVERIFY(within(R, target, 1e-10));
-            }
-        }
-    }
-
     // More sections describe the same shaft: what they say of its middle converges.
     void moreSectionsConverge() {
         const auto force = [](int sections) {

@@ -97,14 +97,6 @@ private slots:
         QVERIFY(cutting > 100);
     }
 
-    void softerContactTakesLonger() {
-        const Project p = fixtures::plunge();
-        const double rigid = simulateUnchecked(p).time_s;
-        const double soft = simulateUnchecked(contacting(p)).time_s;
-        const double softer = simulateUnchecked(contacting(p, {{0, 2}})).time_s;
-        QVERIFY(rigid < soft && soft < softer);
-    }
-
     void stiffContactIsNone_data() {
         QTest::addColumn<bool>("coupled");
         QTest::newRow("independent") << false;

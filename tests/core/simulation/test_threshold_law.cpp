@@ -312,33 +312,6 @@ private slots:
         }
     }
 
-    // In traverse the width differs from step to step, and so does γ·b·F'_0.
-    void traverseKeepsTheBalanceInEveryZone() {
-        const Project p = withThreshold(fixtures::traverse(), 1.5);
-        const Traced run(p);
-        QCOMPARE(run.result.status, RunStatus::completed);
-        const ZoneCompliance& gammas = std::get<ZoneCompliance>(p.machine->compliance_mm_per_n);
-        const double gamma[] = {gammas.rz1, gammas.nz, gammas.rz2};
-        const double K = stiffnessOfCut(p), F0 = 1.5;
-        const std::vector<double> blank = fixtures::blankDepths(p);
-        int touching = 0;
-        for (const Pass& pass : run.trajectory.passes) {
-            const double b = pass.effectiveWidth_mm;
-            for (int k = 0; k < run.trajectory.radii; ++k) {
-                const Visit& v = run.visit(pass, k);
-                const double h = v.programmed_mm - blank[static_cast<std::size_t>(k)]
-                                 - (v.accumulated_mm - v.actual_mm);
-                const double g = gamma[static_cast<std::size_t>(pass.place.zone)];
-                const double a = std::max(0.0, (h - g * b * F0) / (1 + g * b * K));
-                const double P = a > 0 ? b * (F0 + K * a) : std::max(0.0, h / g);
-                QVERIFY(within(v.actual_mm, a, 1e-14));
-                QVERIFY(within(v.normalForce_n, P, 1e-9 * (1 + P)));
-                touching += v.actual_mm == 0 && v.normalForce_n > 0;
-            }
-        }
-        QVERIFY(touching > 100);
-    }
-
     // Random systems against bisection; every solution is met from the solution of other lags, too,
     // and with more lag no section is cut less where the influence is none of others.
     void coupledSectionsAreSolvedAsByBisection() {

@@ -85,28 +85,6 @@ bool sameRun(const Traced& a, const Traced& b) {
            && std::memcmp(x.data(), y.data(), x.size() * sizeof(Visit)) == 0;
 }
 
-/// T [min] and S_t + S_c·T [mm].
-double strokeTime_min(const Project& p, double axialFeed_mm_min, int plungeIns) {
-    const Machine& m = *p.machine;
-    const double travel =
-        p.part->length_mm - p.wheel->width_mm + m.overrun_entry_mm + m.overrun_exit_mm;
-    return (plungeIns + 2 * dwellRevolutions(m.dwell_entry_s, m.work_speed_rpm)
-            + dwellRevolutions(m.dwell_exit_s, m.work_speed_rpm))
-               / m.work_speed_rpm
-           + 2 * travel / axialFeed_mm_min;
-}
-
-/// Removed from the last radius of a zone in one double stroke [mm].
-double removed(const Traced& run, Zone zone, int doubleStroke) {
-    double sum = 0;
-    for (const Pass& pass : run.trajectory.passes) {
-        if (pass.place.zone == zone && pass.place.cycleCount == doubleStroke) {
-            sum += run.visit(pass, run.trajectory.radii - 1).actual_mm;
-        }
-    }
-    return sum;
-}
-
 class TestTraverseInfeed : public QObject {
     Q_OBJECT
 
@@ -162,67 +140,6 @@ private slots:
         set.cycle->stages.back().continuous_feed_mm_min = 0.1;
         QVERIFY(sameRun(Traced(p), Traced(set)));
     }
-
-    // What is fed over time sums up to S_t + S_c·T a double stroke, under the gauge as well.
-    void whatIsFedSumsUp_data() {
-        QTest::addColumn<ReversalInfeed>("at");
-        QTest::addColumn<int>("plungeIns"); // of 8 µm in all
-        QTest::newRow("entry") << ReversalInfeed::entry << 2;
-        QTest::newRow("exit") << ReversalInfeed::exit << 2;
-        QTest::newRow("both") << ReversalInfeed::both << 2;
-    }
-    void whatIsFedSumsUp() {
-        QFETCH(ReversalInfeed, at);
-        QFETCH(int, plungeIns);
-        Project p = byHand(false);
-        p.gauge->control = Control::gauge;
-        p.machine->reversal_infeed = at;
-        feed(p, 8, 0.03, 300);
-        const Traced run(p);
-        QVERIFY(run.result.cycleCount > 10);
-        const double T = strokeTime_min(p, 600, plungeIns);
-        const double all = 8 * um + 0.03 * T;
-        QVERIFY(within(run.result.time_s, run.result.cycleCount * T * 60, 1e-9));
-        for (const Pass& pass : run.trajectory.passes) {
-            QVERIFY(within(pass.radialFeed_mm, all, 1e-15));
-            if (pass.place.step == Step::e5) { // the last turn of the double stroke
-                QVERIFY(within(run.visit(pass, run.trajectory.radii - 1).programmed_mm,
-                               pass.place.cycleCount * all, 1e-13));
-            }
-        }
-        // t_П grows at S_c from visit to visit where the reversals feed nothing.
-        const std::vector<Pass> first = run.passesOf(0);
-        for (std::size_t i = 1; i < first.size(); ++i) {
-            if (first[i].place.step == Step::e2 && at == ReversalInfeed::exit) {
-                const Visit& a = run.visit(first[i], 0);
-                const Visit& b = run.visit(first[i], run.trajectory.radii - 1);
-                QVERIFY(within(b.programmed_mm - a.programmed_mm, 0.03 * (b.time_s - a.time_s) / 60,
-                               1e-14));
-            }
-        }
-    }
-
-    // In steady state a double stroke removes S_t + S_c·T, of a rigid system from the second on.
-    void steadyStateRemovesWhatIsFed() {
-        for (const bool rigid : {true, false}) {
-            for (const double reversal_um : {0.0, 4.0}) {
-                Project p = byHand(rigid);
-                p.machine->reversal_infeed = ReversalInfeed::both;
-                feed(p, reversal_um, 0.03, 800);
-                const Traced run(p);
-                const int plungeIns = reversal_um > 0 ? 2 : 0;
-                const double all = reversal_um * um + 0.03 * strokeTime_min(p, 600, plungeIns);
-                const int from = rigid ? 2 : 30, last = run.result.cycleCount - 1;
-                QVERIFY(last > from + 10);
-                for (int stroke = from; stroke <= last; ++stroke) {
-                    for (const Zone zone : {Zone::rz1, Zone::nz, Zone::rz2}) {
-                        QVERIFY(within(removed(run, zone, stroke), all, rigid ? 1e-12 : 1e-9));
-                    }
-                }
-            }
-        }
-    }
-
     // What is left of the stage is less than S_c·T: the infeed stops where the stage ends, in the
     // middle of a stroke, and the double stroke goes on to its end.
     void positionControlStopsTheContinuousInfeedAtTheStagesEnd() {

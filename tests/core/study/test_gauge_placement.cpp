@@ -63,23 +63,6 @@ private slots:
         }
     }
 
-    // The softer the gauge's place, the longer the cycle runs and the smaller everything ends. Of
-    // one stage: of several, a later change to the fine feed may also end the cycle sooner.
-    void softerPlaceEndsEveryDiameterSmaller() {
-        Project p = article();
-        p.cycle->stages = {plungeStage(0.2, 0.2)};
-        const GaugePlacement placement = placeGauge(p, gaugeCandidates(p, 21));
-        for (std::size_t i = 1; i < placement.positions.size(); ++i) {
-            const GaugePosition& one = placement.positions[i - 1];
-            const GaugePosition& two = placement.positions[i];
-            QVERIFY(two.compliance_mm_per_n >= one.compliance_mm_per_n);
-            QVERIFY(two.time_s >= one.time_s);
-            QVERIFY(two.deviationMin_mm <= one.deviationMin_mm);
-            QVERIFY(two.deviationMax_mm <= one.deviationMax_mm);
-        }
-        QVERIFY(placement.positions.back().time_s > placement.positions.front().time_s);
-    }
-
     void eachPositionIsTheCycleWithThatGauge() {
         Project p = article();
         p.gauge->section = 3; // not read

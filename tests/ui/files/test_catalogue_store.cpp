@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The entries of the catalogues, shipped and of one's own: searched, taken, kept.
-#include "core/project/validate.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
-#include "tests/ui/support/examples.h"
 #include "tests/whole_project.h"
 #include "ui/files/catalogue_changes.h"
 #include "ui/session/project_io.h"
@@ -20,41 +18,11 @@ namespace sparkout::test_catalogue_store {
 
 using namespace catalogue_bench;
 
-QString textOf(const Project& project, CatalogueKind kind) {
-    return QString::fromStdString(kind == CatalogueKind::materials ? project.material->grade
-                                  : kind == CatalogueKind::wheels  ? project.wheel->marking
-                                                                   : project.machine->name);
-}
-
 class TestCatalogueStore : public QObject {
     Q_OBJECT
 
 private slots:
     void init() { QVERIFY(m_folder.isValid()); }
-
-    void everyShippedEntryIsTakenWithoutAFault() {
-        for (const CatalogueKind kind : kinds) {
-            const auto store = CatalogueStore::make(kind, {});
-            QVERIFY(store->items().size() >= 10);
-            for (const CatalogueItem& item : store->items()) {
-                // A wheel for bores does not reach over a neck, one for shafts not into a bore.
-                bool fits = false;
-                for (const char* name : {"shaft-30h6-factory", "plunge-shaft-two-stage",
-                                         "internal-plunge", "slender-shaft"}) {
-                    Project project = exampleProject(name);
-                    const Project taken = withEntry(item.entry, project);
-                    const QString entry = entryName(item.entry);
-                    const bool isGrade = kind == CatalogueKind::materials; // and heat treatment
-                    QCOMPARE(textOf(taken, kind), isGrade ? entry.section(u' ', 0, 0) : entry);
-                    const bool sound = !hasErrors(validate(taken));
-                    fits = fits || sound;
-                    QVERIFY2(sound || kind == CatalogueKind::wheels,
-                             qPrintable(entryName(item.entry)));
-                }
-                QVERIFY2(fits, qPrintable(entryName(item.entry)));
-            }
-        }
-    }
 
     void searchForgivesCaseOrderAlphabetAndYo() {
         const QString text = searchForm(QStringLiteral("500×50×203 25А F60 L 6 V Закалённые 40Х ")

@@ -25,7 +25,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSet>
 #include <QShortcut>
 #include <QVBoxLayout>
@@ -186,18 +185,6 @@ private slots:
                                          : widget->accessibleName();
                 QVERIFY2(!name.isEmpty(), qPrintable(pathOf(widget)));
             }
-        }
-    }
-
-    void namesChangeWithTheLanguage() {
-        OpenBench bench(QStringLiteral("en"), examplePaths().front());
-        bench.action("russian")->trigger();
-        bench.settle();
-        static const QRegularExpression cyrillic(QStringLiteral("[а-яА-Я]"));
-        for (const QWidget* widget : interactiveWidgets(*bench.window)) {
-            QVERIFY2(widget->accessibleName().isEmpty()
-                         || widget->accessibleName().contains(cyrillic),
-                     qPrintable(pathOf(widget) + QStringLiteral(": ") + widget->accessibleName()));
         }
     }
 

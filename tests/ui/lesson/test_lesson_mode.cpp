@@ -10,7 +10,6 @@
 #include "tests/ui/support/text_checks.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/dialogs/value_model.h"
-#include "ui/files/backup_history.h"
 #include "ui/files/file_lock.h"
 #include "ui/kit/font_size.h"
 #include "ui/lesson/lessons_dialog.h"
@@ -456,131 +455,67 @@ private slots:
         QVERIFY(!other.window->lesson().isCovered());
     }
 
-    void savedWorkKeepsForeignVersionOnConflict_data() {
-        QTest::addColumn<QStringList>("answers");
-        QTest::addColumn<std::size_t>("entries"); // of the open work's file then
-        const QString other = QStringLiteral("file:other.sparkout-work");
-        QTest::newRow("saved anyway") << QStringList{QStringLiteral("proceed")} << std::size_t(1);
-        QTest::newRow("elsewhere")
-            << QStringList{QStringLiteral("elsewhere"), other} << std::size_t(15);
-        QTest::newRow("cancelled, then saved")
-            << QStringList{QStringLiteral("Escape")} << std::size_t(15);
-    }
-
-    /// A sync client puts another version of the open work in place.
-    void savedWorkKeepsForeignVersionOnConflict() {
-        QFETCH(QStringList, answers);
-        QFETCH(std::size_t, entries);
+    /// A sync client puts another version of the open work in place; that both versions are kept is
+    /// test_two_windows'.
+    void aWorkThatSomebodyChangedIsSavedElsewhereOrSaidNotToBe() {
         Seat student;
         student.begin();
-        Work foreign = student.run().work();
-        for (int i = 0; i < 15; ++i) {
-            WorkEntry entry;
-            entry.when = "2026-11-26T10:00:00Z";
-            entry.answer.text = std::to_string(i);
-            addEntry(foreign, std::move(entry));
-        }
-        const QString incoming = student.folder.filePath(QStringLiteral("incoming"));
-        QVERIFY(!writeFileSafely(incoming.toStdString(), writeWork(foreign)));
-        QVERIFY(QFile::remove(student.file()) && QFile::rename(incoming, student.file()));
-        const QString other = student.folder.filePath(QStringLiteral("other.sparkout-work"));
-        answers.replaceInStrings(QStringLiteral("file:other.sparkout-work"),
-                                 QStringLiteral("file:") + other);
+        const QByteArray foreign = trouble::bytesOf(student.file()) + '\n';
+        trouble::write(student.file(), foreign);
+        const auto notice = [&] {
+            return student.window.files().notices().holds(QStringLiteral("lesson-not-saved"));
+        };
         {
-            DialogAnswers asked(answers);
+            const DialogAnswers asked({QStringLiteral("Escape")});
             student.show(0);
             student.answer();
             student.handIn();
             QCOMPARE(asked.fault(), QString());
-            QVERIFY2(asked.text().contains(QStringLiteral("changed by another program")),
-                     qPrintable(asked.text()));
+            QVERIFY(!student.run().isSaved() && notice());
         }
-        QCOMPARE(student.onDisk().entries.size(), entries);
-        const bool isSaved = student.run().isSaved();
-        QCOMPARE(isSaved, answers.front() != u"Escape");
-        QCOMPARE(student.window.files().notices().holds(QStringLiteral("lesson-not-saved")),
-                 !isSaved);
-        if (!isSaved) { // the work in the window is not lost either
-            const DialogAnswers asked({QStringLiteral("proceed")});
-            student.desk().save();
-            QCOMPARE(asked.fault(), QString());
-        }
-        const auto entriesIn = [](const QString& path) {
-            auto text = readFile(path.toStdString(), 1u << 24);
-            const auto* bytes = std::get_if<std::string>(&text);
-            const ReadWork read = bytes ? readWork(*bytes) : ReadWork();
-            return read.work ? read.work->entries.size() : 0;
-        };
-        QCOMPARE(entriesIn(student.run().file()), std::size_t(1));
-        std::vector<std::size_t> kept{entriesIn(student.file())};
-        for (const EarlierVersion& version :
-             earlierVersions(BackupHistory(student.folder.path()), student.file())) {
-            kept.push_back(entriesIn(version.file));
-        }
-        QVERIFY(std::ranges::count(kept, std::size_t(15)) > 0);
-        // The next answer is saved without a question, and the other version is still there.
-        student.show(1);
-        student.answer();
-        student.handIn();
-        QVERIFY(student.run().isSaved());
-        kept = {entriesIn(student.file())};
-        for (const EarlierVersion& version :
-             earlierVersions(BackupHistory(student.folder.path()), student.file())) {
-            kept.push_back(entriesIn(version.file));
-        }
-        QVERIFY(std::ranges::count(kept, std::size_t(15)) > 0);
+        const QString other = student.folder.filePath(QStringLiteral("other.sparkout-work"));
+        const DialogAnswers asked({QStringLiteral("elsewhere"), QStringLiteral("file:") + other});
+        student.desk().save();
+        QCOMPARE(asked.fault(), QString());
+        QVERIFY(student.run().isSaved() && !notice());
+        QCOMPARE(student.run().file(), other);
+        QCOMPARE(trouble::bytesOf(student.file()), foreign);
     }
 
-    void aLockedWorkCanBeReadCopiedAndTakenOver_data() {
-        QTest::addColumn<QByteArray>("lock");
+    void aLockedWorkCanBeReadAndCopied_data() {
         QTest::addColumn<QString>("answer");
-        for (const char* answer : {"readOnly", "copy", "takeOver", "Escape"}) {
-            QTest::addRow("empty, %s", answer) << QByteArray() << QString::fromLatin1(answer);
-            QTest::addRow("of another computer, %s", answer)
-                << QByteArray("1\nsparkout\nanother-host\n\n\n") << QString::fromLatin1(answer);
+        for (const char* answer : {"readOnly", "copy"}) {
+            addRow(answer, QString::fromLatin1(answer));
         }
     }
 
-    void aLockedWorkCanBeReadCopiedAndTakenOver() {
-        QFETCH(QByteArray, lock);
+    /// What is handed in goes where it may; a read-only work asks where.
+    void aLockedWorkCanBeReadAndCopied() {
         QFETCH(QString, answer);
         Seat student;
         const QString lockFile = FileLock::lockPath(student.file());
+        const QByteArray lock = "1\nsparkout\nanother-host\n\n\n";
         trouble::write(lockFile, lock);
-        const QString copy = student.folder.filePath(QStringLiteral("copy.sparkout-work"));
-        QStringList list{answer};
-        if (answer == u"copy") {
-            list += QStringLiteral("file:") + copy;
-        }
+        const bool isCopy = answer == u"copy";
+        const QString other = student.folder.filePath(QStringLiteral("other.sparkout-work"));
+        const QString chosen = QStringLiteral("file:") + other;
         {
-            const DialogAnswers answers(list);
+            const DialogAnswers answers(isCopy ? QStringList{answer, chosen} : QStringList{answer});
             student.begin();
             QCOMPARE(answers.fault(), QString());
-            QVERIFY(answers.text().contains(lock.isEmpty() ? QStringLiteral("cannot be read")
-                                                           : QStringLiteral("another-host")));
         }
-        QCOMPARE(student.run().isRunning(), answer != u"Escape");
-        QCOMPARE(student.desk().isReadOnly(), answer == u"readOnly");
-        QCOMPARE(student.window.windowTitle().contains(QStringLiteral("read-only")),
-                 answer == u"readOnly");
-        QCOMPARE(trouble::bytesOf(lockFile) == lock, answer != u"takeOver");
-        if (answer == u"Escape") {
-            return;
-        }
-        // What is handed in goes where it may; a read-only work asks where.
+        QCOMPARE(student.desk().isReadOnly(), !isCopy);
+        QCOMPARE(student.window.windowTitle().contains(QStringLiteral("read-only")), !isCopy);
         const QByteArray before = trouble::bytesOf(student.file());
-        const QString other = student.folder.filePath(QStringLiteral("other.sparkout-work"));
-        const DialogAnswers answers(
-            answer == u"readOnly" ? QStringList{QStringLiteral("file:") + other} : QStringList());
+        const DialogAnswers answers(isCopy ? QStringList() : QStringList{chosen});
         student.show(0);
         student.answer();
         student.handIn();
         QCOMPARE(answers.fault(), QString());
         QVERIFY(student.run().isSaved() && !student.desk().isReadOnly());
-        QCOMPARE(student.run().file(), answer == u"readOnly" ? other
-                                       : answer == u"copy"   ? copy
-                                                             : student.file());
-        QCOMPARE(trouble::bytesOf(student.file()) == before, answer != u"takeOver");
+        QCOMPARE(student.run().file(), other);
+        QCOMPARE(trouble::bytesOf(student.file()), before);
+        QCOMPARE(trouble::bytesOf(lockFile), lock);
     }
 
     void keptRunsAreOfTheWork() {
@@ -695,9 +630,7 @@ private slots:
     }
 
     void everyStepHasRoomInBothLanguagesAndAnyType_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("percent");
-        QTest::addColumn<Theme>("theme");
+        addColumns<QString, int, Theme>("language", "percent", "theme");
         for (const char* language : {"en", "ru"}) {
             for (const int percent : {100, 130}) {
                 QTest::addRow("%s %d", language, percent)
@@ -717,17 +650,12 @@ private slots:
         Seat student(language, theme);
         student.begin();
         QCOMPARE(student.window.size(), QSize(1366, 768));
-        const QString pictures = qEnvironmentVariable("SPARKOUT_LESSON_PICTURES");
         auto* tabs = student.panel().findChild<QTabWidget*>();
         tabs->setCurrentIndex(1);
         student.settle();
         const QString theory = student.part<QTextBrowser>("lessonTheory")->toPlainText();
         QVERIFY(theory.contains(language == u"ru" ? QStringLiteral("упругая система")
                                                   : QStringLiteral("elastic system")));
-        if (!pictures.isEmpty()) {
-            student.window.grab().save(
-                QStringLiteral("%1/%2-%3-theory.png").arg(pictures, language).arg(percent));
-        }
         tabs->setCurrentIndex(0);
         for (std::size_t step = 0; step < student.run().lesson().steps.size(); ++step) {
             student.show(step);
@@ -738,13 +666,6 @@ private slots:
                 }
                 const QStringList cut = textsWithoutRoom(
                     *student.window.findChild<QDockWidget*>(QStringLiteral("lesson")));
-                if (!pictures.isEmpty()) {
-                    student.window.grab().save(QStringLiteral("%1/%2-%3-%4-step%5%6.png")
-                                                   .arg(pictures, language, themeCode(theme))
-                                                   .arg(percent)
-                                                   .arg(step + 1)
-                                                   .arg(isAnswered ? u"b" : u"a"));
-                }
                 QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
             }
             if (language == u"ru") {
@@ -758,8 +679,7 @@ private slots:
     }
 
     void everyShippedWorkHasRoom_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QString>("path");
+        addColumns<QString, QString>("language", "path");
         const QDir folder(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/lessons"));
         for (const QString& name : folder.entryList(QDir::Files, QDir::Name)) {
             for (const char* language : {"ru", "en"}) {
@@ -776,7 +696,6 @@ private slots:
         }
         QFETCH(QString, language);
         QFETCH(QString, path);
-        const QString pictures = qEnvironmentVariable("SPARKOUT_LESSON_PICTURES");
         const bool isRussian = language == u"ru";
         static const QRegularExpression cyrillic(QStringLiteral("[А-Яа-яЁё]"));
         Seat student(language, Theme::light, path);
@@ -790,13 +709,6 @@ private slots:
                     }
                     student.answer();
                     student.handIn();
-                }
-                if (!pictures.isEmpty()) {
-                    student.window.grab().save(
-                        QStringLiteral("%1/%2-%3-%4%5.png")
-                            .arg(pictures, QFileInfo(path).fileName().left(2), language)
-                            .arg(step + 1, 2, 10, QChar(u'0'))
-                            .arg(isAnswered ? u"b" : u"a"));
                 }
                 const QStringList cut = textsWithoutRoom(
                     *student.window.findChild<QDockWidget*>(QStringLiteral("lesson")));
@@ -814,8 +726,7 @@ private slots:
     }
 
     void theDialogsHaveRoom_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("percent");
+        addColumns<QString, int>("language", "percent");
         for (const char* language : {"en", "ru"}) {
             for (const int percent : {100, 130}) {
                 QTest::addRow("%s %d", language, percent) << QString::fromUtf8(language) << percent;
@@ -842,18 +753,10 @@ private slots:
         marks.mark();
         QVERIFY(marked.wait(60'000));
         QVERIFY(!lessons.chosen().isEmpty());
-        const QString pictures = qEnvironmentVariable("SPARKOUT_LESSON_PICTURES");
         for (QDialog* dialog : std::initializer_list<QDialog*>{&lessons, &begin, &marks}) {
             dialog->show();
             student.settle();
             const QStringList cut = textsWithoutRoom(*dialog);
-            if (!pictures.isEmpty()) {
-                dialog->grab().save(QStringLiteral("%1/%2-%3-%4.png")
-                                        .arg(pictures, language)
-                                        .arg(percent)
-                                        .arg(QString::fromLatin1(dialog->metaObject()->className())
-                                                 .section(u':', -1)));
-            }
             QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
             QVERIFY(dialog->width() <= 1366 && dialog->height() <= 728);
         }

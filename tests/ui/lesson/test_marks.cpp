@@ -19,11 +19,9 @@
 #include <QTextBrowser>
 #include <QUrl>
 
-namespace test_marks {
+namespace sparkout::test_marks {
 
 using namespace lesson_bench;
-
-namespace {
 
 /// A folder of works: right, wrong and broken ones.
 struct Class {
@@ -42,8 +40,6 @@ struct Class {
     samples::GivenOut out;
     std::vector<HandedIn> files;
 };
-
-} // namespace
 
 class TestMarks : public QObject {
     Q_OBJECT
@@ -168,7 +164,7 @@ private slots:
     }
 };
 
-} // namespace test_marks
+} // namespace sparkout::test_marks
 
 SPARKOUT_TEST(test_marks, TestMarks)
 #include "test_marks.moc"

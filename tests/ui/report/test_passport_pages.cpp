@@ -118,28 +118,6 @@ private slots:
         }
     }
 
-    /// It is put together in the window's thread; laying out and writing are done beside it.
-    void puttingItTogetherHoldsTheWindowBriefly() {
-        report::Subject subject = subjectOf(example("30h6-factory"));
-        (void)report::passport(subject); // fonts are loaded once
-        int breaths = 0;
-        const double worst_ms = leastOfTries_ms(200, [&] {
-            double began_ms = threadTime_ms(), longest_ms = 0;
-            subject.breathe = [&] {
-                const double now_ms = threadTime_ms();
-                longest_ms = std::max(longest_ms, now_ms - began_ms);
-                began_ms = now_ms;
-                ++breaths;
-            };
-            (void)report::passport(subject);
-            subject.breathe();
-            return longest_ms;
-        });
-        qInfo("PASSPORT at most %.1f ms between two breaths, target 50 ms: %s", worst_ms,
-              beside(worst_ms, 50));
-        QVERIFY(breaths > 3 && worst_ms <= 200);
-    }
-
     /// In every report, whatever it prints of them.
     void hostileTextsStayTexts() {
         Project project = smallBatch();

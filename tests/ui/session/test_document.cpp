@@ -256,35 +256,6 @@ private slots:
         QCOMPARE(firstDifference(same, other), std::string("/batch/seed"));
     }
 
-    void everyExampleCanBeTurnedToTheOtherOperationAndBack_data() {
-        everyExampleSurvivesOpenSaveOpen_data();
-    }
-
-    void everyExampleCanBeTurnedToTheOtherOperationAndBack() {
-        QFETCH(QString, path);
-        Document document;
-        QVERIFY(document.open(path).opened());
-        const Project& project = document.project();
-        const bool traverse = project.operation == Operation::traverse;
-        const Operation other = traverse ? Operation::plunge : Operation::traverse;
-        const Project turned = withOperation(project, other);
-        Issues there = validate(turned); // the wheel stays: a length may be too short for it
-        std::erase_if(there,
-                      [](const Issue& issue) { return issue.code == IssueCode::zoneTooShort; });
-        const auto describe = [](const Issues& issues) {
-            std::string text;
-            for (const Issue& issue : issues) {
-                text += issue.path + ": " + issueSentence(issue) + "; ";
-            }
-            return text;
-        };
-        QVERIFY2(!hasErrors(there), describe(there).c_str());
-        Issues back = validate(withOperation(turned, project.operation));
-        std::erase_if(back,
-                      [](const Issue& issue) { return issue.code == IssueCode::zoneTooShort; });
-        QVERIFY2(!hasErrors(back), describe(back).c_str());
-    }
-
     void aListedComplianceFollowsTheNumberOfSections() {
         const Project plunge = newProject(Operation::plunge);
         const Project more = withSections(plunge, 7);

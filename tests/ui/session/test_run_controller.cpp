@@ -4,7 +4,6 @@
 #include "ui/session/run_controller.h"
 
 #include "core/study/new_project.h"
-#include "core/study/operation.h"
 
 #include "tests/registry.h"
 
@@ -134,19 +133,6 @@ private slots:
         QVERIFY2(clock.elapsed() < 100, qPrintable(QString::number(clock.elapsed())));
         QTest::qWait(20);
         QCOMPARE(finished.count(), 0);
-    }
-
-    void closingDuringARealLongRunWaitsLessThanATenthOfASecond() {
-        Project project = newProject(Operation::plunge);
-        project = withSections(project, 200);
-        project.part->radii_per_section = 360;
-        project.cycle->stages.back().radial_feed_mm_min = 0.01;
-        auto runs = std::make_unique<RunController>();
-        runs->request(project);
-        std::this_thread::sleep_for(20ms);
-        RunningTimer clock;
-        runs.reset();
-        QVERIFY2(clock.elapsed() < 100, qPrintable(QString::number(clock.elapsed())));
     }
 };
 

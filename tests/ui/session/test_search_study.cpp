@@ -32,11 +32,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-namespace test_search_study {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_search_study {
 
 constexpr int patience_ms = 120'000;
 
@@ -78,8 +74,6 @@ bool sameCycle(const Cycle& a, const Cycle& b) {
                && x.radial_feed_mm_min == y.radial_feed_mm_min && x.stock_mm == y.stock_mm;
     });
 }
-
-} // namespace
 
 class TestSearchStudy : public QObject {
     Q_OBJECT
@@ -459,7 +453,7 @@ private slots:
     }
 };
 
-} // namespace test_search_study
+} // namespace sparkout::test_search_study
 
 SPARKOUT_TEST(test_search_study, TestSearchStudy)
 #include "test_search_study.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/text_checks.h"
 
+#include "ui/plot/legend_strip.h"
+
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAction>
@@ -12,6 +14,7 @@
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QTabWidget>
+#include <qcustomplot.h>
 
 namespace sparkout {
 
@@ -25,12 +28,29 @@ void add(QList<ShownText>& list, const QObject* object, const QString& text) {
 
 void addItems(QList<ShownText>& list, const QAbstractItemView& view) {
     const QAbstractItemModel* model = view.model();
+    for (int row = 0; model && row < model->rowCount(); ++row) {
+        add(list, &view, model->headerData(row, Qt::Vertical, Qt::DisplayRole).toString());
+    }
     for (int column = 0; model && column < model->columnCount(); ++column) {
         for (const int role : {Qt::DisplayRole, Qt::ToolTipRole}) {
             add(list, &view, model->headerData(column, Qt::Horizontal, role).toString());
             for (int row = 0; row < model->rowCount(); ++row) {
                 add(list, &view, model->index(row, column).data(role).toString());
             }
+        }
+    }
+}
+
+/// The names of its axes and the texts beside its cells.
+void addDrawn(QList<ShownText>& list, const QCustomPlot& plot) {
+    for (const QCPAxisRect* rect : plot.axisRects()) {
+        for (const QCPAxis* axis : rect->axes()) {
+            add(list, &plot, axis->label());
+        }
+    }
+    for (const QCPLayoutElement* element : plot.plotLayout()->elements(true)) {
+        if (const auto* caption = qobject_cast<const QCPTextElement*>(element)) {
+            add(list, &plot, caption->text());
         }
     }
 }
@@ -56,6 +76,16 @@ void addOwn(QList<ShownText>& list, const QWidget* widget) {
         }
     } else if (const auto* view = qobject_cast<const QAbstractItemView*>(widget)) {
         addItems(list, *view);
+    } else if (const auto* plot = qobject_cast<const QCustomPlot*>(widget)) {
+        if (plot->isVisible()) { // a hidden one is drawn anew when it is shown
+            addDrawn(list, *plot);
+        }
+    } else if (const auto* legend = qobject_cast<const LegendStrip*>(widget)) {
+        for (const LegendEntry& entry : legend->entries()) {
+            if (legend->isVisible()) {
+                add(list, legend, entry.text);
+            }
+        }
     }
 }
 

@@ -20,7 +20,8 @@ struct ShownText {
 /// Object names, or classes, from the window down.
 [[nodiscard]] QString pathOf(const QObject* object);
 
-/// Texts, titles, tooltips and accessible names of a window and all that is in it, hidden or not.
+/// Texts, titles, tooltips and accessible names of a window and all that is in it, hidden or not;
+/// of plots and legends what is drawn.
 [[nodiscard]] QList<ShownText> textsOf(const QWidget& window);
 
 /// English words in a text that should be Russian: three Latin letters or more that are no name,

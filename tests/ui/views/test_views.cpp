@@ -4,7 +4,6 @@
 #include "ui/dialogs/value_model.h"
 #include "ui/views/verdict/verdict_panel.h"
 
-#include <QClipboard>
 #include <QLabel>
 #include <QTableView>
 
@@ -121,39 +120,6 @@ private slots:
         QVERIFY(!panel.model()->index(1, 1).data(Qt::ForegroundRole).isValid());
     }
 
-    void copyGivesTabSeparatedText() {
-        VerdictPanel panel;
-        panel.show();
-        settle(panel, m_traverse);
-        auto* table = panel.findChild<QTableView*>(QStringLiteral("requirements"));
-        table->setFocus();
-        QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
-        const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
-        QCOMPARE(lines.size(), 1 + static_cast<qsizetype>(m_traverse->constraints.size()));
-        for (const QString& line : lines) {
-            QCOMPARE(line.count(u'\t'), 6);
-        }
-        QVERIFY(lines[1].startsWith(QStringLiteral("RZ1\tMinimum diameter\t")));
-    }
-
-    /// The names of the groups are no rows to copy, and shift none.
-    void theSelectedRowIsCopiedAlone() {
-        VerdictPanel panel;
-        panel.show();
-        settle(panel, m_traverse);
-        auto* table = panel.findChild<QTableView*>(QStringLiteral("requirements"));
-        const QAbstractItemModel& model = *table->model();
-        int row = model.rowCount() - 1; // behind all groups
-        table->setFocus();
-        table->selectRow(row);
-        QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
-        const QString copied = QApplication::clipboard()->text();
-        QCOMPARE(copied.count(u'\n'), 1);
-        QCOMPARE(copied.section(u'\t', 2, 2), model.index(row, 1).data().toString());
-        table->selectRow(0); // a group
-        QVERIFY(!table->selectionModel()->isRowSelected(0));
-    }
-
     void nothingIsClippedAt300Pixels() {
         VerdictPanel panel;
         panel.resize(300, 640);
@@ -175,24 +141,6 @@ private slots:
                 QTRY_VERIFY(label->height() >= label->heightForWidth(label->width()));
             }
         }
-    }
-
-    void theVerdictIsRetranslated() {
-        VerdictPanel panel;
-        settle(panel, m_traverse);
-        Marking marking;
-        QApplication::installTranslator(&marking);
-        QCoreApplication::processEvents();
-        for (const QLabel* label : panel.findChildren<QLabel*>()) {
-            if (!label->isHidden() && !label->text().isEmpty()) {
-                QVERIFY2(label->text().contains(QChar(0x00AB)), qPrintable(label->text()));
-            }
-        }
-        QVERIFY(panel.model()->index(1, 0).data().toString().startsWith(QChar(0x00AB)));
-        QApplication::removeTranslator(&marking);
-        QCoreApplication::processEvents();
-        QCOMPARE(panel.model()->headerData(1, Qt::Horizontal, Qt::DisplayRole).toString(),
-                 QStringLiteral("Value"));
     }
 
 private:

@@ -218,18 +218,6 @@ private slots:
         QVERIFY(sameProject(bench.window->document().project(), before));
         QCOMPARE(bench.window->document().filePath(), name);
     }
-
-    void theModelIsUnchangedByACancel() {
-        RunController runs(nullptr, runForSeconds);
-        const Project project = longProject(longSections);
-        runs.request(project);
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        QSignalSpy finished(&runs, &RunController::finished);
-        runs.request(newProject(Operation::traverse));
-        QVERIFY(QTest::qWaitFor([&] { return finished.count() > 0; }, 20'000));
-        QCOMPARE(finished.count(), 1); // the stopped one says nothing
-        QVERIFY(sameProject(project, longProject(longSections)));
-    }
 };
 
 } // namespace sparkout::test_cancel

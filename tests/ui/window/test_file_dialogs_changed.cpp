@@ -164,16 +164,6 @@ private slots:
         QVERIFY(QFileInfo::exists(FileLock::lockPath(bench.other)));
     }
 
-    void aLockWithoutSenseCanBeTakenOver() {
-        Bench bench;
-        trouble::write(bench.lock, "garbage");
-        DialogAnswers answers({QStringLiteral("takeOver")});
-        QVERIFY(bench.open());
-        ANSWERED(answers);
-        QVERIFY(answers.text().contains(QStringLiteral("cannot be read")));
-        QVERIFY(!bench.document().readOnly());
-    }
-
     void anExampleOfTheShippedOnesLeavesNoLock() {
         Bench bench;
         const QByteArray example = ExamplesDialog::textOf(ExamplesDialog::paths().first());

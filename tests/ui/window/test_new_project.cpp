@@ -84,18 +84,12 @@ private slots:
         }
     }
 
-    void theVerdictIsNeutralAndTheViewsLeadToWhatIsMissing() {
+    void theVerdictIsNeutral() {
         NewBench bench;
         QVERIFY(bench.incomplete());
         QTRY_VERIFY(bench.verdict("notice").text().startsWith(QStringLiteral("Not checked")));
         QVERIFY(!bench.verdict("overall").isVisible());
         QVERIFY(bench.verdict("notChecked").text().contains(QStringLiteral("/part/stock_mm")));
-        QVERIFY(bench.window->showView(QStringLiteral("feeds")));
-        auto* feeds = bench.window->findChild<FeedsView*>();
-        auto* notice = feeds->findChild<QLabel*>(feeds->objectName() + QStringLiteral("Notice"));
-        QTRY_VERIFY(notice->text().contains(QStringLiteral("Still needed")));
-        emit notice->linkActivated(QStringLiteral("/part/length_mm"));
-        QCOMPARE(QApplication::focusWidget(), &bench.field("/part/length_mm"));
     }
 
     /// Of the project before, with a batch, kept runs and measured parts, nothing is left.

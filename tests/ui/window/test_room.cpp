@@ -53,6 +53,53 @@ QListView* keepAs(const Bench& bench, const QString& name) {
     return list;
 }
 
+/// Counts the lines of its captions, none of which is cut off.
+int checkedCaptions(const QCustomPlot& plot) {
+    int lines = 0;
+    for (const QCPLayoutElement* element : plot.plotLayout()->elements(true)) {
+        const auto* caption = qobject_cast<const QCPTextElement*>(element);
+        for (const QString& line : caption ? caption->text().split(u'\n') : QStringList()) {
+            ++lines;
+            const int wide = QFontMetrics(caption->font()).horizontalAdvance(line);
+            [&] { QVERIFY2(wide <= caption->rect().width(), qPrintable(line)); }();
+        }
+    }
+    return lines;
+}
+
+/// Counts the names of its axes across, all of which are within the plot.
+int checkedNames(const QCustomPlot& plot) {
+    int names = 0;
+    for (const QCPAxisRect* rect : plot.axisRects()) {
+        const QCPAxis* axis = rect->axis(QCPAxis::atBottom);
+        const int middle = rect->center().x();
+        const int room = 2 * std::min(middle, plot.width() - middle);
+        for (const QString& line :
+             axis && axis->visible() ? axis->label().split(u'\n') : QStringList()) {
+            names += line.isEmpty() ? 0 : 1;
+            const int wide = QFontMetrics(axis->labelFont()).horizontalAdvance(line);
+            [&] { QVERIFY2(wide <= room, qPrintable(line)); }();
+        }
+    }
+    return names;
+}
+
+/// Each entry is read in full, and meets none before it.
+void checkEntries(const LegendStrip& legend) {
+    const auto count = static_cast<int>(legend.entries().size());
+    QVERIFY(count > 1);
+    for (int i = 0; i < count; ++i) {
+        const QString& text = legend.entries()[static_cast<std::size_t>(i)].text;
+        const QRect room = legend.entryRect(i).adjusted(27, 0, 0, 0);
+        const QRect needed = legend.fontMetrics().boundingRect(QRect(0, 0, room.width(), 1000),
+                                                               Qt::TextWordWrap, text);
+        QVERIFY2(needed.width() <= room.width() && needed.height() <= room.height(),
+                 qPrintable(text));
+        QVERIFY(legend.rect().contains(legend.entryRect(i)));
+        QVERIFY(i == 0 || !room.intersects(legend.entryRect(i - 1)));
+    }
+}
+
 class TestRoom : public QObject {
     Q_OBJECT
 
@@ -159,35 +206,6 @@ private slots:
         QCOMPARE(areas, 1);
     }
 
-    void noLegendIsElided_data() { addLongerLanguages(); }
-    void noLegendIsElided() {
-        QFETCH(QString, language);
-        OpenBench bench(language, examplePath("shaft-30h6-factory"));
-        keepAs(bench,
-               QStringLiteral("Radial feed 0.004, axial feed 1400, the second stage as it was"));
-        for (const int percent : {130, 100}) {
-            bench.setFontSize(percent);
-            for (const char* name : {"feeds", "profiles", "constraints", "compare"}) {
-                QVERIFY(bench.window->showView(QString::fromLatin1(name)));
-                bench.rest();
-                const auto* legend = bench.window->findChild<LegendStrip*>(
-                    QLatin1String(name) + QStringLiteral("Legend"));
-                const auto count = static_cast<int>(legend->entries().size());
-                QVERIFY2(count > 1, name);
-                for (int i = 0; i < count; ++i) {
-                    const QString& text = legend->entries()[static_cast<std::size_t>(i)].text;
-                    const QRect room = legend->entryRect(i).adjusted(27, 0, 0, 0);
-                    const QRect needed = legend->fontMetrics().boundingRect(
-                        QRect(0, 0, room.width(), 1000), Qt::TextWordWrap, text);
-                    QVERIFY2(needed.width() <= room.width() && needed.height() <= room.height(),
-                             qPrintable(text));
-                    QVERIFY(legend->rect().contains(legend->entryRect(i)));
-                    QVERIFY(i == 0 || !room.intersects(legend->entryRect(i - 1)));
-                }
-            }
-        }
-    }
-
     /// Of the present run and two kept ones, neither curves nor what differs.
     void nothingOfCompareIsScrolledSideways_data() { addLongerLanguages(); }
     void nothingOfCompareIsScrolledSideways() {
@@ -213,6 +231,96 @@ private slots:
             const QStringList cut = textsWithoutRoom(*bench.window->viewTabs().currentView());
             QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
         }
+    }
+
+    /// Legends, captions and the names of axes, none of them elided or cut off.
+    void whatIsDrawnBesideCurvesHasRoom_data() { addLongerLanguages(); }
+    void whatIsDrawnBesideCurvesHasRoom() {
+        QFETCH(QString, language);
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
+        keepAs(bench,
+               QStringLiteral("Radial feed 0.004, axial feed 1400, the second stage as it was"));
+        const QStringList captioned{QStringLiteral("feeds"), QStringLiteral("profiles")};
+        int captions = 0, names = 0;
+        for (const int percent : {130, 100}) {
+            bench.setFontSize(percent);
+            for (const char* name : {"feeds", "profiles", "constraints", "compliance", "layers",
+                                     "optimise", "compare"}) {
+                QVERIFY(bench.window->showView(QString::fromLatin1(name)));
+                bench.rest();
+                for (const auto* plot :
+                     bench.window->viewTabs().currentView()->findChildren<QCustomPlot*>()) {
+                    if (plot->isVisible()) {
+                        captions +=
+                            captioned.contains(QLatin1String(name)) ? checkedCaptions(*plot) : 0;
+                        names += checkedNames(*plot);
+                    }
+                }
+            }
+            for (const char* name : {"feeds", "profiles", "constraints", "compare"}) {
+                QVERIFY(bench.window->showView(QString::fromLatin1(name)));
+                bench.rest();
+                checkEntries(*bench.window->findChild<LegendStrip*>(QLatin1String(name)
+                                                                    + QStringLiteral("Legend")));
+            }
+        }
+        QVERIFY(captions > 20);
+        QVERIFY2(names >= 12, qPrintable(QString::number(names)));
+    }
+
+    /// In the window's usual size the answer is read in full and so are the cycles found, in a
+    /// larger type but for the end of a long one. In a low window rather the answer is scrolled
+    /// than the curves.
+    void theAnswerOfASearchHasRoom_data() { addLongerLanguages(); }
+    void theAnswerOfASearchHasRoom() {
+        QFETCH(QString, language);
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
+        QVERIFY(bench.window->showView(QStringLiteral("optimise")));
+        bench.rest();
+        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("optimiseRun")),
+                          Qt::LeftButton);
+        auto* answer = bench.window->findChild<QTableView*>(QStringLiteral("optimiseAnswer"));
+        QTRY_VERIFY_WITH_TIMEOUT(answer->isVisible(), 60'000);
+        bench.rest();
+        QCOMPARE(bench.window->size(), QSize(1366, 768));
+        QTRY_COMPARE(answer->verticalScrollBar()->maximum(), 0);
+        QTRY_COMPARE(answer->horizontalScrollBar()->maximum(), 0);
+        const QAbstractItemView& rows = *answer;
+        const QAbstractItemModel& model = *answer->model();
+        QVERIFY(model.rowCount() >= 3);
+        for (int row = 0; row < model.rowCount(); ++row) {
+            QVERIFY(answer->rowHeight(row) >= rows.sizeHintForRow(row));
+            for (int column = 0; column + 1 < model.columnCount(); ++column) {
+                const QModelIndex cell = model.index(row, column);
+                QVERIFY2(answer->columnWidth(column) >= answer->sizeHintForIndex(cell).width(),
+                         qPrintable(cell.data().toString()));
+            }
+        }
+        const auto* found = bench.window->findChild<QTableView*>(QStringLiteral("optimiseFound"));
+        const auto column = static_cast<int>(FoundColumn::cycle);
+        for (const int percent : fontSizes) {
+            bench.setFontSize(percent);
+            const int left = found->columnViewportPosition(column),
+                      room = found->viewport()->width();
+            QVERIFY(left + found->columnWidth(column) <= room
+                    || (percent == 130 && 3 * left < room));
+            QVERIFY(found->columnWidth(column)
+                    >= found->sizeHintForIndex(found->model()->index(0, column)).width());
+        }
+        bench.setFontSize(usualFontSize);
+        constexpr QSize low(1366, 740);
+        bench.window->resize(low);
+        bench.rest();
+        QCOMPARE(bench.window->size(), low);
+        int seen = 0;
+        for (const auto* area :
+             bench.window->viewTabs().currentView()->findChildren<QScrollArea*>()) {
+            if (area->isVisible()) {
+                ++seen;
+                QTRY_COMPARE(area->verticalScrollBar()->maximum(), 0);
+            }
+        }
+        QCOMPARE(seen, 1);
     }
 
     void theNameOfARunIsWrapped() {
@@ -257,85 +365,6 @@ private slots:
         }
     }
 
-    void theCyclesFoundAreReadWithoutScrolling_data() { addLongerLanguages(); }
-    void theCyclesFoundAreReadWithoutScrolling() {
-        QFETCH(QString, language);
-        OpenBench bench(language, examplePath("shaft-30h6-factory"));
-        QVERIFY(bench.window->showView(QStringLiteral("optimise")));
-        bench.rest();
-        auto* run = bench.window->findChild<QPushButton*>(QStringLiteral("optimiseRun"));
-        QVERIFY(run);
-        QTest::mouseClick(run, Qt::LeftButton);
-        auto* table = bench.window->findChild<QTableView*>(QStringLiteral("optimiseFound"));
-        QTRY_VERIFY_WITH_TIMEOUT(table->isVisible(), 60'000);
-        for (const int percent : fontSizes) {
-            bench.setFontSize(percent);
-            const auto column = static_cast<int>(FoundColumn::cycle);
-            const int right = table->columnViewportPosition(column) + table->columnWidth(column);
-            qInfo("ROOM cycle at %d %% to %d of %d", percent, right, table->viewport()->width());
-            // In the largest type nothing but the end of a long cycle is scrolled.
-            QVERIFY(right <= table->viewport()->width()
-                    || (percent == 130
-                        && 3 * table->columnViewportPosition(column) < table->viewport()->width()));
-            QVERIFY(table->columnWidth(column)
-                    >= table->sizeHintForIndex(table->model()->index(0, column)).width());
-        }
-    }
-
-    /// In the window's usual size; in a larger type the table is scrolled.
-    void theAnswerOfASearchIsReadInFull_data() { addLongerLanguages(); }
-    void theAnswerOfASearchIsReadInFull() {
-        QFETCH(QString, language);
-        OpenBench bench(language, examplePath("shaft-30h6-factory"));
-        QVERIFY(bench.window->showView(QStringLiteral("optimise")));
-        bench.rest();
-        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("optimiseRun")),
-                          Qt::LeftButton);
-        auto* table = bench.window->findChild<QTableView*>(QStringLiteral("optimiseAnswer"));
-        QTRY_VERIFY_WITH_TIMEOUT(table->isVisible(), 60'000);
-        bench.rest();
-        QCOMPARE(bench.window->size(), QSize(1366, 768));
-        QTRY_COMPARE(table->verticalScrollBar()->maximum(), 0);
-        QTRY_COMPARE(table->horizontalScrollBar()->maximum(), 0);
-        const QAbstractItemView& rows = *table;
-        const QAbstractItemModel& model = *table->model();
-        QVERIFY(model.rowCount() >= 3);
-        for (int row = 0; row < model.rowCount(); ++row) {
-            QVERIFY(table->rowHeight(row) >= rows.sizeHintForRow(row));
-            for (int column = 0; column + 1 < model.columnCount(); ++column) {
-                const QModelIndex cell = model.index(row, column);
-                QVERIFY2(table->columnWidth(column) >= table->sizeHintForIndex(cell).width(),
-                         qPrintable(cell.data().toString()));
-            }
-        }
-    }
-
-    /// Rather than the curves the answer is scrolled.
-    void theCurvesOfASearchAreShownWithTheirAxesInALowWindow_data() { addLongerLanguages(); }
-    void theCurvesOfASearchAreShownWithTheirAxesInALowWindow() {
-        QFETCH(QString, language);
-        OpenBench bench(language, examplePath("shaft-30h6-factory"));
-        QVERIFY(bench.window->showView(QStringLiteral("optimise")));
-        bench.rest();
-        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("optimiseRun")),
-                          Qt::LeftButton);
-        const auto* answer = bench.window->findChild<QTableView*>(QStringLiteral("optimiseAnswer"));
-        QTRY_VERIFY_WITH_TIMEOUT(answer->isVisible(), 60'000);
-        constexpr QSize low(1366, 740);
-        bench.window->resize(low);
-        bench.rest();
-        QCOMPARE(bench.window->size(), low);
-        const View* const view = bench.window->viewTabs().currentView();
-        int seen = 0;
-        for (const auto* area : view->findChildren<QScrollArea*>()) {
-            if (area->isVisible()) {
-                ++seen;
-                QTRY_COMPARE(area->verticalScrollBar()->maximum(), 0);
-            }
-        }
-        QCOMPARE(seen, 1);
-    }
-
     /// Also when the program starts so.
     void theToolsAreAllShownWhateverTheType_data() { addLongerLanguages(); }
     void theToolsAreAllShownWhateverTheType() {
@@ -373,70 +402,6 @@ private slots:
                 QVERIFY(values->heightForWidth(values->width()) <= values->height());
             }
         }
-    }
-
-    void noCaptionOfFeedsAndProfilesIsCutOff_data() { addLongerLanguages(); }
-    void noCaptionOfFeedsAndProfilesIsCutOff() {
-        QFETCH(QString, language);
-        OpenBench bench(language, examplePath("shaft-30h6-factory"));
-        int captions = 0;
-        for (const int percent : {130, 100, 115}) {
-            bench.setFontSize(percent);
-            for (const char* name : {"feeds", "profiles"}) {
-                QVERIFY(bench.window->showView(QString::fromLatin1(name)));
-                bench.rest();
-                for (const auto* plot :
-                     bench.window->viewTabs().currentView()->findChildren<QCustomPlot*>()) {
-                    for (QCPLayoutElement* element : plot->plotLayout()->elements(true)) {
-                        const auto* caption = qobject_cast<QCPTextElement*>(element);
-                        if (!caption || !plot->isVisible()) {
-                            continue;
-                        }
-                        const QFontMetrics metrics(caption->font());
-                        for (const QString& line : caption->text().split(u'\n')) {
-                            ++captions;
-                            QVERIFY2(metrics.horizontalAdvance(line) <= caption->rect().width(),
-                                     qPrintable(line));
-                        }
-                    }
-                }
-            }
-        }
-        QVERIFY(captions > 30);
-    }
-
-    void theNamesOfAxesHaveRoom_data() { addLongerLanguages(); }
-    void theNamesOfAxesHaveRoom() {
-        QFETCH(QString, language);
-        OpenBench bench(language, examplePath("shaft-30h6-factory"));
-        int names = 0;
-        for (const int percent : {130, 100}) {
-            bench.setFontSize(percent);
-            for (const char* view : {"feeds", "profiles", "constraints", "compliance", "layers",
-                                     "optimise", "compare"}) {
-                QVERIFY(bench.window->showView(QString::fromLatin1(view)));
-                bench.rest();
-                for (const auto* plot :
-                     bench.window->viewTabs().currentView()->findChildren<QCustomPlot*>()) {
-                    for (const QCPAxisRect* rect : plot->axisRects()) {
-                        const QCPAxis* axis = rect->axis(QCPAxis::atBottom);
-                        if (!plot->isVisible() || !axis || !axis->visible()) {
-                            continue;
-                        }
-                        const int middle = rect->center().x();
-                        const int room = 2 * std::min(middle, plot->width() - middle);
-                        for (const QString& line : axis->label().split(u'\n')) {
-                            names += line.isEmpty() ? 0 : 1;
-                            const int wide =
-                                QFontMetrics(axis->labelFont()).horizontalAdvance(line);
-                            QVERIFY2(wide <= room,
-                                     qPrintable(QString::fromLatin1(view) + u' ' + line));
-                        }
-                    }
-                }
-            }
-        }
-        QVERIFY2(names >= 12, qPrintable(QString::number(names)));
     }
 
     /// Beside or below its mark, in whatever type.

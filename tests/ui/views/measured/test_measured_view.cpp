@@ -39,11 +39,7 @@
 #include <cmath>
 #include <utility>
 
-namespace test_measured_view {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_measured_view {
 
 constexpr int patience_ms = 120'000;
 
@@ -125,8 +121,6 @@ bool isRead(const QDialog& dialog) {
         patience_ms);
 }
 
-} // namespace
-
 class TestMeasuredView : public QObject {
     Q_OBJECT
 
@@ -142,10 +136,7 @@ private slots:
     }
 
     void aFileIsImportedJudgedAndUndone_data() {
-        QTest::addColumn<double>("shift");
-        QTest::addColumn<double>("spread");
-        QTest::addColumn<AdequacyVerdict>("verdict");
-        QTest::addColumn<QString>("says");
+        addColumns<double, double, AdequacyVerdict, QString>("shift", "spread", "verdict", "says");
         QTest::newRow("as predicted") << 0.0 << 1.0 << AdequacyVerdict::adequate
                                       << QStringLiteral("The model agrees with the parts");
         QTest::newRow("biased") << 50.0 << 1.0 << AdequacyVerdict::biased
@@ -433,7 +424,7 @@ private slots:
     }
 };
 
-} // namespace test_measured_view
+} // namespace sparkout::test_measured_view
 
 SPARKOUT_TEST(test_measured_view, TestMeasuredView)
 #include "test_measured_view.moc"

@@ -39,11 +39,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace test_optimise_view {
-
-using namespace sparkout;
-
-namespace {
+namespace sparkout::test_optimise_view {
 
 constexpr int patience_ms = 120'000;
 constexpr int searchPage = 7;
@@ -147,8 +143,6 @@ struct Desk {
     Bench bench;
     OptimiseView* view;
 };
-
-} // namespace
 
 /// Of the times across it, by its title.
 double unitOf_s(const MarginFrontPlot& plot) {
@@ -269,8 +263,9 @@ private slots:
         QTRY_COMPARE(run.text(), QStringLiteral("Continue"));
     }
 
-    /// The margins by time are the engine's; a click chooses a cycle.
-    void aPointOfTheMarginsByTimeIsChosenAndTaken() {
+    /// The margins by time are the engine's; a click chooses a cycle, the arrows go from point to
+    /// point, Enter takes the one chosen.
+    void aPointOfTheMarginsByTimeIsChosenByMouseAndKeysAndTaken() {
         const Project project = fixtures::searchedShaft();
         const TradeOff engine = tradeOff(project, optimise(project), {}, 40);
         const Desk desk(project);
@@ -296,36 +291,18 @@ private slots:
         QVERIFY(plot.chart().rules.empty());
         const std::size_t last = engine.cycles.size() - 1;
         QTest::mouseClick(&plot, Qt::LeftButton, {}, plot.pixelOf(curve[last]).toPoint());
-        const int row = desk.part<CopyTable>("optimiseFound").currentIndex().row();
-        QCOMPARE(desk.cell(row, FoundColumn::cycle),
-                 OptimiseText::cycle(engine.cycles[last].cycle));
+        const auto cycleAt = [&] {
+            const int row = desk.part<CopyTable>("optimiseFound").currentIndex().row();
+            return desk.cell(row, FoundColumn::cycle);
+        };
+        QCOMPARE(cycleAt(), OptimiseText::cycle(engine.cycles[last].cycle));
         QCOMPARE(pointsOf(plot, MarginFrontPlot::chosenKey).at(0).y,
                  100 * engine.cycles[last].best->leastRelativeMargin);
-        desk.click("optimiseTake");
-        desk.bench.settle();
-        QCOMPARE(OptimiseText::cycle(*desk.project().cycle),
-                 OptimiseText::cycle(engine.cycles[last].cycle));
-        QVERIFY(!desk.view->stale());
-    }
-
-    /// By keys alone: the arrows go from point to point, Enter takes the one chosen.
-    void theKeysChooseAPointOfTheMarginsByTime() {
-        const Project project = fixtures::searchedShaft();
-        const TradeOff engine = tradeOff(project, optimise(project), {}, 40);
-        const Desk desk(project);
-        QVERIFY(desk.searched());
-        desk.part<QComboBox>("optimiseContent").setCurrentIndex(2);
-        desk.bench.settle();
-        MarginFrontPlot& plot = *desk.view->margins();
         plot.setFocus();
         const QCPRange before = plot.across().range();
         for (int i = 0; i < 60; ++i) {
             QTest::keyClick(&plot, Qt::Key_Left);
         }
-        const auto cycleAt = [&] {
-            const int row = desk.part<CopyTable>("optimiseFound").currentIndex().row();
-            return desk.cell(row, FoundColumn::cycle);
-        };
         for (std::size_t i = 0; i < engine.cycles.size(); ++i) {
             const SearchSummary& point = engine.cycles[i];
             QCOMPARE(cycleAt(), OptimiseText::cycle(point.cycle));
@@ -342,6 +319,7 @@ private slots:
         desk.bench.settle();
         QCOMPARE(OptimiseText::cycle(*desk.project().cycle),
                  OptimiseText::cycle(engine.cycles[engine.cycles.size() - 2].cycle));
+        QVERIFY(!desk.view->stale());
     }
 
     /// Over every stock of the range: the answer is its quickest point, and none is better.
@@ -432,20 +410,6 @@ private slots:
         QVERIFY(isOnFront);
     }
 
-    void aCycleIsTakenByOneEditAndUndone() {
-        const Desk desk(fixtures::searchedShaft());
-        QVERIFY(desk.searched());
-        const Cycle before = *desk.project().cycle;
-        const Cycle best = desk.view->search()->best()->cycle;
-        desk.click("optimiseTake");
-        desk.bench.settle();
-        QCOMPARE(OptimiseText::cycle(*desk.project().cycle), OptimiseText::cycle(best));
-        QVERIFY(!desk.view->stale()); // another cycle is no other search
-        desk.bench.window->document().undo();
-        desk.bench.settle();
-        QCOMPARE(OptimiseText::cycle(*desk.project().cycle), OptimiseText::cycle(before));
-    }
-
     void theCycleBeforeStaysForComparisonUntilTheNextSearch() {
         const Desk desk(fixtures::searchedShaft());
         QVERIFY(desk.searched());
@@ -533,20 +497,6 @@ private slots:
         QVERIFY(!desk.view->search());
         QVERIFY(!desk.part<CopyTable>("optimiseFound").isVisible());
         QTRY_COMPARE(desk.view->curves()->runs().size(), std::size_t{1});
-    }
-
-    void whyAGridCannotBeSearchedIsOfThatGridAlone() {
-        Project project = fixtures::searchedShaft();
-        project.optimisation->stock_step_mm = 1e-9;
-        const Desk desk(project);
-        desk.click("optimiseRun");
-        QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy(), patience_ms);
-        QTRY_VERIFY2(desk.told().contains(QStringLiteral("take a larger step")),
-                     qPrintable(desk.told()));
-        desk.bench.window->document().edit(fixtures::searchedShaft(), {"Edit", ""});
-        desk.bench.settle();
-        QTRY_VERIFY2(desk.told().contains(QStringLiteral("finds the quickest cycle")),
-                     qPrintable(desk.told()));
     }
 
     void roundsThatRanOutProveNothing() {
@@ -715,82 +665,6 @@ private slots:
         QVERIFY(!says("not known") && says("Limited by: "));
     }
 
-    void anAnswerWithoutAMarginNamesItsRequirementAndTheInputThatAsksForOne() {
-        SearchOutcome outcome;
-        outcome.project = outcome.searched = fixtures::searchedShaft();
-        FoundCycle& found = outcome.found.emplace_back();
-        found.time_s = 50;
-        found.isBest = true;
-        outcome.search.status = SearchStatus::proved;
-        QVERIFY(!OptimiseText::notes(outcome).contains(QStringLiteral("No margin")));
-        outcome.remarks.noMargin = {ConstraintKind::diameterMin, ConstraintKind::wheelPower};
-        const QString text = OptimiseText::notes(outcome);
-        QVERIFY2(text.contains(
-                     QStringLiteral("No margin is left for: %1, %2. For a cycle with a margin, set "
-                                    "“Maximum margin within a time” in the search.")
-                         .arg(Names::inSentence(Names::constraint(ConstraintKind::diameterMin)),
-                              Names::inSentence(Names::constraint(ConstraintKind::wheelPower)))),
-                 qPrintable(text));
-    }
-
-    /// Where the answer stands at the edge of its grid, the line below it says so.
-    void theEdgeOfTheGridIsNamed() {
-        SearchOutcome outcome;
-        outcome.project = outcome.searched = fixtures::searchedShaft();
-        outcome.searched.machine->limits.axial_feed_mm_min = std::vector<double>{50, 5000, 50};
-        FoundCycle& found = outcome.found.emplace_back();
-        found.time_s = 50;
-        found.isBest = true;
-        outcome.search.status = SearchStatus::proved;
-        Cycle cycle = *outcome.project.cycle;
-        cycle.stages.resize(2);
-        cycle.stages[0].radial_feed_mm = 0.003;
-        cycle.stages[0].axial_feed_mm_min = 2400;
-        cycle.stages[1].radial_feed_mm = 0.003;
-        cycle.stages[1].axial_feed_mm_min = 1200;
-        outcome.edges = edgesReached(outcome.searched, cycle);
-        QString text = OptimiseText::notes(outcome);
-        QVERIFY2(text.contains(QStringLiteral("Stage 1: “Axial feed” has the maximum level"))
-                     && text.contains(QStringLiteral("allowed is 5000")),
-                 qPrintable(text));
-        QVERIFY(!text.contains(QStringLiteral("Stage 2:")));
-        outcome.searched.machine->limits.axial_feed_mm_min = std::vector<double>{50, 2400, 50};
-        outcome.edges = edgesReached(outcome.searched, cycle);
-        outcome.rounds = 3;
-        text = OptimiseText::notes(outcome);
-        QVERIFY2(text.contains(QStringLiteral("limits allow no other"))
-                     && text.contains(QStringLiteral("rounds: 3")),
-                 qPrintable(text));
-    }
-
-    void aSearchIsStoppedAndAnEditDropsIt() {
-        const Desk desk(fixtures::endlessSearch());
-        desk.click("optimiseRun");
-        QVERIFY(desk.view->busy());
-        QTest::qWait(300);
-        desk.click("optimiseStop");
-        QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy(), patience_ms);
-        QVERIFY(desk.view->search() && desk.view->search()->stopped());
-        desk.click("optimiseRun");
-        QVERIFY(desk.view->busy());
-        Project edited = desk.project();
-        edited.wheel->dullness *= 1.5;
-        desk.bench.window->document().edit(edited, {"Edit", ""});
-        desk.bench.settle();
-        QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy(), patience_ms);
-    }
-
-    void whenNothingHoldsTheRequirementThatCutMostIsNamed() {
-        Project project = fixtures::searchedShaft();
-        project.part->tolerance.radial_runout_um = 1e-6;
-        const Desk desk(project);
-        desk.click("optimiseRun");
-        QTRY_VERIFY_WITH_TIMEOUT(desk.view->search() && !desk.view->busy(), patience_ms);
-        QVERIFY(!desk.view->search()->best());
-        QVERIFY2(desk.told().contains(QStringLiteral("unout")), qPrintable(desk.told()));
-        QVERIFY(!desk.part<CopyTable>("optimiseFound").isVisible());
-    }
-
     void aProjectWithoutAGridIsOfferedAUsualOne() {
         Project project = fixtures::searchedShaft();
         project.optimisation.reset();
@@ -866,7 +740,7 @@ private slots:
     }
 };
 
-} // namespace test_optimise_view
+} // namespace sparkout::test_optimise_view
 
 SPARKOUT_TEST(test_optimise_view, TestOptimiseView)
 #include "test_optimise_view.moc"

@@ -23,7 +23,6 @@
 namespace sparkout::profiles_bench {
 
 using fixtures::hover;
-using fixtures::Marking;
 using fixtures::plungeProject;
 using fixtures::refused;
 using fixtures::traverseProject;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Zone profiles" along the axis, and what every view owes: texts, colours, exports,
 // speed.
-#include "tests/check_line.h"
-#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/ui/views/profiles/profiles_bench.h"
 #include "ui/plot/plot_tools.h"
@@ -12,9 +10,6 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
-#include <QMenu>
-#include <QTemporaryDir>
-#include <QToolButton>
 
 namespace sparkout::test_profiles_look {
 
@@ -160,74 +155,6 @@ private slots:
         QCOMPARE(view.across()->axisRectCount(), 3);
     }
 
-    void theViewLeavesRoomForItsNeighbours() {
-        // A window of 1366 pixels less inputs, verdict and frames.
-        for (const OutcomePtr& outcome : {m_of.traverse, m_of.many}) {
-            ShownProfiles view(outcome);
-            QVERIFY2(view.minimumSizeHint().width() <= 670,
-                     qPrintable(QString::number(view.minimumSizeHint().width())));
-            QVERIFY(view.minimumSizeHint().height() <= 440);
-        }
-    }
-
-    void anotherLanguageReachesEveryText() {
-        ShownProfiles view(m_of.traverse);
-        Marking marking;
-        QApplication::installTranslator(&marking);
-        QCoreApplication::processEvents();
-        const auto marked = [](const QString& text) { return text.contains(QChar(0x00AB)); };
-        for (const auto* box : view.findChildren<QComboBox*>()) {
-            QVERIFY2(marked(box->itemText(0)), qPrintable(box->itemText(0)));
-            QCOMPARE(box->currentIndex(), 0);
-        }
-        for (const auto* button : view.findChildren<QAbstractButton*>()) {
-            QVERIFY(button->text().isEmpty() || marked(button->text()));
-        }
-        for (const QWidget* widget : view.findChildren<QWidget*>()) {
-            QVERIFY(widget->accessibleName().isEmpty() || marked(widget->accessibleName()));
-            QVERIFY(widget->toolTip().isEmpty() || marked(widget->toolTip()));
-        }
-        for (const LegendEntry& entry : view.legend()->entries()) {
-            QVERIFY(marked(entry.text));
-        }
-        QVERIFY(marked(view.across()->caption()) && marked(view.across()->numbers(0)));
-        QVERIFY(marked(view.along()->cell()->axis(QCPAxis::atLeft)->label()));
-        QVERIFY(marked(view.along()->bands()->bands()[0].name));
-        QVERIFY(marked(view.along()->graph(LengthLine::mean)->name()));
-        QVERIFY(marked(view.title()) && marked(part<QLabel>(view, "profilesValues")->text()));
-        settle();
-        QVERIFY(marked(view.along()->cell()->axis(QCPAxis::atBottom)->label()));
-        QApplication::removeTranslator(&marking);
-        QCoreApplication::processEvents();
-        QCOMPARE(part<QComboBox>(view, "section")->itemText(0), QStringLiteral("All zones"));
-    }
-
-    void aDarkPaletteReachesEveryColour() {
-        ShownProfiles view(m_of.traverse);
-        const auto colours = [&] {
-            return std::vector<QColor>{
-                view.across()->curve(0, ProfileLine::profile)->pen().color(),
-                view.along()->graph(LengthLine::mean)->pen().color(),
-                view.along()->cell()->axis(QCPAxis::atLeft)->labelColor(),
-                view.legend()->entries()[0].colour,
-            };
-        };
-        const std::vector<QColor> light = colours();
-        QPalette dark = view.palette();
-        dark.setColor(QPalette::Base, QColor(20, 20, 24));
-        dark.setColor(QPalette::Text, QColor(230, 230, 230));
-        view.setPalette(dark);
-        QCoreApplication::processEvents();
-        const std::vector<QColor> now = colours();
-        for (std::size_t i = 0; i < light.size(); ++i) {
-            QVERIFY(light[i] != now[i]);
-        }
-        settle();
-        // The plots are dark where nothing is drawn.
-        const QImage picture = view.across()->grab().toImage();
-        QVERIFY(picture.pixelColor(2, 2).lightness() < 60);
-    }
-
     void theDescriptionTellsWhatIsDrawn() {
         ShownProfiles view(m_of.traverse);
         const QString text = view.across()->accessibleDescription();
@@ -241,41 +168,6 @@ private slots:
         view.setStroke(10);
         QVERIFY(view.accessibleDescription().contains(QStringLiteral("After double stroke 10 of")));
         QVERIFY(view.accessibleDescription().contains(QStringLiteral("outside the field")));
-    }
-
-    void theDrawingGoesIntoAPdf() {
-        ShownProfiles view(m_of.traverse);
-        QTemporaryDir folder;
-        for (QCustomPlot* plot : std::initializer_list<QCustomPlot*>{view.across(), view.along()}) {
-            const QString path = folder.filePath(QStringLiteral("plot.pdf"));
-            QVERIFY(plot->savePdf(path, 800, 500));
-            QVERIFY(QFileInfo(path).size() > 2000);
-            QVERIFY(sameScaleEverywhere(view.across(), 3));
-            const QPixmap picture = plot->toPixmap(800, 500, 2);
-            QCOMPARE(picture.size(), QSize(1600, 1000));
-        }
-    }
-
-    void backAndForwardGoThroughWhatWasInSight() {
-        ShownProfiles view(m_of.traverse);
-        for (QCustomPlot* plot : std::initializer_list<QCustomPlot*>{view.across(), view.along()}) {
-            const QCPAxis* axis = plot->axisRect(0)->axis(QCPAxis::atBottom);
-            const QCPRange all = axis->range();
-            wheel(plot, plot->axisRect(0)->rect().center(), 120);
-            const QCPRange zoomed = axis->range();
-            QVERIFY(zoomed.size() < all.size());
-            plot->setFocus();
-            QTest::keyClick(plot, Qt::Key_Backspace);
-            settle();
-            QCOMPARE(axis->range(), all);
-            QTest::keyClick(plot, Qt::Key_Right, Qt::AltModifier);
-            settle();
-            QVERIFY(std::abs(axis->range().size() - zoomed.size()) < 1e-9 * zoomed.size());
-            QTest::keyClick(plot, Qt::Key_Home);
-            settle();
-            QCOMPARE(axis->range(), all);
-        }
-        QVERIFY(sameScaleEverywhere(view.across(), 3));
     }
 
     void theDataCopiedAreTheProfiles() {
@@ -308,51 +200,6 @@ private slots:
             header.indexOf(QStringLiteral("upper limit radius from target, µm"));
         QVERIFY(upper > 0);
         QVERIFY(std::abs(lines[1].trimmed().split(u'\t')[upper].toDouble() - 4) < 1e-9);
-    }
-
-    void anExportedPictureTellsWhatItShows() {
-        ShownProfiles view(m_of.plunge);
-        view.setStroke(12);
-        view.across()->tools()->copyPicture->trigger();
-        const QImage picture = QApplication::clipboard()->image();
-        QVERIFY(picture.width() >= 2 * view.across()->width());
-        QVERIFY(picture.height() > 2 * view.across()->height()); // heading and legend
-        QVERIFY(!part<QToolButton>(view, "export")->menu()->isEmpty());
-    }
-
-    void aNewOutcomeIsDrawnQuickly() {
-        Project p = plungeProject(4);
-        p.part->radii_per_section = 360;
-        const OutcomePtr outcome = run(p);
-        double first = 1e9, again = 1e9, scrub = 1e9;
-        for (int i = 0; i < 5; ++i) {
-            ShownProfiles view(outcome);
-            first = std::min(first, view.lastUpdate_ms());
-            show(view, outcome);
-            again = std::min(again, view.lastUpdate_ms());
-            RunningTimer clock;
-            view.setStroke(outcome->result.cycleCount / 2);
-            view.across()->replot();
-            view.along()->replot();
-            scrub = std::min(scrub, static_cast<double>(clock.nsecsElapsed()) * 1e-6);
-        }
-        qInfo("SPEED profiles of 4 sections × 360 radii: first draw %.1f ms, next %.1f ms, another "
-              "moment %.1f ms, target 50 ms: %s",
-              first, again, scrub, beside(std::max({first, again, scrub}), 50));
-        QVERIFY(first < 200); // four times the bound, for a busy machine
-
-        p.sections = 200;
-        p.machine->compliance_mm_per_n = std::vector<double>(200, 2e-5);
-        const OutcomePtr largest = run(p, false);
-        QVERIFY(largest->ran());
-        double most = 1e9;
-        for (int i = 0; i < 3; ++i) {
-            ShownProfiles view(largest);
-            most = std::min(most, view.lastUpdate_ms());
-        }
-        qInfo("SPEED profiles of 200 sections × 360 radii: first draw %.1f ms, target 50 ms: %s",
-              most, beside(most, 50));
-        QVERIFY(most < 200);
     }
 
 private:

@@ -201,36 +201,6 @@ private slots:
         QVERIFY(!bench.notice().contains(QStringLiteral("batch")));
     }
 
-    /// The picture against single cycles, at stocks within each piece.
-    void aSingleCycleLiesOnTheLines() {
-        const Project project = shaft();
-        Bench bench(project);
-        QVERIFY(bench.settled());
-        QVERIFY2(bench.notice().startsWith(QStringLiteral("The cycle is fit for every stock")),
-                 qPrintable(bench.notice()));
-        QVERIFY(bench.failing().empty());
-        for (const DecidedPiece& each : bench.decision().pieces) {
-            const double length_mm = each.piece.to_mm - each.piece.from_mm;
-            if (length_mm < 1e-9) {
-                continue;
-            }
-            Project single = project;
-            single.part->stock_mm = each.piece.from_mm + 0.37 * length_mm;
-            double largest_um = -1e9, smallest_um = 1e9;
-            for (const SectionResult& section : simulate(single).sections) {
-                largest_um = std::max(largest_um, section.diameterDeviationMax_mm * 1000);
-                smallest_um = std::min(smallest_um, section.diameterDeviationMin_mm * 1000);
-            }
-            const auto at = [&](PhaseChart::Key key) {
-                return valueAt(bench.chart().find(key)->points, single.part->stock_mm);
-            };
-            const auto largest = at(PhaseChart::largestKey), smallest = at(PhaseChart::smallestKey);
-            QVERIFY(largest && smallest);
-            QVERIFY(std::abs(*largest - largest_um) < fine_um);
-            QVERIFY(std::abs(*smallest - smallest_um) < fine_um);
-        }
-    }
-
     void theEndsOfTheRangeAreTyped() {
         Bench bench(shaft());
         QVERIFY(bench.settled());

@@ -6,7 +6,6 @@
 #include "core/project/wheel.h"
 #include "core/units.h"
 #include "tests/registry.h"
-#include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
 #include "ui/charts/result_tables.h"
 #include "ui/dialogs/value_model.h"
@@ -14,19 +13,13 @@
 #include "ui/views/verdict/form_section.h"
 #include "ui/views/verdict/narrow_table.h"
 
-#include <QApplication>
-#include <QClipboard>
-
 #include <cstddef>
 #include <variant>
 
-namespace test_verdict_form {
+namespace sparkout::test_verdict_form {
 
-using namespace sparkout;
 using namespace verdict_bench;
 using verdict_bench::Bench;
-
-namespace {
 
 Project several(int sections = 5) {
     Project p = traverseProject();
@@ -40,8 +33,6 @@ enum FormRow { roundness, cylindricity, totalRunout, taper, crown, formRows };
 QString shown(const ValueModel& model, int row, int zone) {
     return model.index(row, zone).data(Qt::DisplayRole).toString();
 }
-
-} // namespace
 
 class TestVerdictForm : public VerdictTest {
     Q_OBJECT
@@ -107,20 +98,6 @@ private slots:
         QVERIFY(std::holds_alternative<std::monostate>(formTable(*outcome).rows.at(1).at(1)));
     }
 
-    void itIsCopiedWithItsHeads() {
-        Bench bench(run(several()));
-        NarrowTable& table = *bench.panel.form().table();
-        table.setFocus();
-        QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
-        const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
-        QCOMPARE(lines.size(), 6);
-        QCOMPARE(lines.front().split(u'\t'),
-                 (QStringList{QStringLiteral("Quantity"), Names::zoneFull(Zone::rz1, 0),
-                              Names::zoneFull(Zone::nz, 1), Names::zoneFull(Zone::rz2, 2)}));
-        QVERIFY(lines[2].startsWith(QStringLiteral("Cylindricity, minimum zone, µm\t")));
-        QVERIFY(!QApplication::clipboard()->text().contains(u'−')); // as a spreadsheet reads it
-    }
-
     /// What its menu saves has all digits, a row a zone.
     void itIsSavedWithAllDigits() {
         const OutcomePtr outcome = run(several());
@@ -142,26 +119,9 @@ private slots:
             QVERIFY(table.viewport()->rect().contains(cell));
         }
     }
-
-    void anotherLanguageReachesEveryText() {
-        Bench bench(run(several()));
-        fixtures::Marking marking;
-        QApplication::installTranslator(&marking);
-        QTest::qWait(30);
-        const ValueModel& model = *bench.panel.form().model();
-        for (int row = 0; row < model.rowCount(); ++row) {
-            for (const int role : {int(Qt::DisplayRole), int(Qt::ToolTipRole)}) {
-                QVERIFY(model.headerData(row, Qt::Vertical, role).toString().contains(u'«'));
-            }
-        }
-        QVERIFY(bench.panel.form().table()->accessibleName().contains(u'«'));
-        QApplication::removeTranslator(&marking);
-        QTest::qWait(30);
-        QCOMPARE(bench.panel.form().table()->accessibleName(), QStringLiteral("Form by zone"));
-    }
 };
 
-} // namespace test_verdict_form
+} // namespace sparkout::test_verdict_form
 
 SPARKOUT_TEST(test_verdict_form, TestVerdictForm)
 #include "test_verdict_form.moc"

@@ -25,9 +25,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace test_verdict_requirements {
+namespace sparkout::test_verdict_requirements {
 
-using namespace sparkout;
 using namespace verdict_bench;
 using verdict_bench::Bench;
 
@@ -91,8 +90,7 @@ private slots:
 
     /// The end of a machine's range that is nearer, also where the setting is at that very end.
     void theEndOfARangeIsShownWithItsSide_data() {
-        QTest::addColumn<double>("speed");
-        QTest::addColumn<QString>("text");
+        addColumns<double, QString>("speed", "text");
         QTest::newRow("below") << 140.0 << QStringLiteral("≥150");
         QTest::newRow("at the bottom") << 150.0 << QStringLiteral("≥150");
         QTest::newRow("near the bottom") << 160.0 << QStringLiteral("≥150");
@@ -283,7 +281,7 @@ private slots:
     }
 };
 
-} // namespace test_verdict_requirements
+} // namespace sparkout::test_verdict_requirements
 
 SPARKOUT_TEST(test_verdict_requirements, TestVerdictRequirements)
 #include "test_verdict_requirements.moc"

@@ -12,9 +12,8 @@
 
 #include <QtTest/qtestspontaneevent.h>
 
-namespace test_verdict_room {
+namespace sparkout::test_verdict_room {
 
-using namespace sparkout;
 using namespace verdict_bench;
 using verdict_bench::Bench;
 
@@ -63,8 +62,7 @@ private slots:
 
     // 1366×768 leaves the panel some 640 px; lower ones must do as well.
     void timeAndLightStayInSightAndTheEndIsReached_data() {
-        QTest::addColumn<int>("sections");
-        QTest::addColumn<int>("height");
+        addColumns<int, int>("sections", "height");
         QTest::newRow("traverse") << 0 << 400;
         QTest::newRow("plunge, 4 sections") << 4 << 400;
         QTest::newRow("plunge, 20 sections") << 20 << 640;
@@ -128,7 +126,7 @@ private:
     }
 };
 
-} // namespace test_verdict_room
+} // namespace sparkout::test_verdict_room
 
 SPARKOUT_TEST(test_verdict_room, TestVerdictRoom)
 #include "test_verdict_room.moc"

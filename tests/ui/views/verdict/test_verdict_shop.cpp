@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
-// The shop's numbers in the verdict panel: stage by stage, marked, explained, copied.
+// The shop's numbers in the verdict panel: stage by stage, marked, explained.
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/wheel.h"
 #include "tests/registry.h"
-#include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
 #include "ui/text/output_text.h"
 #include "ui/text/time_unit.h"
-
-#include <QApplication>
-#include <QClipboard>
-#include <QMenu>
 
 #include <algorithm>
 #include <cmath>
@@ -20,25 +15,10 @@
 #include <numbers>
 #include <utility>
 
-namespace test_verdict_shop {
+namespace sparkout::test_verdict_shop {
 
-using namespace sparkout;
 using namespace verdict_bench;
-using fixtures::Marking;
 using verdict_bench::Bench;
-
-namespace {
-
-/// A press of the right button as the windowing system sends it, which makes the menu event.
-QMenu* rightClick(QWidget& on, const QPoint& at) {
-    QWidget* window = on.window();
-    QTest::mouseClick(window->windowHandle(), Qt::RightButton, Qt::NoModifier,
-                      on.mapTo(window, at));
-    QTest::qWait(20);
-    return qobject_cast<QMenu*>(QApplication::activePopupWidget());
-}
-
-} // namespace
 
 class TestVerdictShop : public VerdictTest {
     Q_OBJECT
@@ -107,8 +87,7 @@ private slots:
     }
 
     void numbersKeepThreeDigitsAndNeverVanish_data() {
-        QTest::addColumn<double>("value");
-        QTest::addColumn<QString>("shown");
+        addColumns<double, QString>("value", "shown");
         QTest::newRow("nothing") << 0.0 << QStringLiteral("0");
         QTest::newRow("hardly anything") << 0.00004321 << QStringLiteral("0.00004");
         QTest::newRow("small") << 0.024172 << QStringLiteral("0.024");
@@ -171,35 +150,6 @@ private slots:
         QVERIFY(bench.label("shopRemarks").text().contains(QStringLiteral("8.00 : 1")));
     }
 
-    void ctrlCCopiesTheTableWithItsHead() {
-        Bench bench(m_traverse);
-        bench.table().setFocus();
-        QTest::keyClick(&bench.table(), Qt::Key_C, Qt::ControlModifier);
-        checkCopied(bench);
-    }
-
-    void theContextMenuCopiesToo() {
-        Bench bench(m_traverse, {320, 1400}); // all of it in sight
-        QVERIFY(QTest::qWaitForWindowExposed(&bench.panel));
-        QMenu* menu = rightClick(*bench.table().viewport(), middleOfRow(bench.table(), 2));
-        QVERIFY(menu);
-        QCOMPARE(menu->actions().size(), 3); // copy what is selected, copy all, save as
-        QApplication::clipboard()->clear();
-        QTest::keyClick(menu, Qt::Key_Down);
-        QTest::keyClick(menu, Qt::Key_Down); // the whole table
-        QTest::keyClick(menu, Qt::Key_Return);
-        checkCopied(bench);
-        QMenu* other =
-            rightClick(*bench.requirements().viewport(), middleOfRow(bench.requirements(), 1));
-        QVERIFY(other);
-        QTest::keyClick(other, Qt::Key_Down);
-        QTest::keyClick(other, Qt::Key_Down);
-        QTest::keyClick(other, Qt::Key_Return);
-        const QString copied = QApplication::clipboard()->text();
-        QVERIFY(copied.startsWith(QStringLiteral("Zone or section\t")));
-        QVERIFY(copied.contains(QStringLiteral("\t-")) && !copied.contains(u'−')); // as Excel reads
-    }
-
     void refusedInputsGreyTheNumbers() {
         Bench bench(m_traverse);
         auto refused = std::make_shared<Outcome>();
@@ -212,46 +162,9 @@ private slots:
         bench.show(m_traverse);
         QVERIFY(!bench.model().index(0, 0).data(Qt::ForegroundRole).isValid());
     }
-
-    void anotherLanguageReachesEveryTextOfTheTable() {
-        Project p = traverseProject();
-        p.wheel->dullness = 0;
-        Bench bench(run(p));
-        Marking marking;
-        QApplication::installTranslator(&marking);
-        QTest::qWait(30);
-        const auto isMarked = [](const QString& text) { return text.contains(QChar(0x00AB)); };
-        const ValueModel& model = bench.model();
-        for (int row = 0; row < model.rowCount(); ++row) {
-            QVERIFY(isMarked(model.headerData(row, Qt::Vertical, Qt::DisplayRole).toString()));
-            QVERIFY(isMarked(model.headerData(row, Qt::Vertical, Qt::ToolTipRole).toString()));
-        }
-        QVERIFY(isMarked(model.headerData(2, Qt::Horizontal, Qt::DisplayRole).toString()));
-        QVERIFY(isMarked(bench.label("shopRemarks").text()));
-        QVERIFY(isMarked(bench.table().accessibleName()));
-        QVERIFY(isMarked(bench.table().toolTip()));
-        QApplication::removeTranslator(&marking);
-        QTest::qWait(30);
-        QCOMPARE(bench.table().accessibleName(), QStringLiteral("Grinding figures by stage"));
-    }
-
-private:
-    static void checkCopied(Bench& bench) {
-        const QString text = QApplication::clipboard()->text();
-        const QStringList lines = text.trimmed().split(u'\n');
-        QCOMPARE(lines.size(), 1 + bench.model().rowCount());
-        QCOMPARE(lines[0], QStringLiteral("Quantity\tStage 1\tStage 2\tWhole cycle\tOutside the "
-                                          "usual"));
-        for (const QString& line : text.chopped(1).split(u'\n')) {
-            QCOMPARE(line.count(u'\t'), 4);
-        }
-        const int power = bench.row("mean_power_w");
-        QVERIFY(lines[1 + power].startsWith(
-            QStringLiteral("Mean power, kW\t%1\t").arg(bench.cell("mean_power_w", 0))));
-    }
 };
 
-} // namespace test_verdict_shop
+} // namespace sparkout::test_verdict_shop
 
 SPARKOUT_TEST(test_verdict_shop, TestVerdictShop)
 #include "test_verdict_shop.moc"
