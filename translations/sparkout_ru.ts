@@ -22926,14 +22926,6 @@ s</source>
             <source>Remove</source>
             <translation>Удалить</translation>
         </message>
-        <message>
-            <source>numbers separated by spaces</source>
-            <translation>здесь нужны числа через пробел</translation>
-        </message>
-        <message>
-            <source>out of range; allowed: %1</source>
-            <translation>вне допустимых значений; допускается: %1</translation>
-        </message>
     </context>
     <context>
         <name>sparkout::LessonForm</name>

@@ -7,7 +7,7 @@
 #include "tests/ui/inputs/inputs_bench.h"
 #include "tests/ui/support/typing.h"
 #include "tests/ui/support/untitled.h"
-#include "ui/inputs/editors/choice_editor.h"
+#include "ui/form/choice_editor.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"

@@ -3,8 +3,8 @@
 
 #include "core/project/batch_rules.h"
 #include "ui/fields/reason_label.h"
+#include "ui/form/pasted_numbers.h"
 #include "ui/inputs/editors/form_metrics.h"
-#include "ui/inputs/editors/pasted_numbers.h"
 #include "ui/kit/font_size.h"
 #include "ui/session/document.h"
 #include "ui/text/texts.h"

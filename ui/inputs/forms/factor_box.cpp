@@ -5,7 +5,7 @@
 #include "core/format/blanks_csv.h"
 #include "core/project/batch.h"
 #include "ui/fields/reason_label.h"
-#include "ui/inputs/editors/choice_editor.h"
+#include "ui/form/choice_editor.h"
 #include "ui/inputs/editors/factor_lines.h"
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/editors/hint_strip.h"

@@ -58,7 +58,11 @@ QGridLayout* newGrid(QVBoxLayout& into, int depth) {
 } // namespace
 
 FormPage::FormPage(Page page, Document& document, QWidget* parent, Settings* settings)
-    : QScrollArea(parent), m_page(page), m_document(document), m_settings(settings) {
+    : QScrollArea(parent)
+    , m_page(page)
+    , m_document(document)
+    , m_model(document)
+    , m_settings(settings) {
     setHelpTopic(*this, fieldPageId(page));
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
@@ -193,7 +197,7 @@ void FormPage::addRow(const Field& field, const std::string& path, Place into) {
         addList(field, path, into);
         return;
     }
-    auto editor = makeEditor(path, field, m_document, parent);
+    auto editor = makeInputEditor(path, field, m_model, parent);
     if (!editor) {
         return;
     }

@@ -5,6 +5,7 @@
 #include "core/issue.h"
 #include "core/study/outcome.h"
 #include "ui/fields/refusal.h"
+#include "ui/inputs/editors/project_model.h"
 #include "ui/inputs/forms/form_access.h"
 #include "ui/inputs/forms/input_rank.h"
 
@@ -109,6 +110,7 @@ private:
 
     Page m_page;
     Document& m_document;
+    ProjectModel m_model;
     Settings* m_settings;
     bool m_isBuilt = false;
     sparkout::OutcomePtr m_outcome; ///< for parts not built yet
