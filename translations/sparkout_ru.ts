@@ -12460,16 +12460,12 @@ With another name both versions stay as they are.</source>
             <translation>Сечение %1</translation>
         </message>
         <message>
-            <source>Compliance of %1, %2</source>
-            <translation>Податливость, %1, %2</translation>
+            <source>Compliance of %1</source>
+            <translation>Податливость, %1</translation>
         </message>
         <message>
             <source>%1 %2</source>
             <translation>%1 %2</translation>
-        </message>
-        <message>
-            <source>Compliance of %1, slider</source>
-            <translation>Податливость: %1, ползунок</translation>
         </message>
         <message>
             <source>%1: %2</source>
@@ -14007,6 +14003,14 @@ parts, ≤ %</source>
         </message>
     </context>
     <context>
+        <name>sparkout::InputBox</name>
+        <message>
+            <source>%1: %2</source>
+            <comment>input: number</comment>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::InputsPanel</name>
         <message>
             <source>Part</source>
@@ -14788,9 +14792,8 @@ target, µm</source>
     <context>
         <name>sparkout::NumberLines</name>
         <message>
-            <source>%1: %2</source>
-            <comment>factor: number</comment>
-            <translation>%1: %2</translation>
+            <source>%1, slider</source>
+            <translation>%1, ползунок</translation>
         </message>
         <message>
             <source>Not pasted: %1</source>

@@ -87,7 +87,7 @@ private:
     void addHelper(RowHelper* helper, const std::string& path, Place into);
     void addStruct(const StructInfo& table, const std::string& path, Place into);
     void addRow(const Field& field, const std::string& path, Place into);
-    void addInputBox(InputBox* box, const std::string& path, Place into);
+    void addInputBox(InputBox* box, Place into);
     void addList(const Field& field, const std::string& path, Place into);
     void addBox(const Field& field, const std::string& path, Place into);
     void addProjectTexts(Place into);
@@ -119,7 +119,6 @@ private:
     CatalogueBar* m_catalogue = nullptr;                       ///< on pages with a catalogue
     std::vector<std::pair<RowHelper*, std::string>> m_helpers; ///< with the paths of their rows
     std::vector<InputBox*> m_inputBoxes;
-    std::vector<std::string> m_inputBoxPaths; ///< in the same order
     FormAccessPtr m_access = std::make_shared<const FormAccess>();
     std::string m_cataloguePath; ///< path of the struct that it fills
     std::vector<ListTable*> m_lists;
