@@ -12460,16 +12460,12 @@ With another name both versions stay as they are.</source>
             <translation>Сечение %1</translation>
         </message>
         <message>
-            <source>Compliance of %1, %2</source>
-            <translation>Податливость, %1, %2</translation>
+            <source>Compliance of %1</source>
+            <translation>Податливость, %1</translation>
         </message>
         <message>
             <source>%1 %2</source>
             <translation>%1 %2</translation>
-        </message>
-        <message>
-            <source>Compliance of %1, slider</source>
-            <translation>Податливость: %1, ползунок</translation>
         </message>
         <message>
             <source>%1: %2</source>
@@ -13947,6 +13943,14 @@ parts, ≤ %</source>
         </message>
     </context>
     <context>
+        <name>sparkout::InputBox</name>
+        <message>
+            <source>%1: %2</source>
+            <comment>input: number</comment>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::InputsPanel</name>
         <message>
             <source>Part</source>
@@ -14728,9 +14732,8 @@ target, µm</source>
     <context>
         <name>sparkout::NumberLines</name>
         <message>
-            <source>%1: %2</source>
-            <comment>factor: number</comment>
-            <translation>%1: %2</translation>
+            <source>%1, slider</source>
+            <translation>%1, ползунок</translation>
         </message>
         <message>
             <source>Not pasted: %1</source>
@@ -22930,14 +22933,6 @@ s</source>
         <message>
             <source>Remove</source>
             <translation>Удалить</translation>
-        </message>
-        <message>
-            <source>numbers separated by spaces</source>
-            <translation>здесь нужны числа через пробел</translation>
-        </message>
-        <message>
-            <source>out of range; allowed: %1</source>
-            <translation>вне допустимых значений; допускается: %1</translation>
         </message>
     </context>
     <context>

@@ -3,63 +3,44 @@
 
 #include "core/project/leaves.h"
 #include "core/project/member.h"
-#include "ui/kit/search_combo.h"
 #include "ui/text/hint_text.h"
-#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QFormLayout>
 #include <QGroupBox>
-#include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
-#include <QPlainTextEdit>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace sparkout {
 
 namespace {
 
-constexpr std::size_t fewChoices = 12;                   ///< without a search
-constexpr const char* refusedNumbers = "refusedNumbers"; ///< property: why they were not taken
-
 /// A struct that is changed in its place.
 class EditedStruct : public FormModel {
 public:
     EditedStruct(const StructInfo& table, void* value, QObject* parent)
-        : FormModel(table, parent), m_value(value) {}
+        : FormModel(parent), m_table(table), m_value(value) {}
 
-    [[nodiscard]] const void* root() const override { return m_value; }
-    void change(const std::string&, const Change& set) override {
-        set(m_value);
+    [[nodiscard]] const void* ownerOf(const std::string& path) const override {
+        return memberIn(m_table, static_cast<const void*>(m_value), path).owner;
+    }
+    void change(const std::string& path, const Change& set, bool) override {
+        if (void* const owner = memberIn(m_table, m_value, path).owner) {
+            set(owner);
+        }
         emit changed();
     }
     [[nodiscard]] bool hasHistory() const override { return false; }
 
 private:
+    const StructInfo& m_table;
     void* m_value;
 };
-
-std::optional<std::vector<double>> readNumbers(const QString& text) {
-    std::vector<double> numbers;
-    for (const QString& part :
-         text.split(QRegularExpression(QStringLiteral("[;\\s]+")), Qt::SkipEmptyParts)) {
-        const std::optional<double> number = parseNumber(part);
-        if (!number) {
-            return std::nullopt;
-        }
-        numbers.push_back(*number);
-    }
-    return numbers;
-}
 
 } // namespace
 
@@ -91,6 +72,7 @@ void StructForm::build() {
         m_body->deleteLater();
         m_body = nullptr;
     }
+    m_editors.clear();
     m_shows.clear();
     const void* const owner = ownerOf(rowOf(m_subject, m_subject.table.fields.front()));
     if (!owner) {
@@ -120,6 +102,9 @@ void StructForm::refresh() {
         return; // the page goes with it
     }
     if (shapeOf(owner) == m_shape) {
+        for (FieldEditor* editor : m_editors) {
+            editor->show(false);
+        }
         for (const auto& show : m_shows) {
             show();
         }
@@ -192,16 +177,13 @@ void StructForm::addObject(QFormLayout& form, const Row& row) {
         group->setCheckable(true);
         group->setChecked(isGiven);
         connect(group, &QGroupBox::clicked, this, [this, row](bool on) {
-            change(
-                row,
-                [&](void* owner) {
-                    if (on) {
-                        addNeeded(*row.field.nested, row.field.object(owner, true));
-                    } else {
-                        row.field.reset(owner);
-                    }
-                },
-                false);
+            change(row, [&](void* owner) {
+                if (on) {
+                    addNeeded(*row.field.nested, row.field.object(owner, true));
+                } else {
+                    row.field.reset(owner);
+                }
+            });
         });
     }
     if (isGiven) {
@@ -220,13 +202,10 @@ void StructForm::addItems(QFormLayout& form, const Row& row) {
     add->setAutoDefault(false);
     add->setToolTip(inputText(row.field.hint));
     connect(add, &QPushButton::clicked, this, [this, row] {
-        change(
-            row,
-            [&](void* owner) {
-                row.field.resize(owner, row.field.size(owner) + 1);
-                fillNewItem(row.field, owner);
-            },
-            false);
+        change(row, [&](void* owner) {
+            row.field.resize(owner, row.field.size(owner) + 1);
+            fillNewItem(row.field, owner);
+        });
     });
     auto* line = new QHBoxLayout;
     line->addWidget(add);
@@ -262,7 +241,7 @@ void StructForm::addItemButtons(QHBoxLayout& line, const Row& row, std::size_t i
                                     .arg(structText(row.field.nested->name), text));
         made->setAutoDefault(false);
         made->setEnabled(on);
-        connect(made, &QPushButton::clicked, this, [this, row, act] { change(row, act, false); });
+        connect(made, &QPushButton::clicked, this, [this, row, act] { change(row, act); });
         line.addWidget(made);
     };
     button(tr("Up"), "up", index > 0,
@@ -282,15 +261,11 @@ StructForm::Row StructForm::rowOf(const Subject& subject, const char* key) {
 }
 
 const void* StructForm::ownerOf(const Row& row) const {
-    return memberIn(m_model.table(), m_model.root(), row.path).owner;
+    return m_model.ownerOf(row.path);
 }
 
-void StructForm::change(const Row& row, const std::function<void(void* owner)>& set, bool merges) {
-    m_model.change(merges ? row.path : std::string(), [&](void* root) {
-        if (void* const owner = memberIn(m_model.table(), root, row.path).owner) {
-            set(owner);
-        }
-    });
+void StructForm::change(const Row& row, const FormModel::Change& set) {
+    m_model.change(row.path, set, false);
 }
 
 void StructForm::showBy(const Row& row, std::function<void(const void* owner)> show) {
@@ -308,197 +283,49 @@ QString StructForm::labelOf(const Row& row) const {
     return unit.isEmpty() ? label : label + QStringLiteral(", ") + unit;
 }
 
-void StructForm::name(QWidget& widget, const Row& row) {
-    widget.setObjectName(QString::fromStdString(row.path));
-    widget.setAccessibleName(labelOf(row));
-    widget.setToolTip(hintMarkup(described(row)));
-    watch(widget);
-}
-
-void StructForm::watch(QWidget& widget) {
-    widget.installEventFilter(this);
-}
-
-bool StructForm::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && m_model.hasHistory()) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
-            event->ignore();
-            return true;
-        }
+QWidget* StructForm::adopt(const Row& row, std::unique_ptr<FieldEditor> editor) {
+    if (!editor) {
+        return nullptr;
     }
-    if (event->type() == QEvent::Wheel && !qobject_cast<QPlainTextEdit*>(watched)) {
-        event->ignore(); // the page scrolls, and no choice is changed by that
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
+    FieldEditor* const adopted = editor.release();
+    adopted->setParent(m_body); // it goes before its widget, which then tells it nothing
+    m_editors.push_back(adopted);
+    adopted->retranslate();
+    const Field hinted = described(row);
+    adopted->describe(labelOf(row), hintMarkup(hinted), hintPlain(hinted));
+    adopted->show(false);
+    connect(adopted, &FieldEditor::remarkChanged, this, &StructForm::edited);
+    return adopted->widget();
 }
 
 std::vector<Refusal> StructForm::refusals(const QWidget& within) {
     std::vector<Refusal> refused;
-    for (const QLineEdit* line : within.findChildren<QLineEdit*>()) {
-        const auto* field = qobject_cast<const NumberField*>(line);
-        const QString why = !field             ? line->property(refusedNumbers).toString()
-                            : field->refused() ? field->refusal()
-                                               : QString();
-        if (!why.isEmpty()) {
-            refused.push_back({line->objectName().toStdString(), why});
+    for (const StructForm* form : within.findChildren<StructForm*>()) {
+        for (const FieldEditor* editor : form->m_editors) {
+            if (const QString why = editor->refusal(); !why.isEmpty()) {
+                refused.push_back({editor->path(), why});
+            }
         }
     }
     return refused;
-}
-
-QWidget* StructForm::make(const Row& row) {
-    switch (row.field.kind) {
-    case Kind::number:
-    case Kind::optionalNumber:
-    case Kind::integer:
-    case Kind::optionalInteger: return numberOf(row);
-    case Kind::numberList:
-    case Kind::optionalNumberList: return numbersOf(row);
-    case Kind::boolean: return tickOf(row);
-    case Kind::text: return lineOf(row);
-    case Kind::choice: return choiceOf(row);
-    default: return nullptr;
-    }
 }
 
 NumberSpec StructForm::specOf(const Row& row) const {
     return NumberSpec::of(row.field);
 }
 
-QString StructForm::choiceName(const Field& field, std::size_t index) const {
-    return choiceText(field.choices[index].label);
-}
-
-QWidget* StructForm::numberOf(const Row& row) {
-    auto* field = new NumberField(specOf(row));
-    name(*field, row);
-    field->setHint(hintPlain(described(row)));
-    connect(field, &NumberField::valueEdited, this, [this, row, field] {
-        const std::optional<double> value = field->value();
-        change(row, [&](void* owner) { setNumberIn(row.field, owner, value); });
-    });
-    connect(field, &NumberField::remarkChanged, this, &StructForm::edited);
-    showBy(row,
-           [field, &of = row.field](const void* owner) { field->setValue(numberIn(of, owner)); });
-    return field;
-}
-
-/// Numbers in one line, separated by spaces; a text that is none stays, and is not taken.
-QWidget* StructForm::numbersOf(const Row& row) {
-    auto* line = new QLineEdit;
-    name(*line, row);
-    const bool isOptional = row.field.kind == Kind::optionalNumberList;
-    const NumberSpec spec = specOf(row);
-    const auto numbersIn = [isOptional, &of = row.field](const void* owner) {
-        return isOptional ? of.as<std::optional<std::vector<double>>>(owner).value_or(
-                   std::vector<double>())
-                          : of.as<std::vector<double>>(owner);
-    };
-    const auto read = [spec](const QString& text) {
-        auto numbers = readNumbers(text);
-        for (std::size_t i = 0; numbers && i < numbers->size(); ++i) {
-            (*numbers)[i] = spec.scale.kept((*numbers)[i]);
-        }
-        return numbers;
-    };
-    connect(line, &QLineEdit::textEdited, this,
-            [this, row, line, isOptional, spec, read](const QString& text) {
-                const auto numbers = read(text);
-                const bool isWithin = numbers && std::ranges::all_of(*numbers, [&](double number) {
-                                          return spec.hard.contains(number);
-                                      });
-                line->setProperty(
-                    refusedNumbers,
-                    !numbers   ? tr("numbers separated by spaces")
-                    : isWithin ? QVariant()
-                               : tr("out of range; allowed: %1")
-                                     .arg(rangeShown(spec.scale.shown(spec.hard), spec.unit)));
-                if (isWithin) {
-                    change(row, [&](void* owner) {
-                        if (isOptional) {
-                            row.field.as<std::optional<std::vector<double>>>(owner) = *numbers;
-                        } else {
-                            row.field.as<std::vector<double>>(owner) = *numbers;
-                        }
-                    });
-                }
-                emit edited();
-            });
-    showBy(row, [line, numbersIn, read, spec](const void* owner) {
-        const std::vector<double> numbers = numbersIn(owner);
-        if (read(line->text()) != numbers) {
-            QStringList words;
-            for (const double number : numbers) {
-                words += printedNumber(spec.scale.shown(number));
-            }
-            line->setText(words.join(u' '));
-            line->setProperty(refusedNumbers, QVariant());
-        }
-    });
-    return line;
-}
-
-QWidget* StructForm::tickOf(const Row& row) {
-    auto* box = new QCheckBox(labelOf(row));
-    name(*box, row);
-    connect(box, &QCheckBox::clicked, this, [this, row](bool on) {
-        change(row, [&](void* owner) { row.field.as<bool>(owner) = on; });
-    });
-    showBy(row, [box, &of = row.field](const void* owner) { box->setChecked(of.as<bool>(owner)); });
-    return box;
-}
-
-QWidget* StructForm::lineOf(const Row& row) {
-    auto* line = new QLineEdit;
-    name(*line, row);
-    if (std::isfinite(row.field.hard.high)) {
-        line->setMaxLength(static_cast<int>(row.field.hard.high));
+QWidget* StructForm::make(const Row& row) {
+    QWidget* const widget = adopt(row, makeEditor(row.path, row.field, m_model, nullptr,
+                                                  [this, row] { return specOf(row); }));
+    if (auto* tick = qobject_cast<QCheckBox*>(widget)) {
+        tick->setText(labelOf(row));
     }
-    connect(line, &QLineEdit::textEdited, this, [this, row](const QString& text) {
-        change(row, [&](void* owner) { row.field.as<std::string>(owner) = text.toStdString(); });
-    });
-    showBy(row, [line, &of = row.field](const void* owner) {
-        const QString text = QString::fromStdString(of.as<std::string>(owner));
-        if (line->text() != text) {
-            line->setText(text);
-        }
-    });
-    return line;
+    return widget;
 }
 
-QWidget* StructForm::choiceOf(const Row& row) {
-    std::vector<Option> options;
-    for (std::size_t i = 0; i < row.field.choices.size(); ++i) {
-        options.push_back({choiceName(row.field, i), static_cast<int>(i)});
-    }
-    return comboOf(row, options,
-                   {[&of = row.field](const void* owner) { return of.getChoice(owner); },
-                    [&of = row.field](void* owner, const QVariant& chosen) {
-                        of.setChoice(owner, chosen.toInt());
-                    }});
-}
-
-QWidget* StructForm::comboOf(const Row& row, const std::vector<Option>& options,
-                             const Choosing& by) {
-    auto* combo = options.size() > fewChoices ? new SearchCombo : new QComboBox;
-    name(*combo, row);
-    combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    for (const Option& option : options) {
-        combo->addItem(option.text, option.value);
-    }
-    connect(combo, &QComboBox::activated, this, [this, row, combo, put = by.put](int index) {
-        change(row, [&](void* owner) { put(owner, combo->itemData(index)); });
-    });
-    showBy(row, [combo, by](const void* owner) {
-        const QVariant value = by.get(owner);
-        if (combo->findData(value) < 0) {
-            combo->addItem(by.text ? by.text(value) : value.toString(), value);
-        }
-        combo->setCurrentIndex(combo->findData(value));
-    });
-    return combo;
+QWidget* StructForm::choiceOf(const Row& row, ChoiceEditor::Choosing by) {
+    return adopt(
+        row, std::make_unique<ChoiceEditor>(row.path, row.field, m_model, nullptr, std::move(by)));
 }
 
 } // namespace sparkout

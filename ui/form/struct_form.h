@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/fields/number_field.h"
 #include "ui/fields/refusal.h"
-#include "ui/form/form_model.h"
+#include "ui/form/choice_editor.h"
 
 #include <QString>
-#include <QVariant>
 #include <QWidget>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,17 +58,6 @@ protected:
         std::string path;
     };
 
-    struct Option {
-        QString text;
-        QVariant value;
-    };
-    /// How a value that is one of several is read and set; and the text of one that is not offered.
-    struct Choosing {
-        std::function<QVariant(const void* owner)> get;
-        std::function<void(void* owner, const QVariant& chosen)> put;
-        std::function<QString(const QVariant& value)> text = {};
-    };
-
     virtual void addStruct(QFormLayout& form, const Subject& subject);
     virtual void addRow(QFormLayout& form, const Row& row);
     virtual void addItem(QFormLayout& form, const Row& row, std::size_t index, std::size_t count);
@@ -80,33 +68,28 @@ protected:
     [[nodiscard]] virtual NumberSpec specOf(const Row& row) const;
     /// The row as its hint describes it.
     [[nodiscard]] virtual Field described(const Row& row) const { return row.field; }
-    [[nodiscard]] virtual QString choiceName(const Field& field, std::size_t index) const;
     /// What of a value decides which widgets there are.
     [[nodiscard]] virtual std::string decisiveValue(const Leaf&) const { return {}; }
     virtual void fillNewItem(const Field& list, void* owner) const; ///< the last of the list
     /// How many items a list cannot do without while its struct is there.
     [[nodiscard]] virtual std::size_t leastItems(const Field&) const { return 0; }
 
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
     [[nodiscard]] static Row rowOf(const Subject& subject, const Field& field);
     [[nodiscard]] static Row rowOf(const Subject& subject, const char* key);
     [[nodiscard]] QString labelOf(const Row& row) const; ///< with its unit
-    [[nodiscard]] QWidget* numberOf(const Row& row);
-    [[nodiscard]] QWidget* lineOf(const Row& row);
-    [[nodiscard]] QWidget* comboOf(const Row& row, const std::vector<Option>& options,
-                                   const Choosing& by);
+    /// Names an editor by label and hint of its row, and shows its value; null: there is none.
+    QWidget* adopt(const Row& row, std::unique_ptr<FieldEditor> editor);
+    [[nodiscard]] QWidget* choiceOf(const Row& row, ChoiceEditor::Choosing by);
+    [[nodiscard]] FormModel& model() const { return m_model; }
     void addItemButtons(QHBoxLayout& line, const Row& row, std::size_t index, std::size_t count);
     /// Gives what a new struct cannot do without.
     static void addNeeded(const StructInfo& info, void* owner);
 
     /// The struct that holds the value; null: it is not there.
     [[nodiscard]] const void* ownerOf(const Row& row) const;
-    void change(const Row& row, const std::function<void(void* owner)>& set, bool merges = true);
+    void change(const Row& row, const FormModel::Change& set); ///< as a step of its own
     /// Shows something of a struct, now and whenever the model changes.
     void showBy(const Row& row, std::function<void(const void* owner)> show);
-    void name(QWidget& widget, const Row& row); ///< by path, label and hint of its row
-    void watch(QWidget& widget);                ///< undo and the wheel are not its own
 
 private:
     [[nodiscard]] static StructForm* over(const StructInfo& table, void* value, QWidget* parent);
@@ -115,14 +98,12 @@ private:
     [[nodiscard]] std::string shapeOf(const void* owner) const;
     void addObject(QFormLayout& form, const Row& row);
     void addItems(QFormLayout& form, const Row& row);
-    [[nodiscard]] QWidget* numbersOf(const Row& row);
-    [[nodiscard]] QWidget* tickOf(const Row& row);
-    [[nodiscard]] QWidget* choiceOf(const Row& row);
 
     FormModel& m_model;
     Subject m_subject;
     QWidget* m_body = nullptr;
     std::string m_shape;
+    std::vector<FieldEditor*> m_editors; ///< parts of the body
     std::vector<std::function<void()>> m_shows;
 };
 

@@ -3,15 +3,18 @@
 // The form of a struct that has a table: its rows give names, units, hints and ranges.
 #include "ui/form/struct_form.h"
 
+#include "core/lesson/lesson.h"
 #include "core/setup/setup_times.h"
 #include "tests/registry.h"
 #include "ui/session/company.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
+#include <QWheelEvent>
 
 namespace sparkout::test_struct_form {
 
@@ -95,6 +98,37 @@ private slots:
         QCOMPARE(texts.name, std::string("Stankomash"));
         QCOMPARE(form->findChild<QLineEdit*>(QStringLiteral("/approved"))->text(),
                  QStringLiteral("Громов"));
+    }
+
+    void aListIsNumbersWithSemicolonsAsInTheInputs() {
+        VariedInput input;
+        input.list = std::vector{1.0, 2.0};
+        QWidget page;
+        const StructForm* const form = StructForm::over(input, &page);
+        auto* list = form->findChild<QLineEdit*>(QStringLiteral("/list"));
+        QCOMPARE(list->text(), QStringLiteral("1; 2"));
+        typeOver(*list, QStringLiteral("1; 2.5; 4"));
+        QCOMPARE(input.list, std::optional(std::vector{1.0, 2.5, 4.0}));
+        QVERIFY(StructForm::refusals(page).empty());
+        typeOver(*list, QStringLiteral("1; x"));
+        QCOMPARE(StructForm::refusals(page).front().path, std::string("/list"));
+        typeOver(*list, {});
+        QVERIFY2(input.list && !StructForm::refusals(page).empty(), "it is a list still");
+    }
+
+    void theWheelChangesNoChoice() {
+        LessonStep step;
+        QWidget page;
+        const StructForm* const form = StructForm::over(step, &page);
+        auto* others = form->findChild<QComboBox*>(QStringLiteral("/others"));
+        QVERIFY(others && others->count() > 1 && !others->toolTip().isEmpty());
+        const int chosen = others->currentIndex();
+        for (const int turn : {-120, 120}) {
+            QWheelEvent wheel({1, 1}, others->mapToGlobal(QPointF(1, 1)), {}, {0, turn},
+                              Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(others, &wheel);
+            QCOMPARE(others->currentIndex(), chosen);
+        }
     }
 };
 

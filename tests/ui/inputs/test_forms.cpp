@@ -7,7 +7,7 @@
 #include "tests/ui/inputs/inputs_bench.h"
 #include "tests/ui/support/typing.h"
 #include "tests/ui/support/untitled.h"
-#include "ui/inputs/editors/choice_editor.h"
+#include "ui/inputs/forms/compliance_box.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
@@ -404,12 +404,21 @@ private slots:
         typeOver(*nz, QStringLiteral("2,5e-4"));
         const auto zones = std::get<ZoneCompliance>(bench.project().machine->compliance_mm_per_n);
         QCOMPARE(zones.nz, 2.5e-4);
+        QCOMPARE(nz->accessibleName(), QStringLiteral("Compliance of NZ, mm/N"));
         bench.document.startUntitled(withSections(newProject(Operation::plunge), 6));
         for (int section = 0; section < 6; ++section) {
             auto* field = bench.panel.findChild<NumberField*>(
                 QStringLiteral("/machine/compliance_mm_per_n/%1").arg(section));
             QVERIFY(field && field->isVisible());
         }
+        QApplication::clipboard()->setText(QStringLiteral("0.0002\n0.0003\n"));
+        auto* second = bench.field("/machine/compliance_mm_per_n/1");
+        second->setFocus();
+        QTest::keySequence(second, QKeySequence::Paste); // from here on
+        const auto pasted =
+            std::get<std::vector<double>>(bench.project().machine->compliance_mm_per_n);
+        QCOMPARE(pasted[1], 2e-4);
+        QCOMPARE(pasted[2], 3e-4);
     }
 
     void theComplianceCanBeLeftToStiffnessAndShaftAndTakenBack() {
@@ -417,8 +426,7 @@ private slots:
         project.machine->stiffness_n_um.emplace();
         project.part->shaft.segments = {{200, 30}};
         Bench bench(project, machinePage);
-        auto* nz = bench.field("/machine/compliance_mm_per_n/nz");
-        auto* tick = nz->parentWidget()->parentWidget()->findChild<QCheckBox*>();
+        auto* tick = bench.panel.findChild<ComplianceBox*>()->findChild<QCheckBox*>();
         QVERIFY(tick && tick->isVisible());
         QTest::keyClick(tick, Qt::Key_Space);
         QVERIFY(

@@ -202,9 +202,9 @@ private slots:
         QCOMPARE(desk.lesson().variants->inputs[3].from, std::optional(90.0));
         desk.type("/variants/inputs/3/from", QStringLiteral("90"));
         desk.choose("/variants/inputs/1/by", QStringLiteral("a list of values"));
-        desk.type("/variants/inputs/1/list", QStringLiteral("0.012 0.014 -7"));
+        desk.type("/variants/inputs/1/list", QStringLiteral("0.012; 0.014; -7"));
         faults = desk.faults();
-        QVERIFY2(faults[0].startsWith(QStringLiteral("Variants › Varied input 2 › List: out of")),
+        QVERIFY2(faults[0].startsWith(QStringLiteral("Variants › Varied input 2 › List: −7: ")),
                  qPrintable(faults[0]));
         while (desk.editor->draft().history().canUndo()) {
             desk.press("editUndo");

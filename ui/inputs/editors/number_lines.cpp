@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/editors/number_lines.h"
 
+#include "core/measured/calibrated_inputs.h"
 #include "core/project/batch_rules.h"
+#include "ui/fields/calibrated_mark.h"
 #include "ui/fields/reason_label.h"
+#include "ui/fields/value_slider.h"
+#include "ui/form/pasted_numbers.h"
 #include "ui/inputs/editors/form_metrics.h"
-#include "ui/inputs/editors/pasted_numbers.h"
 #include "ui/kit/font_size.h"
 #include "ui/session/document.h"
+#include "ui/text/calibration_text.h"
 #include "ui/text/texts.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -24,10 +29,6 @@ NumberLines::NumberLines(Document& document, const char* editText, QWidget* pare
     layout->setContentsMargins(0, 0, 0, 0);
     connect(&document, &Document::changed, this, &NumberLines::forgetPaste);
     connect(&document, &Document::saved, this, &NumberLines::forgetPaste);
-}
-
-void NumberLines::setOwner(std::function<QString()> owner) {
-    m_owner = std::move(owner);
 }
 
 void NumberLines::setLines(std::vector<Line> lines) {
@@ -49,7 +50,7 @@ void NumberLines::setLines(std::vector<Line> lines) {
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setHorizontalSpacing(metrics::gap);
     m_grid->setVerticalSpacing(metrics::row);
-    m_grid->setColumnStretch(0, 1);
+    m_grid->setColumnStretch(!lines.empty() && lines.front().slider ? 1 : 0, 1);
     layout()->addWidget(m_body);
     for (Line& line : lines) {
         addRow(std::move(line));
@@ -59,11 +60,13 @@ void NumberLines::setLines(std::vector<Line> lines) {
 
 void NumberLines::addRow(Line line) {
     const NumberSpec spec = line.spec;
-    Row& added =
-        m_rows.emplace_back(Row{std::move(line), new QLabel(m_body), new NumberField(spec, m_body),
-                                new QLabel(m_body), new ReasonLabel(m_body)});
+    const bool slides = static_cast<bool>(line.slider);
+    Row& added = m_rows.emplace_back(Row{std::move(line), new QLabel(m_body),
+                                         new CalibratedMark(m_body), new NumberField(spec, m_body),
+                                         slides ? new ValueSlider(m_body) : nullptr,
+                                         new QLabel(m_body), new ReasonLabel(m_body)});
     added.label->setTextFormat(Qt::PlainText);
-    added.label->setWordWrap(true);
+    added.label->setWordWrap(!slides);
     added.label->setBuddy(added.field);
     added.unit->setTextFormat(Qt::PlainText);
     setTextWidth(*added.unit, unitColumn);
@@ -71,10 +74,18 @@ void NumberLines::addRow(Line line) {
     added.field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     added.field->setObjectName(QString::fromStdString(added.line.path));
     const int at = m_grid->rowCount();
-    m_grid->addWidget(added.label, at, 0);
-    m_grid->addWidget(added.field, at, 1);
-    m_grid->addWidget(added.unit, at, 2);
-    m_grid->addWidget(added.reason, at + 1, 0, 1, 3);
+    auto* head = new QHBoxLayout;
+    head->setSpacing(metrics::hair);
+    head->addWidget(added.label, slides ? 0 : 1);
+    head->addWidget(added.calibrated);
+    m_grid->addLayout(head, at, 0);
+    if (slides) {
+        added.slider->setObjectName(added.field->objectName() + QStringLiteral("/slider"));
+        m_grid->addWidget(added.slider, at, 1);
+    }
+    m_grid->addWidget(added.field, at, 2);
+    m_grid->addWidget(added.unit, at, 3);
+    m_grid->addWidget(added.reason, at + 1, 0, 1, 4);
     connectRow(m_rows.size() - 1);
     retranslate(added);
 }
@@ -85,18 +96,26 @@ void NumberLines::connectRow(std::size_t index) {
         return index >= m_rows.size() || fits(m_rows[index].line, value);
     });
     field->setTakesCells([this, index](const PastedCells& cells) { paste(index, cells); });
-    connect(field, &NumberField::valueEdited, this, [this, index, field] {
-        const Line& line = m_rows[index].line;
-        Project project = m_document.project();
-        line.set(project, field->value());
-        m_document.edit(std::move(project), {"Input", m_editText},
-                        QString::fromStdString(line.path));
-    });
+    connect(field, &NumberField::valueEdited, this,
+            [this, index, field] { store(m_rows[index].line, field->value()); });
     connect(field, &NumberField::remarkChanged, this, [this, index, field] {
         m_rows[index].reason->showRemark(field->remark());
         emit refusalsChanged();
     });
     connect(field, &QLineEdit::editingFinished, this, [this] { m_document.endMerge(); });
+    if (const ValueSlider* const slider = m_rows[index].slider) {
+        connect(slider, &ValueSlider::valueEdited, this, [this, index, field](double value) {
+            field->reset(value); // discards a refused text
+            store(m_rows[index].line, value);
+        });
+        connect(slider, &ValueSlider::settled, this, [this] { m_document.endMerge(); });
+    }
+}
+
+void NumberLines::store(const Line& line, std::optional<double> value) {
+    Project project = m_document.project();
+    line.set(project, value);
+    m_document.edit(std::move(project), {"Input", m_editText}, QString::fromStdString(line.path));
 }
 
 void NumberLines::forgetPaste() {
@@ -148,9 +167,17 @@ bool NumberLines::fits(const Line& line, std::optional<double> value) const {
 }
 
 void NumberLines::showProject(bool replaced) {
+    const Project& project = m_document.project();
     for (const Row& row : m_rows) {
-        const std::optional<double> value = row.line.get(m_document.project());
+        const std::optional<double> value = row.line.get(project);
         replaced ? row.field->reset(value) : row.field->setValue(value);
+        if (row.slider) {
+            row.slider->display(row.line.slider(project), value, unitText(row.line.spec.unit));
+        }
+        const Calibration* const record = calibrationOf(project, row.line.path);
+        row.calibrated->showCalibration(record && hasCalibratedValue(project, *record),
+                                        record ? CalibrationText::details(project, *record)
+                                               : QString());
     }
 }
 
@@ -167,12 +194,17 @@ void NumberLines::retranslate(const Row& row) {
     row.label->setText(name);
     row.unit->setText(unit);
     row.field->retranslate();
-    const QString full = m_owner ? tr("%1: %2", "factor: number").arg(m_owner(), name) : name;
+    const QString full = m_names ? m_names(name) : name;
     row.field->setAccessibleName(unit.isEmpty() ? full : QStringLiteral("%1, %2").arg(full, unit));
     const QString hint = row.line.hint();
     row.field->setHint(hint);
-    row.field->setToolTip(QStringLiteral("<p>%1</p>").arg(hint.toHtmlEscaped()));
+    row.field->setToolTip(row.line.tip ? row.line.tip()
+                                       : QStringLiteral("<p>%1</p>").arg(hint.toHtmlEscaped()));
     row.label->setToolTip(row.field->toolTip());
+    if (row.slider) {
+        row.slider->setToolTip(row.field->toolTip());
+        row.slider->setAccessibleName(tr("%1, slider").arg(full));
+    }
 }
 
 void NumberLines::retranslate() {
@@ -180,6 +212,7 @@ void NumberLines::retranslate() {
     for (const Row& row : m_rows) {
         retranslate(row);
     }
+    setIssues(Issues(m_issues));
 }
 
 std::vector<Refusal> NumberLines::refusals() const {

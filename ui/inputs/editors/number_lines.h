@@ -4,6 +4,7 @@
 #include "core/issue.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/refusal.h"
+#include "ui/session/slider_scale.h"
 #include "ui/tables/pasted_cells.h"
 
 #include <QWidget>
@@ -18,12 +19,14 @@ class QLabel;
 
 namespace sparkout {
 
+class CalibratedMark;
 class Document;
 class ReasonLabel;
+class ValueSlider;
 
-/// Numbers in a box, one below the other, each with label, unit and the reason of its mark, that
-/// read and change the project by functions instead of a table's row. Cells pasted into one fill it
-/// and the following ones.
+/// Numbers in a box, one below the other, each with label, unit, perhaps a slider, and the reason
+/// of its mark, that read and change the project by functions instead of a table's row. Cells
+/// pasted into one fill it and the following ones.
 class NumberLines : public QWidget {
     Q_OBJECT
 
@@ -35,6 +38,8 @@ public:
         std::function<void(Project&, std::optional<double>)> set;
         std::function<QString()> label;
         std::function<QString()> hint;
+        std::function<QString()> tip = {};                     ///< the hint as rich text
+        std::function<SliderSpec(const Project&)> slider = {}; ///< without it there is none
     };
 
     NumberLines(Document& document, const char* editText, QWidget* parent = nullptr);
@@ -43,7 +48,10 @@ public:
     /// error.
     using Order = std::function<std::vector<QString>(const PastedCells& cells, QString& fault)>;
     void setOrder(Order order) { m_order = std::move(order); }
-    void setOwner(std::function<QString()> owner); ///< for their accessible names
+    /// Sets the accessible names, by the labels; without it they are the labels.
+    void setNames(std::function<QString(const QString& label)> names) {
+        m_names = std::move(names);
+    }
     /// Builds the lines again unless they are the same.
     void setLines(std::vector<Line> lines);
     void showProject(bool replaced);
@@ -61,12 +69,15 @@ private:
     struct Row {
         Line line;
         QLabel* label;
+        CalibratedMark* calibrated;
         NumberField* field;
+        ValueSlider* slider; ///< null: none
         QLabel* unit;
         ReasonLabel* reason;
     };
     void addRow(Line line);
     void connectRow(std::size_t index);
+    void store(const Line& line, std::optional<double> value);
     void forgetPaste(); ///< drops the message about refused cells
     void paste(std::size_t index, const PastedCells& cells); ///< all or, with a reason, none
     [[nodiscard]] QString pasteInto(Project& project, std::size_t first,
@@ -76,7 +87,7 @@ private:
 
     Document& m_document;
     const char* m_editText;
-    std::function<QString()> m_owner;
+    std::function<QString(const QString&)> m_names;
     Order m_order = [](const PastedCells& cells, QString&) { return cells.inOrder(); };
     QGridLayout* m_grid = nullptr;
     QWidget* m_body = nullptr;

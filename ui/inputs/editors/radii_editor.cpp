@@ -26,9 +26,10 @@ constexpr std::size_t largestFile = 1u << 20; // bytes; 360 lines need a hundred
 
 } // namespace
 
-RadiiEditor::RadiiEditor(const std::string& path, const Field& field, Document& document,
+RadiiEditor::RadiiEditor(const std::string& path, const Field& field, ProjectModel& model,
                          QWidget* parent)
-    : FieldEditor(path, field, document)
+    : FieldEditor(path, field, model)
+    , m_document(model.document())
     , m_body(new QWidget(parent))
     , m_summary(new QLabel(m_body))
     , m_read(new QPushButton(m_body))
@@ -71,7 +72,7 @@ void RadiiEditor::readFrom(const QString& path) {
         return;
     }
     refuse({}, {});
-    document().edit(withRadii(document().project(), std::get<std::vector<double>>(parsed)),
+    m_document.edit(withRadii(m_document.project(), std::get<std::vector<double>>(parsed)),
                     {"Input", field().label});
 }
 
@@ -83,7 +84,7 @@ void RadiiEditor::refuse(const QString& file, const QString& reason) {
 void RadiiEditor::clear() {
     m_read->setFocus(); // the button becomes disabled
     change([this](void* to) { field().as<std::optional<std::vector<double>>>(to).reset(); });
-    document().endMerge();
+    model().endMerge();
 }
 
 QString RadiiEditor::summary() const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/inputs/editors/field_editor.h"
+#include "ui/inputs/editors/project_model.h"
 
 class QLabel;
 class QPushButton;
@@ -14,7 +14,7 @@ class RadiiEditor : public FieldEditor {
     Q_OBJECT
 
 public:
-    RadiiEditor(const std::string& path, const Field& field, Document& document, QWidget* parent);
+    RadiiEditor(const std::string& path, const Field& field, ProjectModel& model, QWidget* parent);
 
     [[nodiscard]] QWidget* widget() const override { return m_body; }
     void show(bool replaced) override;
@@ -32,6 +32,7 @@ private:
     void refuse(const QString& file, const QString& reason);
     [[nodiscard]] QString summary() const;
 
+    Document& m_document;
     QWidget* m_body;
     QLabel* m_summary;
     QPushButton* m_read;

@@ -4,7 +4,6 @@
 #include "ui/fields/number_field.h"
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/kit/font_size.h"
-#include "ui/session/document.h"
 #include "ui/text/texts.h"
 
 #include <QApplication>
@@ -21,9 +20,9 @@ constexpr int longestUnit = 8; ///< longest unit on one line
 
 } // namespace
 
-RangeEditor::RangeEditor(const std::string& path, const Field& field, Document& document,
+RangeEditor::RangeEditor(const std::string& path, const Field& field, FormModel& model,
                          QWidget* parent)
-    : FieldEditor(path, field, document), m_body(new QWidget(parent)), m_unit(new QLabel(m_body)) {
+    : FieldEditor(path, field, model), m_body(new QWidget(parent)), m_unit(new QLabel(m_body)) {
     auto* layout = new QHBoxLayout(m_body);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(metrics::gap);
@@ -40,7 +39,7 @@ RangeEditor::RangeEditor(const std::string& path, const Field& field, Document& 
         connect(number, &NumberField::valueEdited, this, &RangeEditor::take);
         connect(number, &NumberField::remarkChanged, this, &FieldEditor::remarkChanged);
         connect(number, &QLineEdit::editingFinished, this, [this] {
-            this->document().endMerge();
+            this->model().endMerge();
             emit remarkChanged(); // a joint remark of all three
         });
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/inputs/editors/field_editor.h"
+#include "ui/form/field_editor.h"
 
 #include <array>
 #include <optional>
@@ -18,7 +18,7 @@ class RangeEditor : public FieldEditor {
     Q_OBJECT
 
 public:
-    RangeEditor(const std::string& path, const Field& field, Document& document, QWidget* parent);
+    RangeEditor(const std::string& path, const Field& field, FormModel& model, QWidget* parent);
 
     [[nodiscard]] QWidget* widget() const override { return m_body; }
     void show(bool replaced) override;

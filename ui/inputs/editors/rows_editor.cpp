@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/editors/rows_editor.h"
 
-#include "ui/inputs/editors/pasted_numbers.h"
+#include "ui/form/pasted_numbers.h"
 #include "ui/text/number_text.h"
 
 #include <QLocale>

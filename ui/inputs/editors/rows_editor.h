@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/inputs/editors/line_editor.h"
+#include "ui/form/line_editor.h"
 
 #include <optional>
 

@@ -3,7 +3,7 @@
 
 #include "core/project/cycle.h"
 #include "ui/fields/number_field.h"
-#include "ui/inputs/editors/choice_editor.h"
+#include "ui/form/choice_editor.h"
 #include "ui/kit/font_size.h"
 #include "ui/text/texts.h"
 

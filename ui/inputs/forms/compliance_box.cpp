@@ -4,13 +4,8 @@
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/machine.h"
 #include "core/study/operation.h"
-#include "ui/fields/calibrated_mark.h"
 #include "ui/fields/reason_label.h"
-#include "ui/fields/value_slider.h"
-#include "ui/inputs/editors/form_metrics.h"
-#include "ui/inputs/editors/hint_strip.h"
 #include "ui/inputs/forms/page_columns.h"
-#include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/session/document.h"
 #include "ui/text/calibration_text.h"
@@ -19,11 +14,11 @@
 #include "ui/text/texts.h"
 
 #include <QCheckBox>
-#include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
 
 namespace sparkout {
 
@@ -55,21 +50,16 @@ double& valueAt(GivenCompliance& given, std::size_t index) {
 
 ComplianceBox::ComplianceBox(std::string path, const Field& field, Document& document,
                              QWidget* parent)
-    : InputBox(1, parent)
-    , m_path(std::move(path))
-    , m_field(field)
-    , m_document(document)
+    : InputBox(std::move(path), field, 1, document, parent)
     , m_computed(new QCheckBox(this))
-    , m_reason(new ReasonLabel(this))
-    , m_body(new QWidget(this))
     , m_gammas(new QLabel(this))
     , m_calibration(new QLabel(this)) {
+    numbers().setNames([](const QString& label) { return tr("Compliance of %1").arg(label); });
     rows().setContentsMargins(inset(1), metrics::row, inset(1), metrics::tight);
-    rows().addWidget(m_computed);
-    rows().addWidget(m_body);
-    rows().addWidget(m_gammas);
-    rows().addWidget(m_calibration);
-    rows().addWidget(m_reason);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_computed, &numbers(), m_gammas,
+                                                         m_calibration, &reason()}) {
+        rows().addWidget(part);
+    }
     m_calibration->setObjectName(QStringLiteral("complianceCalibration"));
     m_calibration->setTextFormat(Qt::PlainText);
     m_calibration->setWordWrap(true);
@@ -80,126 +70,63 @@ ComplianceBox::ComplianceBox(std::string path, const Field& field, Document& doc
     m_gammas->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_gammas->setWordWrap(true);
     m_gammas->setForegroundRole(QPalette::PlaceholderText);
-    setHintField(*this, field);
     connect(m_computed, &QCheckBox::clicked, this, [this](bool computed) {
-        m_document.edit(withGivenCompliance(m_document.project(), !computed),
-                        {"Input", m_field.label});
+        this->document().edit(withGivenCompliance(this->document().project(), !computed),
+                              {"Input", this->field().label});
     });
 }
 
-void ComplianceBox::build(const std::vector<std::string>& keys) {
-    m_lines.clear();
-    delete m_body;
-    m_body = new QWidget(this);
-    m_grid = new QGridLayout(m_body);
-    m_grid->setContentsMargins(0, 0, 0, 0);
-    m_grid->setHorizontalSpacing(metrics::gap);
-    m_grid->setVerticalSpacing(metrics::row);
-    m_grid->setColumnStretch(1, 1);
-    rows().insertWidget(1, m_body);
-    for (const std::string& key : keys) {
-        addLine(key);
+NumberLines::Line ComplianceBox::lineOf(const std::string& key, std::size_t index) const {
+    NumberLines::Line line;
+    line.path = path() + "/" + key;
+    line.spec = NumberSpec::of(field());
+    line.spec.optional = false;
+    line.get = [index](const Project& project) -> std::optional<double> {
+        GivenCompliance given = project.machine->compliance_mm_per_n;
+        return index < keysOf(given).size() ? std::optional(valueAt(given, index)) : std::nullopt;
+    };
+    line.set = [index](Project& project, std::optional<double> value) {
+        GivenCompliance& given = project.machine->compliance_mm_per_n;
+        if (value && index < keysOf(given).size()) {
+            valueAt(given, index) = *value;
+        }
+    };
+    line.label = [key] {
+        const bool section = key.front() >= '0' && key.front() <= '9';
+        return section ? tr("Section %1").arg(std::stoi(key) + 1) : zoneText(key.c_str());
+    };
+    line.hint = [&of = field()] { return hintPlain(of); };
+    line.tip = [&of = field()] { return hintMarkup(of); };
+    if (field().slider) {
+        line.slider = [path = line.path, &of = field()](const Project& project) {
+            return sliderSpec(project, path, of);
+        };
     }
-}
-
-void ComplianceBox::addLine(const std::string& key) {
-    NumberSpec spec = NumberSpec::of(m_field);
-    spec.optional = false;
-    const Line line{key,
-                    new QLabel(m_body),
-                    new CalibratedMark(m_body),
-                    new NumberField(spec, m_body),
-                    new ValueSlider(m_body),
-                    new QLabel(m_body),
-                    new ReasonLabel(m_body)};
-    line.label->setTextFormat(Qt::PlainText);
-    line.label->setBuddy(line.field);
-    line.unit->setTextFormat(Qt::PlainText);
-    setTextWidth(*line.unit, unitColumn);
-    setTextWidth(*line.field, metrics::field);
-    line.field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    line.field->setObjectName(QString::fromStdString(pathOf(line)));
-    line.slider->setObjectName(line.field->objectName() + QStringLiteral("/slider"));
-    line.slider->setVisible(m_field.slider);
-    place(line);
-    m_lines.push_back(line);
-    connectLine(m_lines.size() - 1);
-    retranslate(line);
-}
-
-void ComplianceBox::place(const Line& line) {
-    const int row = m_grid->rowCount();
-    auto* const head = new QHBoxLayout;
-    head->setSpacing(metrics::hair);
-    head->addWidget(line.label);
-    head->addWidget(line.calibrated);
-    m_grid->addLayout(head, row, 0);
-    m_grid->addWidget(line.slider, row, 1);
-    m_grid->addWidget(line.field, row, 2);
-    m_grid->addWidget(line.unit, row, 3);
-    m_grid->addWidget(line.reason, row + 1, 0, 1, 4);
-}
-
-void ComplianceBox::connectLine(std::size_t index) {
-    NumberField* const field = m_lines[index].field;
-    connect(field, &NumberField::valueEdited, this,
-            [this, index, field] { store(index, *field->value()); });
-    connect(field, &NumberField::remarkChanged, this, [this, index] {
-        showReason(m_lines[index]);
-        emit refusalsChanged();
-    });
-    connect(field, &QLineEdit::editingFinished, this, [this] { m_document.endMerge(); });
-    connect(m_lines[index].slider, &ValueSlider::valueEdited, this,
-            [this, index, field](double value) {
-                field->reset(value); // discards a refused text
-                store(index, value);
-            });
-    connect(m_lines[index].slider, &ValueSlider::settled, this, [this] { m_document.endMerge(); });
-}
-
-void ComplianceBox::store(std::size_t index, double value) {
-    Project project = m_document.project();
-    auto& given = project.machine->compliance_mm_per_n;
-    if (index < keysOf(given).size()) {
-        valueAt(given, index) = value;
-        m_document.edit(std::move(project), {"Input", m_field.label},
-                        QString::fromStdString(pathOf(m_lines[index])));
-    }
+    return line;
 }
 
 void ComplianceBox::showProject(bool replaced) {
-    const Project& project = m_document.project();
-    GivenCompliance given = project.machine->compliance_mm_per_n;
-    const auto keys = keysOf(given);
-    const bool same =
-        std::equal(keys.begin(), keys.end(), m_lines.begin(), m_lines.end(),
-                   [](const std::string& key, const Line& line) { return key == line.key; });
-    if (!same) {
-        build(keys);
+    const Project& project = document().project();
+    const GivenCompliance& given = project.machine->compliance_mm_per_n;
+    std::vector<NumberLines::Line> lines;
+    for (const std::string& key : keysOf(given)) {
+        lines.push_back(lineOf(key, lines.size()));
     }
-    for (std::size_t i = 0; i < m_lines.size(); ++i) {
-        const Line& line = m_lines[i];
-        const double value = valueAt(given, i);
-        replaced ? line.field->reset(value) : line.field->setValue(value);
-        line.slider->display(sliderSpec(project, pathOf(line), m_field), value,
-                             unitText(m_field.unit));
-    }
+    numbers().setLines(std::move(lines));
+    numbers().showProject(replaced);
     const bool computed = std::holds_alternative<std::monostate>(given);
     m_computed->setChecked(computed);
-    m_body->setVisible(!computed);
+    numbers().setVisible(!computed);
     showComputed();
     showCalibration(project);
-    setIssues(m_issues);
 }
 
 /// One line for all inputs that were found from the same data; values changed since come first.
 void ComplianceBox::showCalibration(const Project& project) {
     const Calibration *first = nullptr, *changed = nullptr;
-    for (const Line& line : m_lines) {
-        const Calibration* const record = calibrationOf(project, pathOf(line));
+    for (const std::string& key : keysOf(project.machine->compliance_mm_per_n)) {
+        const Calibration* const record = calibrationOf(project, path() + "/" + key);
         const bool holds = record && hasCalibratedValue(project, *record);
-        line.calibrated->showCalibration(holds, record ? CalibrationText::details(project, *record)
-                                                       : QString());
         first = first ? first : record;
         changed = changed || holds ? changed : record;
     }
@@ -246,82 +173,31 @@ void ComplianceBox::showComputed() {
     }
     m_gammas->setText(values.isEmpty()
                           ? QString()
-                          : values.join(QStringLiteral("; ")) + u' ' + unitText(m_field.unit));
+                          : values.join(QStringLiteral("; ")) + u' ' + unitText(field().unit));
     m_gammas->setVisible(!values.isEmpty());
 }
 
 void ComplianceBox::setIssues(const Issues& issues) {
     m_issues = issues;
-    m_reason->showRemark(remarkAt(issues, m_path));
-    for (const Line& line : m_lines) {
-        line.field->setIssue(remarkFor(issues, pathOf(line)));
-    }
-}
-
-void ComplianceBox::showReason(const Line& line) {
-    line.reason->showRemark(line.field->remark());
-}
-
-void ComplianceBox::retranslate(const Line& line) {
-    const bool section = !line.key.empty() && line.key.front() >= '0' && line.key.front() <= '9';
-    const QString name =
-        section ? tr("Section %1").arg(std::stoi(line.key) + 1) : zoneText(line.key.c_str());
-    const QString hint = hintMarkup(m_field);
-    line.label->setText(name);
-    line.unit->setText(unitText(m_field.unit));
-    line.field->setToolTip(hint);
-    line.field->setHint(hintPlain(m_field));
-    line.field->setAccessibleName(tr("Compliance of %1, %2").arg(name, unitText(m_field.unit)));
-    line.field->retranslate();
-    line.slider->setToolTip(hint);
-    line.slider->setAccessibleName(tr("Compliance of %1, slider").arg(name));
+    reason().showRemark(remarkAt(m_issues, path()));
+    numbers().setIssues(m_issues);
 }
 
 void ComplianceBox::retranslate() {
-    setTitle(tr("%1 %2").arg(inputText(m_field.label), QString::fromUtf8(m_field.symbol)));
-    setToolTip(hintMarkup(m_field));
-    setAccessibleName(inputText(m_field.label));
-    m_computed->setText(inputText(m_field.nullMeaning));
+    setTitle(tr("%1 %2").arg(inputText(field().label), QString::fromUtf8(field().symbol)));
+    setToolTip(hintMarkup(field()));
+    setAccessibleName(inputText(field().label));
+    m_computed->setText(inputText(field().nullMeaning));
     m_computed->setAccessibleName(m_computed->text());
-    for (const Line& line : m_lines) {
-        retranslate(line);
-    }
+    numbers().retranslate();
     m_gammas->setAccessibleName(tr("Computed compliance"));
     showComputed();
-    showCalibration(m_document.project());
-    setIssues(m_issues);
-}
-
-std::vector<Refusal> ComplianceBox::refusals() const {
-    std::vector<Refusal> list;
-    for (const Line& line : m_lines) {
-        if (line.field->refused()) {
-            list.push_back({pathOf(line), line.field->refusal()});
-        }
-    }
-    return list;
-}
-
-bool ComplianceBox::dropRefusal(const std::string& path) {
-    for (const Line& line : m_lines) {
-        if (path == pathOf(line) && line.field->refused()) {
-            line.field->reset(line.field->value());
-            return true;
-        }
-    }
-    return false;
+    showCalibration(document().project());
+    setIssues(Issues(m_issues));
 }
 
 void ComplianceBox::focusPath(const std::string& path) {
-    for (const Line& line : m_lines) {
-        if (path == pathOf(line)) {
-            line.field->setFocus(Qt::OtherFocusReason);
-            return;
-        }
-    }
-    if (!m_lines.empty() && m_body->isVisibleTo(this)) {
-        m_lines.front().field->setFocus(Qt::OtherFocusReason);
-    } else {
+    if (!numbers().focusPath(path) && !numbers().focusPath(this->path())) {
         m_computed->setFocus(Qt::OtherFocusReason);
     }
 }

@@ -5,8 +5,6 @@
 #include "core/project/given_factors.h"
 #include "core/study/batch_edits.h"
 #include "ui/fields/reason_label.h"
-#include "ui/inputs/editors/hint_strip.h"
-#include "ui/inputs/editors/number_lines.h"
 #include "ui/inputs/forms/page_columns.h"
 #include "ui/session/document.h"
 #include "ui/tables/pasted_cells.h"
@@ -14,6 +12,7 @@
 #include "ui/text/texts.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sparkout {
 
@@ -28,32 +27,25 @@ double correlationOf(const Project& project, std::size_t i, std::size_t j) {
 
 CorrelationBox::CorrelationBox(std::string path, const Field& field, int depth, Document& document,
                                QWidget* parent)
-    : InputBox(depth, parent)
-    , m_path(std::move(path))
-    , m_field(field)
-    , m_document(document)
-    , m_numbers(new NumberLines(document, field.label, this))
-    , m_reason(new ReasonLabel(this)) {
-    setObjectName(QString::fromStdString(m_path));
-    setHintField(*this, field);
-    rows().addWidget(m_numbers);
-    rows().addWidget(m_reason);
-    m_numbers->setOrder(
+    : InputBox(std::move(path), field, depth, document, parent) {
+    setObjectName(QString::fromStdString(this->path()));
+    rows().addWidget(&numbers());
+    rows().addWidget(&reason());
+    numbers().setOrder(
         [this](const PastedCells& cells, QString& fault) { return orderOf(cells, fault); });
-    connect(m_numbers, &NumberLines::refusalsChanged, this, &InputBox::refusalsChanged);
 }
 
 void CorrelationBox::showProject(bool replaced) {
     std::vector<NumberLines::Line> lines;
-    const std::vector<GivenFactor> given = givenFactors(m_document.project());
+    const std::vector<GivenFactor> given = givenFactors(document().project());
     for (std::size_t i = 0; i < given.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (given[i].isLaw() || given[j].isLaw()) {
                 continue;
             }
             NumberLines::Line line;
-            line.path = m_path + "/" + std::to_string(i) + "/" + std::to_string(j);
-            line.spec.hard = m_field.hard;
+            line.path = path() + "/" + std::to_string(i) + "/" + std::to_string(j);
+            line.spec.hard = field().hard;
             line.get = [i, j](const Project& project) {
                 return std::optional(correlationOf(project, i, j));
             };
@@ -74,14 +66,14 @@ void CorrelationBox::showProject(bool replaced) {
         }
     }
     setVisible(!lines.empty());
-    m_numbers->setLines(std::move(lines));
-    m_numbers->showProject(replaced);
+    numbers().setLines(std::move(lines));
+    numbers().showProject(replaced);
 }
 
 /// The cells of a whole matrix below its diagonal, in the order of the lines; of any other block
 /// all cells.
 std::vector<QString> CorrelationBox::orderOf(const PastedCells& cells, QString& fault) const {
-    const std::vector<GivenFactor> given = givenFactors(m_document.project());
+    const std::vector<GivenFactor> given = givenFactors(document().project());
     const auto size = static_cast<qsizetype>(given.size());
     const bool square = size > 1 && cells.rows.size() == given.size()
                         && std::ranges::all_of(cells.rows, [size](const QStringList& row) {
@@ -114,32 +106,15 @@ std::vector<QString> CorrelationBox::orderOf(const PastedCells& cells, QString& 
 }
 
 void CorrelationBox::setOutcome(const OutcomePtr& outcome) {
-    m_reason->showRemark(remarkAt(outcome->issues, m_path));
-    m_numbers->setIssues(outcome->issues);
+    reason().showRemark(remarkAt(outcome->issues, path()));
+    numbers().setIssues(outcome->issues);
 }
 
 void CorrelationBox::retranslate() {
-    setTitle(inputText(m_field.label));
+    setTitle(inputText(field().label));
     setAccessibleName(title());
-    setToolTip(hintMarkup(m_field));
-    m_numbers->setOwner([this] { return inputText(m_field.label); });
-    m_numbers->retranslate();
-}
-
-std::vector<Refusal> CorrelationBox::refusals() const {
-    return m_numbers->refusals();
-}
-
-bool CorrelationBox::dropRefusal(const std::string& path) {
-    return m_numbers->dropRefusal(path);
-}
-
-bool CorrelationBox::holds(const std::string& path) const {
-    return path == m_path || path.starts_with(m_path + "/");
-}
-
-void CorrelationBox::focusPath(const std::string& path) {
-    m_numbers->focusPath(path);
+    setToolTip(hintMarkup(field()));
+    numbers().retranslate();
 }
 
 } // namespace sparkout

@@ -11,10 +11,6 @@
 
 namespace sparkout {
 
-class Document;
-class NumberLines;
-class ReasonLabel;
-
 /// The correlations of the batch's factors: a number for every two random factors.
 class CorrelationBox : public InputBox {
     Q_OBJECT
@@ -26,19 +22,9 @@ public:
     void showProject(bool replaced) override;
     void setOutcome(const OutcomePtr& outcome) override;
     void retranslate() override;
-    [[nodiscard]] std::vector<Refusal> refusals() const override;
-    bool dropRefusal(const std::string& path) override;
-    [[nodiscard]] bool holds(const std::string& path) const override;
-    void focusPath(const std::string& path) override;
 
 private:
     [[nodiscard]] std::vector<QString> orderOf(const PastedCells& cells, QString& fault) const;
-
-    std::string m_path;
-    const Field& m_field;
-    Document& m_document;
-    NumberLines* m_numbers;
-    ReasonLabel* m_reason;
 };
 
 } // namespace sparkout

@@ -5,11 +5,9 @@
 #include "core/format/blanks_csv.h"
 #include "core/project/batch.h"
 #include "ui/fields/reason_label.h"
-#include "ui/inputs/editors/choice_editor.h"
+#include "ui/form/choice_editor.h"
 #include "ui/inputs/editors/factor_lines.h"
 #include "ui/inputs/editors/form_metrics.h"
-#include "ui/inputs/editors/hint_strip.h"
-#include "ui/inputs/editors/number_lines.h"
 #include "ui/inputs/forms/page_columns.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/font_size.h"
@@ -49,27 +47,21 @@ constexpr std::array formNames{QT_TRANSLATE_NOOP("sparkout::FactorBox", "constan
 
 FactorBox::FactorBox(std::string path, const Field& field, int depth, Document& document,
                      QWidget* parent)
-    : InputBox(depth, parent)
-    , m_path(std::move(path))
-    , m_field(field)
+    : InputBox(std::move(path), field, depth, document, parent)
     , m_kind(static_cast<FactorKind>(&field - tableOf<Factors>().fields.data()))
-    , m_document(document)
     , m_body(new QWidget(this))
     , m_formLabel(new QLabel(m_body))
     , m_form(new StillComboBox(m_body))
     , m_truncated(new QCheckBox(m_body))
-    , m_numbers(new NumberLines(document, field.label, m_body))
     , m_measured(new QLabel(m_body))
-    , m_read(new QPushButton(m_body))
-    , m_reason(new ReasonLabel(this)) {
+    , m_read(new QPushButton(m_body)) {
     setCheckable(true);
-    setHintField(*this, field);
     build();
     connectParts();
 }
 
 void FactorBox::build() {
-    const QString name = QString::fromStdString(m_path);
+    const QString name = QString::fromStdString(path());
     setObjectName(name);
     m_form->setObjectName(name + QStringLiteral("/form"));
     m_truncated->setObjectName(name + QStringLiteral("/truncated"));
@@ -88,13 +80,13 @@ void FactorBox::build() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(metrics::row);
     column->addLayout(choice);
-    column->addWidget(m_numbers);
+    column->addWidget(&numbers());
     column->addWidget(m_truncated);
     column->addWidget(m_measured);
     column->addWidget(m_read, 0, Qt::AlignLeft);
     rows().setSpacing(metrics::row);
     rows().addWidget(m_body);
-    rows().addWidget(m_reason);
+    rows().addWidget(&reason());
     for (std::size_t i = 0; i < formNames.size(); ++i) {
         m_form->addItem(QString(), static_cast<int>(i));
     }
@@ -102,22 +94,21 @@ void FactorBox::build() {
 
 void FactorBox::connectParts() {
     connect(this, &QGroupBox::clicked, this, [this](bool given) {
-        edit(given ? std::optional(usualFactor(m_kind, m_document.project())) : std::nullopt);
+        edit(given ? std::optional(usualFactor(m_kind, document().project())) : std::nullopt);
     });
-    connect(&m_document, &Document::stepped, this, [this] {
+    connect(&document(), &Document::stepped, this, [this] {
         m_shown.reset(); // undone together with the edit that chose it
         showProject(false);
     });
     connect(m_form, &QComboBox::activated, this, &FactorBox::chooseForm);
     connect(m_truncated, &QCheckBox::clicked, this, &FactorBox::setTruncated);
     connect(m_read, &QPushButton::clicked, this, &FactorBox::askForFile);
-    connect(m_numbers, &NumberLines::refusalsChanged, this, &InputBox::refusalsChanged);
 }
 
 const std::optional<Factor>& FactorBox::law() const {
     static const std::optional<Factor> none;
-    const auto& batch = m_document.project().batch;
-    return batch ? m_field.as<std::optional<Factor>>(&batch->factors) : none;
+    const auto& batch = document().project().batch;
+    return batch ? field().as<std::optional<Factor>>(&batch->factors) : none;
 }
 
 FactorForm FactorBox::shownForm(const Factor& law) const {
@@ -130,21 +121,21 @@ FactorForm FactorBox::shownForm(const Factor& law) const {
 
 void FactorBox::edit(std::optional<Factor> law) {
     m_fileFault = {};
-    m_document.endMerge();
-    m_document.edit(withFactor(m_document.project(), m_kind, std::move(law)),
-                    {"Input", m_field.label});
+    document().endMerge();
+    document().edit(withFactor(document().project(), m_kind, std::move(law)),
+                    {"Input", field().label});
 }
 
 void FactorBox::chooseForm() {
     const auto form = static_cast<FactorForm>(m_form->currentIndex());
     if (law() && form != shownForm(*law())) {
         m_shown = form;
-        edit(withForm(m_document.project(), m_kind, form));
+        edit(withForm(document().project(), m_kind, form));
     }
 }
 
 void FactorBox::setTruncated(bool truncated) {
-    edit(withTruncation(m_document.project(), m_kind, truncated));
+    edit(withTruncation(document().project(), m_kind, truncated));
 }
 
 void FactorBox::askForFile() {
@@ -167,7 +158,7 @@ void FactorBox::readFrom(const QString& path) {
         return;
     }
     const auto table = readMeasuredBlanks(std::get<std::string>(read));
-    const QString key = QString::fromUtf8(m_field.key);
+    const QString key = QString::fromUtf8(field().key);
     if (const auto* fault = std::get_if<TableFault>(&table)) {
         refuse([key, fault = *fault] {
             return fault.text.empty() ? tr("no column is headed “%1”").arg(key)
@@ -201,9 +192,9 @@ void FactorBox::showProject(bool replaced) {
     if (law) {
         const FactorForm form = shownForm(*law);
         m_shown = form;
-        const std::vector<GivenFactor> given = givenFactors(m_document.project());
-        m_numbers->setLines(factorLines(
-            m_path, m_field, *std::ranges::find(given, m_kind, &GivenFactor::kind), form));
+        const std::vector<GivenFactor> given = givenFactors(document().project());
+        numbers().setLines(factorLines(
+            path(), field(), *std::ranges::find(given, m_kind, &GivenFactor::kind), form));
         const QSignalBlocker blocker(m_form);
         m_form->setCurrentIndex(static_cast<int>(form));
         m_truncated->setVisible(form == FactorForm::normal);
@@ -212,9 +203,9 @@ void FactorBox::showProject(bool replaced) {
         m_read->setVisible(form == FactorForm::measured);
         m_measured->setText(measuredText(*law));
     } else {
-        m_numbers->setLines({});
+        numbers().setLines({});
     }
-    m_numbers->showProject(replaced);
+    numbers().showProject(replaced);
     showRemark();
 }
 
@@ -224,28 +215,28 @@ QString FactorBox::measuredText(const Factor& law) const {
     }
     const auto [low, high] = std::ranges::minmax_element(*law.measured);
     return tr("%n values, %1…%2 %3", nullptr, static_cast<int>(law.measured->size()))
-        .arg(printedNumber(*low), printedNumber(*high), unitText(m_field.unit))
+        .arg(printedNumber(*low), printedNumber(*high), unitText(field().unit))
         .trimmed();
 }
 
 void FactorBox::setOutcome(const OutcomePtr& outcome) {
-    m_issue = remarkAt(outcome->issues, m_path);
+    m_issue = remarkAt(outcome->issues, path());
     if (m_issue.mark == Mark::none) {
-        m_issue = remarkFor(outcome->issues, m_path + "/measured");
+        m_issue = remarkFor(outcome->issues, path() + "/measured");
     }
-    m_numbers->setIssues(outcome->issues);
+    numbers().setIssues(outcome->issues);
     showRemark();
 }
 
 void FactorBox::showRemark() {
-    m_reason->showRemark(m_fileFault ? Remark{Mark::error, m_fileFault()} : m_issue);
+    reason().showRemark(m_fileFault ? Remark{Mark::error, m_fileFault()} : m_issue);
 }
 
 void FactorBox::retranslate() {
-    const QString label = inputText(m_field.label);
+    const QString label = inputText(field().label);
     setTitle(label);
     setAccessibleName(label);
-    setToolTip(m_field.hint && *m_field.hint ? hintMarkup(m_field)
+    setToolTip(field().hint && *field().hint ? hintMarkup(field())
                                              : tr("Ticked: it scatters from part to part."));
     m_formLabel->setText(tr("Distribution"));
     m_form->setAccessibleName(tr("%1: distribution").arg(label));
@@ -259,31 +250,16 @@ void FactorBox::retranslate() {
     m_read->setText(tr("Read from CSV…"));
     m_read->setAccessibleName(tr("%1: read from a CSV file").arg(label));
     m_read->setToolTip(
-        tr("A table whose column “%1” holds a value a line").arg(QString::fromUtf8(m_field.key)));
-    m_numbers->setOwner([this] { return inputText(m_field.label); });
-    m_numbers->retranslate();
+        tr("A table whose column “%1” holds a value a line").arg(QString::fromUtf8(field().key)));
+    numbers().retranslate();
     if (law()) {
         m_measured->setText(measuredText(*law()));
     }
     showRemark();
 }
 
-// --- refused texts ------------------------------------------------------------------------------
-
-std::vector<Refusal> FactorBox::refusals() const {
-    return m_numbers->refusals();
-}
-
-bool FactorBox::dropRefusal(const std::string& path) {
-    return m_numbers->dropRefusal(path);
-}
-
-bool FactorBox::holds(const std::string& path) const {
-    return path == m_path || path.starts_with(m_path + "/");
-}
-
 void FactorBox::focusPath(const std::string& path) {
-    if (!m_numbers->focusPath(path)) {
+    if (!numbers().focusPath(path)) {
         (law() ? static_cast<QWidget*>(m_form) : this)->setFocus(Qt::OtherFocusReason);
     }
 }

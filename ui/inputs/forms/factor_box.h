@@ -15,10 +15,6 @@ class QPushButton;
 
 namespace sparkout {
 
-class Document;
-class NumberLines;
-class ReasonLabel;
-
 /// A factor of the batch: a tick to enable it, the form of its distribution and the numbers of that
 /// form; measured values are read from a CSV file.
 class FactorBox : public InputBox {
@@ -31,9 +27,6 @@ public:
     void showProject(bool replaced) override;
     void setOutcome(const OutcomePtr& outcome) override;
     void retranslate() override;
-    [[nodiscard]] std::vector<Refusal> refusals() const override;
-    bool dropRefusal(const std::string& path) override;
-    [[nodiscard]] bool holds(const std::string& path) const override;
     void focusPath(const std::string& path) override;
 
     void readFrom(const QString& path); ///< reads measured values; shows the reason of a failure
@@ -50,18 +43,13 @@ private:
     [[nodiscard]] QString measuredText(const Factor& law) const;
     void showRemark();
 
-    std::string m_path;
-    const Field& m_field;
     FactorKind m_kind;
-    Document& m_document;
     QWidget* m_body;
     QLabel* m_formLabel;
     QComboBox* m_form;
     QCheckBox* m_truncated;
-    NumberLines* m_numbers;
     QLabel* m_measured;
     QPushButton* m_read;
-    ReasonLabel* m_reason;
     std::optional<FactorForm> m_shown; ///< keeps the form, as two equal ends are not a constant
     Remark m_issue;
     std::function<QString()> m_fileFault; ///< why the last file was refused, if it was

@@ -58,7 +58,11 @@ QGridLayout* newGrid(QVBoxLayout& into, int depth) {
 } // namespace
 
 FormPage::FormPage(Page page, Document& document, QWidget* parent, Settings* settings)
-    : QScrollArea(parent), m_page(page), m_document(document), m_settings(settings) {
+    : QScrollArea(parent)
+    , m_page(page)
+    , m_document(document)
+    , m_model(document)
+    , m_settings(settings) {
     setHelpTopic(*this, fieldPageId(page));
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
@@ -161,7 +165,7 @@ void FormPage::addStruct(const StructInfo& table, const std::string& path, Place
         const bool structure = field.kind == Kind::object || field.kind == Kind::optionalObject;
         if (field.nested == &tableOf<Factor>() && field.page == m_page) {
             addInputBox(
-                new FactorBox(at, field, into.depth + 1, m_document, into.rows.parentWidget()), at,
+                new FactorBox(at, field, into.depth + 1, m_document, into.rows.parentWidget()),
                 into);
         } else if (structure && shows(*field.nested)) {
             if (field.page == m_page) {
@@ -181,19 +185,18 @@ void FormPage::addStruct(const StructInfo& table, const std::string& path, Place
 void FormPage::addRow(const Field& field, const std::string& path, Place into) {
     QWidget* const parent = into.rows.parentWidget();
     if (field.kind == Kind::compliance) {
-        addInputBox(new ComplianceBox(path, field, m_document, parent), path, into);
+        addInputBox(new ComplianceBox(path, field, m_document, parent), into);
         return;
     }
     if (path == "/batch/correlation") {
-        addInputBox(new CorrelationBox(path, field, into.depth + 1, m_document, parent), path,
-                    into);
+        addInputBox(new CorrelationBox(path, field, into.depth + 1, m_document, parent), into);
         return;
     }
     if (field.kind == Kind::objectList) {
         addList(field, path, into);
         return;
     }
-    auto editor = makeEditor(path, field, m_document, parent);
+    auto editor = makeInputEditor(path, field, m_model, parent);
     if (!editor) {
         return;
     }
@@ -218,11 +221,10 @@ void FormPage::addRow(const Field& field, const std::string& path, Place into) {
     }
 }
 
-void FormPage::addInputBox(InputBox* box, const std::string& path, Place into) {
+void FormPage::addInputBox(InputBox* box, Place into) {
     into.rows.addWidget(box);
     connect(box, &InputBox::refusalsChanged, this, &FormPage::refusalsChanged);
     m_inputBoxes.push_back(box);
-    m_inputBoxPaths.push_back(path);
 }
 
 void FormPage::addList(const Field& field, const std::string& path, Place into) {
@@ -335,9 +337,9 @@ void FormPage::showRank(const InputRank& rank) {
             list->hide();
         }
     }
-    for (std::size_t i = 0; i < m_inputBoxes.size(); ++i) {
-        if (!isSeen(m_inputBoxPaths[i], *findMember(project, m_inputBoxPaths[i]).field)) {
-            m_inputBoxes[i]->hide();
+    for (InputBox* box : m_inputBoxes) {
+        if (!isSeen(box->path(), *findMember(project, box->path()).field)) {
+            box->hide();
         }
     }
     for (const auto& [helper, path] : m_helpers) {
@@ -369,9 +371,9 @@ void FormPage::showRank(const InputRank& rank) {
         any = any || std::ranges::any_of(m_boxes, [&](const Box& inner) {
                   return isLeft(inner.box, inner.path);
               });
-        for (std::size_t i = 0; i < m_inputBoxes.size(); ++i) {
-            any = any || isLeft(m_inputBoxes[i], m_inputBoxPaths[i]);
-        }
+        any = any || std::ranges::any_of(m_inputBoxes, [&](const InputBox* inner) {
+                  return isLeft(inner, inner->path());
+              });
         if (!any && !box.reason->isVisibleTo(box.box)) {
             box.box->hide();
         }
@@ -480,8 +482,8 @@ void FormPage::showAccess() {
     for (const Box& box : m_boxes) {
         show(box.box, box.path);
     }
-    for (std::size_t i = 0; i < m_inputBoxes.size(); ++i) {
-        show(m_inputBoxes[i], m_inputBoxPaths[i]);
+    for (InputBox* box : m_inputBoxes) {
+        show(box, box->path());
     }
     for (ListTable* list : m_lists) {
         if (!m_access->hasShown(list->path())) {

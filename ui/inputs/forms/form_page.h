@@ -5,6 +5,7 @@
 #include "core/issue.h"
 #include "core/study/outcome.h"
 #include "ui/fields/refusal.h"
+#include "ui/inputs/editors/project_model.h"
 #include "ui/inputs/forms/form_access.h"
 #include "ui/inputs/forms/input_rank.h"
 
@@ -86,7 +87,7 @@ private:
     void addHelper(RowHelper* helper, const std::string& path, Place into);
     void addStruct(const StructInfo& table, const std::string& path, Place into);
     void addRow(const Field& field, const std::string& path, Place into);
-    void addInputBox(InputBox* box, const std::string& path, Place into);
+    void addInputBox(InputBox* box, Place into);
     void addList(const Field& field, const std::string& path, Place into);
     void addBox(const Field& field, const std::string& path, Place into);
     void addProjectTexts(Place into);
@@ -109,6 +110,7 @@ private:
 
     Page m_page;
     Document& m_document;
+    ProjectModel m_model;
     Settings* m_settings;
     bool m_isBuilt = false;
     sparkout::OutcomePtr m_outcome; ///< for parts not built yet
@@ -117,7 +119,6 @@ private:
     CatalogueBar* m_catalogue = nullptr;                       ///< on pages with a catalogue
     std::vector<std::pair<RowHelper*, std::string>> m_helpers; ///< with the paths of their rows
     std::vector<InputBox*> m_inputBoxes;
-    std::vector<std::string> m_inputBoxPaths; ///< in the same order
     FormAccessPtr m_access = std::make_shared<const FormAccess>();
     std::string m_cataloguePath; ///< path of the struct that it fills
     std::vector<ListTable*> m_lists;

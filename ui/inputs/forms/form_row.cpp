@@ -52,7 +52,6 @@ FormRow::FormRow(std::unique_ptr<FieldEditor> editor, QGridLayout& grid, QWidget
     m_reason->setTextFormat(Qt::PlainText);
     m_reason->setWordWrap(true);
     m_reason->setVisible(false);
-    m_editor->widget()->setObjectName(QString::fromStdString(m_editor->path()));
     connect(m_editor.get(), &FieldEditor::remarkChanged, this, &FormRow::showRemark);
     for (QWidget* widget : {m_editor->widget(), m_head, m_editor->slider()}) {
         if (widget) {
@@ -92,6 +91,9 @@ void FormRow::addTo(QGridLayout& grid) {
         head->addWidget(field);
         grid.addWidget(m_head, row, 0, 1, 3);
     } else {
+        if (auto* number = qobject_cast<NumberField*>(field)) {
+            number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        }
         setTextWidth(*field, metrics::field);
         setTextWidth(*m_unit, unitColumn);
         grid.addWidget(field, row, 1);
@@ -112,6 +114,9 @@ void FormRow::show(const Project& project, bool replaced, const InputRank& rank)
     const ConstMember member = findMember(project, m_editor->path());
     m_isRelevant = member && member.relevant(project) && m_access != Access::hidden;
     m_editor->show(replaced);
+    if (auto* box = qobject_cast<QComboBox*>(m_editor->widget())) {
+        box->setToolTip(box->currentText());
+    }
     m_label->setText(labelMarkup(m_editor->field(), project)); // a bore has another symbol
     m_isShown = m_isRelevant
                 && (rank.shows(project, m_editor->field(), m_editor->path())
@@ -233,22 +238,18 @@ void FormRow::showHint() {
         plain += u' ' + m_lock;
     }
     QWidget* const widget = m_editor->widget();
+    m_editor->describe(*field.unit
+                           ? tr("%1, %2").arg(StockReading::label(field), unitText(field.unit))
+                           : StockReading::label(field),
+                       hint, plain);
     for (QWidget* one : {static_cast<QWidget*>(m_label), widget, m_editor->slider()}) {
         if (one) {
             one->setToolTip(hint);
             setHintField(*one, field);
         }
     }
-    widget->setAccessibleName(
-        *field.unit ? tr("%1, %2").arg(StockReading::label(field), unitText(field.unit))
-                    : StockReading::label(field));
-    if (auto* line = qobject_cast<NumberField*>(widget)) {
-        line->setHint(plain);
-        if (meaningIsLong()) {
-            line->setPlaceholderText(QStringLiteral("—")); // its meaning stands below
-        }
-    } else {
-        widget->setAccessibleDescription(plain);
+    if (auto* line = qobject_cast<NumberField*>(widget); line && meaningIsLong()) {
+        line->setPlaceholderText(QStringLiteral("—")); // its meaning stands below
     }
 }
 

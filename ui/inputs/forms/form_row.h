@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/inputs/editors/field_editor.h"
+#include "ui/form/field_editor.h"
 #include "ui/inputs/forms/form_access.h"
 
 #include <QObject>

@@ -2,6 +2,7 @@
 #include "ui/lesson/edit/lesson_draft.h"
 
 #include "core/lesson/lesson_file.h"
+#include "core/project/member.h"
 #include "ui/text/texts.h"
 
 #include <QUndoCommand>
@@ -59,7 +60,7 @@ private:
 };
 
 LessonDraft::LessonDraft(QObject* parent)
-    : FormModel(tableOf<LessonSheet>(), parent), m_lesson(std::make_shared<const Lesson>()) {
+    : FormModel(parent), m_lesson(std::make_shared<const Lesson>()) {
     m_history.setUndoLimit(stepsOfHistory);
 }
 
@@ -116,12 +117,18 @@ void LessonDraft::edit(const std::string& key, const std::function<void(Lesson& 
     m_history.push(new Edit(*this, key, std::move(after)));
 }
 
-const void* LessonDraft::root() const {
-    return static_cast<const LessonSheet*>(m_lesson.get());
+const void* LessonDraft::ownerOf(const std::string& path) const {
+    return memberIn(tableOf<LessonSheet>(), static_cast<const LessonSheet*>(m_lesson.get()), path)
+        .owner;
 }
 
-void LessonDraft::change(const std::string& key, const Change& set) {
-    edit(key, [&set](Lesson& lesson) { set(static_cast<LessonSheet*>(&lesson)); });
+void LessonDraft::change(const std::string& path, const Change& set, bool merges) {
+    edit(merges ? path : std::string(), [&](Lesson& lesson) {
+        LessonSheet* const sheet = &lesson;
+        if (void* const owner = memberIn(tableOf<LessonSheet>(), sheet, path).owner) {
+            set(owner);
+        }
+    });
 }
 
 void LessonDraft::markSaved(const QString& path) {

@@ -43,8 +43,8 @@ public:
 
     /// Changes the lesson; successive changes with the same key are one step of the history.
     void edit(const std::string& key, const std::function<void(Lesson& lesson)>& change);
-    [[nodiscard]] const void* root() const override;
-    void change(const std::string& key, const Change& set) override;
+    [[nodiscard]] const void* ownerOf(const std::string& path) const override;
+    void change(const std::string& path, const Change& set, bool merges) override;
     [[nodiscard]] bool hasHistory() const override { return true; }
     void markSaved(const QString& path);
 

@@ -5,6 +5,7 @@
 #include "core/project/member.h"
 #include "core/project/operation.h"
 #include "core/project/project.h"
+#include "ui/form/text_editor.h"
 #include "ui/kit/metrics.h"
 #include "ui/lesson/edit/lesson_draft.h"
 #include "ui/lesson/edit/lesson_inputs.h"
@@ -12,11 +13,9 @@
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
-#include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
-#include <QSignalBlocker>
 
 #include <utility>
 
@@ -58,14 +57,16 @@ void beginValues(const StructInfo& info, void* owner, const Project& project) {
     input = variedAs({input.path, {}, {}, {}, {}, {}}, variedBy(input), project);
 }
 
+/// The hint of the row speaks of the file.
+QWidget* withoutHint(QWidget* widget) {
+    widget->setToolTip({});
+    widget->setAccessibleDescription({});
+    return widget;
+}
+
 int linesOfText(std::string_view key) {
     constexpr int few = 3, many = 9;
     return key == "title" ? 2 : key == "theory" ? many : few;
-}
-
-/// With the spaces that do not break, which toPlainText() makes plain ones.
-QString typedIn(const QPlainTextEdit& box) {
-    return box.document()->toRawText().replace(QChar::ParagraphSeparator, u'\n');
 }
 
 } // namespace
@@ -107,7 +108,7 @@ void LessonForm::addRow(QFormLayout& form, const Row& row) {
 void LessonForm::addGoal(QFormLayout& form, const Subject& subject) {
     const auto kinds = tableOf<Goal>().fields;
     const Row row = rowOf(subject, kinds.front());
-    auto* kind = new QComboBox;
+    auto* kind = new StillComboBox;
     for (const Field& field : kinds) {
         kind->addItem(inputText(field.label));
     }
@@ -115,26 +116,22 @@ void LessonForm::addGoal(QFormLayout& form, const Subject& subject) {
     kind->setCurrentIndex(static_cast<int>(now));
     kind->setObjectName(QString::fromStdString(subject.path + "/kind"));
     kind->setAccessibleName(tr("Kind of goal"));
-    watch(*kind);
     form.addRow(tr("Kind of goal"), kind);
     auto* about = new QLabel(inputText(kinds[now].hint));
     about->setWordWrap(true);
     form.addRow(about);
     connect(kind, &QComboBox::activated, this, [this, row, kinds](int index) {
-        change(
-            row,
-            [&](void* owner) {
-                auto& goal = *static_cast<Goal*>(owner);
-                const auto figure = goal.asked() ? std::optional(*goal.asked()) : std::nullopt;
-                const Field& field = kinds[static_cast<std::size_t>(index)];
-                goal = Goal();
-                field.object(&goal, true);
-                if (goal.asked() && figure) { // the same one, in another way
-                    const_cast<Figure&>(*goal.asked()) = *figure;
-                }
-                addNeeded(*field.nested, field.object(&goal, false));
-            },
-            false);
+        change(row, [&](void* owner) {
+            auto& goal = *static_cast<Goal*>(owner);
+            const auto figure = goal.asked() ? std::optional(*goal.asked()) : std::nullopt;
+            const Field& field = kinds[static_cast<std::size_t>(index)];
+            goal = Goal();
+            field.object(&goal, true);
+            if (goal.asked() && figure) { // the same one, in another way
+                const_cast<Figure&>(*goal.asked()) = *figure;
+            }
+            addNeeded(*field.nested, field.object(&goal, false));
+        });
     });
     addStruct(form, {*kinds[now].nested, subject.path + '/' + kinds[now].key});
 }
@@ -142,24 +139,20 @@ void LessonForm::addGoal(QFormLayout& form, const Subject& subject) {
 /// Over a range, a list or sets, with the values of this way alone.
 void LessonForm::addVaried(QFormLayout& form, const Subject& subject) {
     const Row path = rowOf(subject, "path");
-    auto* combo = new QComboBox;
+    auto* combo = new StillComboBox;
     combo->addItems({tr("a range in steps"), tr("a list of values"), tr("named sets of values")});
     const VariedBy by = variedBy(*static_cast<const VariedInput*>(ownerOf(path)));
     combo->setCurrentIndex(static_cast<int>(by));
     combo->setObjectName(QString::fromStdString(subject.path + "/by"));
     combo->setAccessibleName(tr("Varied over"));
-    watch(*combo);
     form.addRow(tr("Varied over"), combo);
     connect(combo, &QComboBox::activated, this, [this, path](int index) {
-        change(
-            path,
-            [&](void* owner) {
-                auto& input = *static_cast<VariedInput*>(owner);
-                if (const auto chosen = static_cast<VariedBy>(index); chosen != variedBy(input)) {
-                    input = variedAs(input, chosen, m_draft.projectAt(path.path));
-                }
-            },
-            false);
+        change(path, [&](void* owner) {
+            auto& input = *static_cast<VariedInput*>(owner);
+            if (const auto chosen = static_cast<VariedBy>(index); chosen != variedBy(input)) {
+                input = variedAs(input, chosen, m_draft.projectAt(path.path));
+            }
+        });
     });
     if (by == VariedBy::sets) {
         addRow(form, rowOf(subject, "sets"));
@@ -189,30 +182,16 @@ void LessonForm::addTexts(QFormLayout& form, const Row& row) {
     auto* both = new QHBoxLayout;
     for (const Field& language : tableOf<Bilingual>().fields) {
         const Row text = rowOf({tableOf<Bilingual>(), row.path}, language);
-        auto* box = new QPlainTextEdit;
-        name(*box, text);
+        auto* box = static_cast<QPlainTextEdit*>(
+            adopt(text, std::make_unique<NotesEditor>(text.path, language, model(), nullptr)));
         box->setAccessibleName(
             QStringLiteral("%1, %2").arg(labelOf(row), inputText(language.label)));
         box->setPlaceholderText(inputText(language.label));
-        box->setTabChangesFocus(true);
         box->setUndoRedoEnabled(false);
         const int frame = 2 * (metrics::gap + box->frameWidth());
         const int height = linesOfText(row.field.key) * box->fontMetrics().lineSpacing() + frame;
         box->setMinimumHeight(height);
         box->setMaximumHeight(2 * height);
-        connect(box, &QPlainTextEdit::textChanged, this, [this, text, box] {
-            change(text, [&](void* owner) {
-                text.field.as<std::string>(owner) = typedIn(*box).toStdString();
-            });
-        });
-        showBy(text, [box, &of = text.field](const void* owner) {
-            const QString stored = QString::fromStdString(of.as<std::string>(owner));
-            if (typedIn(*box) != stored) {
-                const QSignalBlocker quiet(box);
-                box->setPlainText(stored);
-                box->moveCursor(QTextCursor::End);
-            }
-        });
         both->addWidget(box);
     }
     form.addRow(both);
@@ -275,28 +254,41 @@ QWidget* LessonForm::make(const Row& row) {
     if (isNumbered(row.field)) {
         const std::vector<Option> numbered = numberedFor(row);
         const bool isChosen = numbered.size() > 1 || row.field.as<int>(ownerOf(row)) != 1;
-        const Choosing by{[&of = row.field](const void* owner) { return of.as<int>(owner); },
-                          [&of = row.field](void* owner, const QVariant& chosen) {
-                              of.as<int>(owner) = chosen.toInt();
-                          }};
-        return isChosen ? comboOf(row, numbered, by) : nullptr;
+        return isChosen ? choiceOf(
+                   row, {[numbered] { return numbered; },
+                         [&of = row.field](const void* owner) { return of.as<int>(owner); },
+                         [&of = row.field](void* owner, const QVariant& chosen) {
+                             of.as<int>(owner) = chosen.toInt();
+                         }})
+                        : nullptr;
     }
     if (row.field.kind == Kind::countOrWord) {
         return placeOf(row);
+    }
+    if (const std::vector<Option> names = namesOf(row.field); !names.empty()) {
+        ChoiceEditor::Choosing named = ChoiceEditor::choicesOf(row.field);
+        named.options = [names] { return names; };
+        return choiceOf(row, std::move(named));
     }
     const std::vector<Option> options = optionsFor(row);
     return options.empty() ? StructForm::make(row) : optionsOf(row, options);
 }
 
-QString LessonForm::choiceName(const Field& field, std::size_t index) const {
-    if (field.choices.data() == choicesOf<FigureName>().data()) {
-        const FigureRow& row = sparkout::rowOf(static_cast<FigureName>(index));
-        return labelWithUnit(QCoreApplication::translate("Figure", row.choice.label), row.unit);
+/// Figures have their units, steps the names of a report.
+std::vector<LessonForm::Option> LessonForm::namesOf(const Field& field) {
+    std::vector<Option> names;
+    const auto add = [&names](const QString& text) {
+        names.push_back({text, static_cast<int>(names.size())});
+    };
+    for (std::size_t i = 0; i < field.choices.size(); ++i) {
+        if (field.choices.data() == choicesOf<FigureName>().data()) {
+            const FigureRow& row = sparkout::rowOf(static_cast<FigureName>(i));
+            add(labelWithUnit(QCoreApplication::translate("Figure", row.choice.label), row.unit));
+        } else if (field.choices.data() == choicesOf<Step>().data()) {
+            add(i > 0 ? Names::step(static_cast<Step>(i)) : choiceText(field.choices[i].label));
+        }
     }
-    if (field.choices.data() == choicesOf<Step>().data() && index > 0) {
-        return Names::step(static_cast<Step>(index));
-    }
-    return StructForm::choiceName(field, index);
+    return names;
 }
 
 std::optional<NumberInput> LessonForm::inputOf(const Row& row) const {
@@ -363,23 +355,21 @@ std::vector<LessonForm::Option> LessonForm::optionsFor(const Row& row) const {
 
 /// One of known texts, or the one that is there.
 QWidget* LessonForm::optionsOf(const Row& row, const std::vector<Option>& options) {
-    QWidget* const combo = comboOf(
-        row, options,
-        {[&of = row.field](const void* owner) {
-             return QString::fromStdString(of.as<std::string>(owner));
-         },
-         [this, row](void* owner, const QVariant& chosen) {
-             auto& text = row.field.as<std::string>(owner);
-             if (std::string value = chosen.toString().toStdString(); value != text) {
-                 text = std::move(value);
-                 if (isInput(row.field)) {
-                     beginValues(row.table, owner, m_draft.projectAt(row.path));
-                 }
-             }
-         },
-         [](const QVariant& path) { return inputLocation(path.toString().toStdString()); }});
-    combo->setToolTip({}); // it speaks of the file
-    return combo;
+    return withoutHint(choiceOf(
+        row, {[options] { return options; },
+              [&of = row.field](const void* owner) {
+                  return QString::fromStdString(of.as<std::string>(owner));
+              },
+              [this, row](void* owner, const QVariant& chosen) {
+                  auto& text = row.field.as<std::string>(owner);
+                  if (std::string value = chosen.toString().toStdString(); value != text) {
+                      text = std::move(value);
+                      if (isInput(row.field)) {
+                          beginValues(row.table, owner, m_draft.projectAt(row.path));
+                      }
+                  }
+              },
+              [](const QVariant& path) { return inputLocation(path.toString().toStdString()); }}));
 }
 
 /// A zone, a section, or none.
@@ -398,22 +388,20 @@ QWidget* LessonForm::placeOf(const Row& row) {
         const int place = project.operation->hasZones ? i : sectionsFrom + i;
         options.push_back({textOf(place), place});
     }
-    QWidget* const combo =
-        comboOf(row, options,
-                {[&of = row.field](const void* owner) {
-                     const int* const number = of.wholeNumber(owner);
-                     return number ? sectionsFrom + *number : of.getChoice(owner);
-                 },
-                 [&of = row.field](void* owner, const QVariant& chosen) {
-                     if (const int place = chosen.toInt(); place < sectionsFrom) {
-                         of.setChoice(owner, place);
-                     } else {
-                         of.setNumber(owner, place - sectionsFrom);
-                     }
-                 },
-                 textOf}); // of another kind of operation
-    combo->setToolTip({});
-    return combo;
+    return withoutHint(
+        choiceOf(row, {[options] { return options; },
+                       [&of = row.field](const void* owner) {
+                           const int* const number = of.wholeNumber(owner);
+                           return number ? sectionsFrom + *number : of.getChoice(owner);
+                       },
+                       [&of = row.field](void* owner, const QVariant& chosen) {
+                           if (const int place = chosen.toInt(); place < sectionsFrom) {
+                               of.setChoice(owner, place);
+                           } else {
+                               of.setNumber(owner, place - sectionsFrom);
+                           }
+                       },
+                       textOf})); // of another kind of operation
 }
 
 /// The surfaces or the steps by their names.
@@ -449,7 +437,7 @@ QWidget* LessonForm::makeValue(const Subject& subject) {
         }
         return optionsOf(text, options);
     }
-    return value.number || inputOf(number) ? numberOf(number) : lineOf(text);
+    return StructForm::make(value.number || inputOf(number) ? number : text);
 }
 
 } // namespace sparkout

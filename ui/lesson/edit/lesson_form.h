@@ -27,18 +27,21 @@ protected:
     [[nodiscard]] QWidget* make(const Row& row) override;
     [[nodiscard]] NumberSpec specOf(const Row& row) const override;
     [[nodiscard]] Field described(const Row& row) const override;
-    [[nodiscard]] QString choiceName(const Field& field, std::size_t index) const override;
     [[nodiscard]] std::string decisiveValue(const Leaf& leaf) const override;
     void fillNewItem(const Field& list, void* owner) const override;
     [[nodiscard]] std::size_t leastItems(const Field& list) const override;
 
 private:
+    using Option = ChoiceEditor::Option;
+
     void addGoal(QFormLayout& form, const Subject& subject);
     void addVaried(QFormLayout& form, const Subject& subject);
     void addTexts(QFormLayout& form, const Row& row);
     [[nodiscard]] QWidget* makeValue(const Subject& subject);
     [[nodiscard]] QWidget* optionsOf(const Row& row, const std::vector<Option>& options);
     [[nodiscard]] QWidget* placeOf(const Row& row);
+    /// Names of choices that the table does not have; none: it has them.
+    [[nodiscard]] static std::vector<Option> namesOf(const Field& field);
     [[nodiscard]] std::vector<Option> optionsFor(const Row& row) const; ///< of a text; none: any
     [[nodiscard]] std::vector<Option> numberedFor(const Row& row) const;
     /// The input of the project that a number of the lesson is a value of.

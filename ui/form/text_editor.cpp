@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/inputs/editors/text_editor.h"
+#include "ui/form/text_editor.h"
 
 #include "core/format/project_file.h"
-#include "ui/kit/font_size.h"
-#include "ui/session/document.h"
 
 #include <QEvent>
 #include <QLocale>
 #include <QSignalBlocker>
+#include <QTextCursor>
+
+#include <algorithm>
+#include <cmath>
 
 namespace sparkout {
 
@@ -17,15 +19,16 @@ constexpr int longestLine = 20'000; // in UTF-8 still below the limit of a file
 
 } // namespace
 
-TextEditor::TextEditor(const std::string& path, const Field& field, Document& document,
+TextEditor::TextEditor(const std::string& path, const Field& field, FormModel& model,
                        QWidget* parent)
-    : FieldEditor(path, field, document), m_line(new QLineEdit(parent)) {
-    m_line->setMaxLength(longestLine);
+    : FieldEditor(path, field, model), m_line(new QLineEdit(parent)) {
+    m_line->setMaxLength(std::isfinite(field.hard.high) ? static_cast<int>(field.hard.high)
+                                                        : longestLine);
     m_line->installEventFilter(this);
     connect(m_line, &QLineEdit::textEdited, this, [this](const QString& text) {
         change([this, &text](void* to) { this->field().as<std::string>(to) = text.toStdString(); });
     });
-    connect(m_line, &QLineEdit::editingFinished, this, [this] { this->document().endMerge(); });
+    connect(m_line, &QLineEdit::editingFinished, this, [this] { this->model().endMerge(); });
 }
 
 void TextEditor::show(bool) {
@@ -36,11 +39,10 @@ void TextEditor::show(bool) {
     }
 }
 
-NotesEditor::NotesEditor(const std::string& path, const Field& field, Document& document,
+NotesEditor::NotesEditor(const std::string& path, const Field& field, FormModel& model,
                          QWidget* parent)
-    : FieldEditor(path, field, document), m_text(new QPlainTextEdit(parent)) {
+    : FieldEditor(path, field, model), m_text(new QPlainTextEdit(parent)) {
     m_text->setTabChangesFocus(true);
-    setTextLines(*m_text, 5, 10);
     m_text->installEventFilter(this);
     connect(m_text, &QPlainTextEdit::textChanged, this, &NotesEditor::take);
 }
@@ -49,8 +51,16 @@ QString NotesEditor::stored() const {
     return QString::fromStdString(field().as<std::string>(owner()));
 }
 
+/// With the spaces that do not break, which toPlainText() makes plain ones.
+QString NotesEditor::typed() const {
+    return m_text->document()
+        ->toRawText()
+        .replace(QChar::ParagraphSeparator, u'\n')
+        .replace(QChar::LineSeparator, u'\n');
+}
+
 void NotesEditor::take() {
-    const std::string text = m_text->toPlainText().toStdString();
+    const std::string text = typed().toStdString();
     if (text.size() > limits::stringBytes) {
         m_kept = stored();
         refuse(tooLong(text.size()));
@@ -89,21 +99,25 @@ void NotesEditor::show(bool replaced) {
         return; // the refused text stays in sight
     }
     refuse({});
-    if (m_text->toPlainText() != text) {
+    if (typed() != text) {
         const QSignalBlocker quiet(m_text);
+        QTextCursor cursor = m_text->textCursor();
+        const int place = cursor.position();
         m_text->setPlainText(text);
+        cursor.setPosition(std::min(place, m_text->document()->characterCount() - 1));
+        m_text->setTextCursor(cursor);
     }
 }
 
 void NotesEditor::retranslate() {
     if (!m_refused.isEmpty()) {
-        m_refused = tooLong(std::size_t(m_text->toPlainText().toUtf8().size()));
+        m_refused = tooLong(std::size_t(typed().toUtf8().size()));
     }
 }
 
 bool NotesEditor::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::FocusOut) {
-        document().endMerge();
+        model().endMerge();
     }
     return FieldEditor::eventFilter(watched, event);
 }

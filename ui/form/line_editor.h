@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/inputs/editors/field_editor.h"
+#include "ui/form/field_editor.h"
 #include "ui/tables/pasted_cells.h"
 
 namespace sparkout {
@@ -9,12 +9,12 @@ namespace sparkout {
 class CellsLineEdit;
 
 /// A member of several numbers in one line of text. An unreadable text stays, marked with its
-/// reason, while the document keeps the last valid value.
+/// reason, while the model keeps the last valid value.
 class LineEditor : public FieldEditor {
     Q_OBJECT
 
 public:
-    LineEditor(const std::string& path, const Field& field, Document& document, QWidget* parent);
+    LineEditor(const std::string& path, const Field& field, FormModel& model, QWidget* parent);
 
     [[nodiscard]] QWidget* widget() const override;
     void show(bool replaced) override;
@@ -26,10 +26,10 @@ public:
     [[nodiscard]] bool tall() const override { return true; }
 
 protected:
-    [[nodiscard]] virtual QString storedText() const = 0; ///< text of the document's value
-    /// Whether a text means the document's value.
+    [[nodiscard]] virtual QString storedText() const = 0; ///< text of the model's value
+    /// Whether a text means the model's value.
     [[nodiscard]] virtual bool isStored(const QString& text) const = 0;
-    /// Passes a text to the document, or returns the reason for refusing it.
+    /// Passes a text to the model, or returns the reason for refusing it.
     [[nodiscard]] virtual QString accept(const QString& text) = 0;
     /// The text for several pasted cells, or why they are invalid.
     struct CellsText {
@@ -47,7 +47,7 @@ private:
     CellsLineEdit* m_line;
     QString m_notPasted; ///< why cells were refused, until the next action
     QString m_refused;   ///< why the text was refused; empty: accepted
-    QString m_kept;      ///< the document's value when that happened
+    QString m_kept;      ///< the model's value when that happened
 };
 
 } // namespace sparkout

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/inputs/editors/line_editor.h"
+#include "ui/form/line_editor.h"
 
 #include <optional>
 #include <vector>
@@ -14,7 +14,8 @@ class NumbersEditor : public LineEditor {
     Q_OBJECT
 
 public:
-    using LineEditor::LineEditor;
+    NumbersEditor(const std::string& path, const Field& field, FormModel& model, QWidget* parent,
+                  SpecOf spec = {});
     [[nodiscard]] bool wide() const override { return !*field().unit; }
     [[nodiscard]] bool empty() const override { return stored() == Levels(); }
 
@@ -32,6 +33,9 @@ private:
     /// The reason for refusing a value; empty if it is accepted.
     [[nodiscard]] QString fault(const Levels& levels) const;
     [[nodiscard]] QString grammar() const;
+    [[nodiscard]] QString joined(const std::vector<double>& values) const;
+
+    SpecOf m_spec;
 };
 
 } // namespace sparkout

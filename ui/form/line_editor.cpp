@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/inputs/editors/line_editor.h"
+#include "ui/form/line_editor.h"
 
 #include "ui/fields/cells_line_edit.h"
-#include "ui/session/document.h"
 #include "ui/text/texts.h"
 
 namespace sparkout {
 
-LineEditor::LineEditor(const std::string& path, const Field& field, Document& document,
+LineEditor::LineEditor(const std::string& path, const Field& field, FormModel& model,
                        QWidget* parent)
-    : FieldEditor(path, field, document), m_line(new CellsLineEdit(parent)) {
+    : FieldEditor(path, field, model), m_line(new CellsLineEdit(parent)) {
     m_line->installEventFilter(this);
     m_line->setTakesCells([this](const PastedCells& cells) { takeCells(cells); });
-    connect(&document, &Document::saved, this, &LineEditor::forgetPaste);
+    connect(&model, &FormModel::saved, this, &LineEditor::forgetPaste);
     connect(m_line, &QLineEdit::textEdited, this, &LineEditor::take);
     connect(m_line, &QLineEdit::editingFinished, this, [this] {
-        this->document().endMerge();
+        this->model().endMerge();
         emit remarkChanged();
     });
 }
@@ -31,9 +30,9 @@ void LineEditor::take() {
 
 void LineEditor::takeCells(const PastedCells& cells) {
     const CellsText meant = textOf(cells);
-    document().endMerge();
+    model().endMerge();
     m_notPasted = meant.fault.isEmpty() ? accept(meant.text) : meant.fault;
-    document().endMerge();
+    model().endMerge();
     if (m_notPasted.isEmpty()) {
         m_line->setText(meant.text);
         refuse({});

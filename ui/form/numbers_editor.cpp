@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/inputs/editors/numbers_editor.h"
+#include "ui/form/numbers_editor.h"
 
-#include "ui/inputs/editors/pasted_numbers.h"
+#include "ui/form/pasted_numbers.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
@@ -9,18 +9,11 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <utility>
 
 namespace sparkout {
 
 namespace {
-
-QString joinedNumbers(const std::vector<double>& values) {
-    QStringList texts;
-    for (const double value : values) {
-        texts += showNumber(value, QLocale());
-    }
-    return texts.join(QStringLiteral("; "));
-}
 
 /// "from…to step s", written in either language, with … or dots or a dash between.
 std::optional<SteppedLevels> steppedIn(const QString& text) {
@@ -36,6 +29,25 @@ std::optional<SteppedLevels> steppedIn(const QString& text) {
 }
 
 } // namespace
+
+NumbersEditor::NumbersEditor(const std::string& path, const Field& field, FormModel& model,
+                             QWidget* parent, SpecOf spec)
+    : LineEditor(path, field, model, parent), m_spec(spec ? std::move(spec) : SpecOf([&field] {
+        NumberSpec own;
+        own.hard = field.stated();
+        own.unit = field.unit;
+        own.optional = field.kind != Kind::numberList;
+        return own;
+    })) {}
+
+QString NumbersEditor::joined(const std::vector<double>& values) const {
+    const ShownScale scale = m_spec().scale;
+    QStringList texts;
+    for (const double value : values) {
+        texts += showNumber(scale.shown(value), QLocale());
+    }
+    return texts.join(QStringLiteral("; "));
+}
 
 Levels NumbersEditor::stored() const {
     switch (field().kind) {
@@ -68,25 +80,26 @@ QString NumbersEditor::storedText() const {
                  showNumber(stepped->step, QLocale()));
     }
     const auto* list = std::get_if<std::vector<double>>(&levels);
-    return list ? joinedNumbers(*list) : QString();
+    return list ? joined(*list) : QString();
 }
 
 std::optional<Levels> NumbersEditor::read(const QString& text) const {
     if (text.trimmed().isEmpty()) {
-        return field().kind == Kind::numberList ? std::nullopt : std::optional(Levels());
+        return m_spec().optional ? std::optional(Levels()) : std::nullopt;
     }
     if (field().kind == Kind::levels) {
         if (const auto stepped = steppedIn(text)) {
             return Levels(*stepped);
         }
     }
+    const ShownScale scale = m_spec().scale;
     std::vector<double> list;
     for (const QString& part : text.split(u';', Qt::SkipEmptyParts)) {
         const std::optional<double> value = parseNumber(part);
         if (!value) {
             return std::nullopt;
         }
-        list.push_back(*value);
+        list.push_back(scale.kept(*value));
     }
     return field().count > 0 && list.size() != field().count ? std::nullopt
                                                              : std::optional(Levels(list));
@@ -117,12 +130,13 @@ QString NumbersEditor::fault(const Levels& levels) const {
     } else if (const auto* list = std::get_if<std::vector<double>>(&levels)) {
         values = *list;
     }
-    const Range& range = field().stated();
+    const NumberSpec spec = m_spec();
     const auto outside =
-        std::ranges::find_if(values, [&range](double value) { return !range.contains(value); });
+        std::ranges::find_if(values, [&spec](double value) { return !spec.hard.contains(value); });
     if (outside != values.end()) {
         return tr("%1: allowed is %2")
-            .arg(printedNumber(*outside), rangeShown(range, field().unit));
+            .arg(printedNumber(spec.scale.shown(*outside)),
+                 rangeShown(spec.scale.shown(spec.hard), spec.unit));
     }
     return fits([this, &levels](void* to) { put(levels, to); })
                ? QString()
@@ -130,8 +144,12 @@ QString NumbersEditor::fault(const Levels& levels) const {
 }
 
 NumbersEditor::CellsText NumbersEditor::textOf(const PastedCells& cells) const {
-    const PastedNumbers numbers(cells, field().stated(), field().unit);
-    return {joinedNumbers(numbers.inOrder()), numbers.fault()};
+    const NumberSpec spec = m_spec();
+    const PastedNumbers numbers(cells, spec.scale.shown(spec.hard), spec.unit);
+    std::vector<double> values = numbers.inOrder();
+    std::ranges::transform(values, values.begin(),
+                           [&spec](double value) { return spec.scale.kept(value); });
+    return {joined(values), numbers.fault()};
 }
 
 QString NumbersEditor::accept(const QString& text) {

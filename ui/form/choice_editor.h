@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/inputs/editors/field_editor.h"
+#include "ui/form/field_editor.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QVariant>
+
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace sparkout {
 
@@ -19,12 +24,27 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 };
 
-/// An editor of an enumeration.
+/// An editor of a value that is one of several.
 class ChoiceEditor : public FieldEditor {
     Q_OBJECT
 
 public:
-    ChoiceEditor(const std::string& path, const Field& field, Document& document, QWidget* parent);
+    struct Option {
+        QString text;
+        QVariant value;
+    };
+    /// What is offered, how the value is read and set, and the text of one that is not offered.
+    struct Choosing {
+        std::function<std::vector<Option>()> options;
+        std::function<QVariant(const void* owner)> get;
+        std::function<void(void* owner, const QVariant& chosen)> put;
+        std::function<QString(const QVariant& value)> text = {};
+    };
+    /// The choices of an enumeration.
+    [[nodiscard]] static Choosing choicesOf(const Field& field);
+
+    ChoiceEditor(const std::string& path, const Field& field, FormModel& model, QWidget* parent,
+                 Choosing by);
 
     [[nodiscard]] QWidget* widget() const override { return m_box; }
     void show(bool replaced) override;
@@ -32,9 +52,8 @@ public:
     [[nodiscard]] bool wide() const override { return true; }
 
 private:
-    void fill();
-
-    StillComboBox* m_box;
+    Choosing m_by;
+    QComboBox* m_box;
 };
 
 /// Yes or no.
@@ -42,7 +61,7 @@ class BooleanEditor : public FieldEditor {
     Q_OBJECT
 
 public:
-    BooleanEditor(const std::string& path, const Field& field, Document& document, QWidget* parent);
+    BooleanEditor(const std::string& path, const Field& field, FormModel& model, QWidget* parent);
 
     [[nodiscard]] QWidget* widget() const override { return m_box; }
     void show(bool replaced) override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/inputs/editors/pasted_numbers.h"
+#include "ui/form/pasted_numbers.h"
 
 #include "ui/text/texts.h"
 

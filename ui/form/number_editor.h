@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/fields/number_field.h"
-#include "ui/inputs/editors/field_editor.h"
+#include "ui/form/field_editor.h"
 
 namespace sparkout {
 
@@ -13,7 +12,8 @@ class NumberEditor : public FieldEditor {
     Q_OBJECT
 
 public:
-    NumberEditor(const std::string& path, const Field& field, Document& document, QWidget* parent);
+    NumberEditor(const std::string& path, const Field& field, FormModel& model, QWidget* parent,
+                 SpecOf spec = {});
 
     [[nodiscard]] QWidget* widget() const override { return m_field; }
     [[nodiscard]] QWidget* slider() const override;
@@ -30,6 +30,7 @@ private:
     void store(std::optional<double> value);
     void addSlider(QWidget* parent);
 
+    SpecOf m_spec;
     NumberField* m_field;
     ValueSlider* m_slider = nullptr;
 };

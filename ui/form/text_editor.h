@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/inputs/editors/field_editor.h"
+#include "ui/form/field_editor.h"
 
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -13,7 +13,7 @@ class TextEditor : public FieldEditor {
     Q_OBJECT
 
 public:
-    TextEditor(const std::string& path, const Field& field, Document& document, QWidget* parent);
+    TextEditor(const std::string& path, const Field& field, FormModel& model, QWidget* parent);
 
     [[nodiscard]] QWidget* widget() const override { return m_line; }
     void show(bool replaced) override;
@@ -29,7 +29,7 @@ class NotesEditor : public FieldEditor {
     Q_OBJECT
 
 public:
-    NotesEditor(const std::string& path, const Field& field, Document& document, QWidget* parent);
+    NotesEditor(const std::string& path, const Field& field, FormModel& model, QWidget* parent);
 
     [[nodiscard]] QWidget* widget() const override { return m_text; }
     void show(bool replaced) override;
@@ -48,10 +48,11 @@ private:
     void refuse(const QString& reason);
     [[nodiscard]] static QString tooLong(std::size_t bytes);
     [[nodiscard]] QString stored() const;
+    [[nodiscard]] QString typed() const;
 
     QPlainTextEdit* m_text;
     QString m_refused; ///< why the shown text was refused; empty: accepted
-    QString m_kept;    ///< the document's text when that happened
+    QString m_kept;    ///< the model's text when that happened
 };
 
 } // namespace sparkout

@@ -1,44 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/field.h"
-#include "ui/fields/mark.h"
+#include "ui/fields/number_field.h"
+#include "ui/form/form_model.h"
 
 #include <QObject>
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
-
-class QWidget;
 
 namespace sparkout {
 
-class Document;
-
-/// Shows one member of the project and passes edits to the document.
+/// One row of a form: shows a member of a model, checks what is typed and passes it on.
 class FieldEditor : public QObject {
     Q_OBJECT
 
 public:
-    FieldEditor(std::string path, const Field& field, Document& document);
+    FieldEditor(std::string path, const Field& field, FormModel& model);
 
     [[nodiscard]] const std::string& path() const { return m_path; }
     [[nodiscard]] const Field& field() const { return m_field; }
 
     [[nodiscard]] virtual QWidget* widget() const = 0;
     [[nodiscard]] virtual QWidget* slider() const { return nullptr; } ///< below the widget
-    virtual void show(bool replaced) = 0; ///< the document's value; replaced: drop refused texts
+    virtual void show(bool replaced) = 0; ///< the model's value; replaced: drop refused texts
     virtual void retranslate() = 0;
     [[nodiscard]] virtual Remark remark() const { return m_issue; }
     [[nodiscard]] virtual QString refusal() const { return {}; } ///< reason of a refused text
-    virtual void dropRefusal() {}                                ///< restores the document's value
+    virtual void dropRefusal() {}                                ///< restores the model's value
     virtual void setIssue(const Remark& issue);
     [[nodiscard]] virtual bool wide() const { return false; }  ///< also covers the unit's column
     [[nodiscard]] virtual bool tall() const { return false; }  ///< whether it is below its label
     [[nodiscard]] virtual bool empty() const { return false; } ///< whether the value is not given
 
+    /// Gives the widget the path as its name, a name for screen readers, and its hint as rich and
+    /// as plain text.
+    void describe(const QString& name, const QString& hint, const QString& plain);
     [[nodiscard]] bool changedFromDefault() const;
     void resetToDefault(); ///< as a step of the history
 
@@ -46,27 +44,31 @@ signals:
     void remarkChanged();
 
 protected:
-    /// Undo and redo belong to the document, not to a watched widget.
+    /// Undo and redo belong to the history, not to a watched widget; the wheel scrolls the page and
+    /// changes no choice.
     bool eventFilter(QObject* watched, QEvent* event) override;
-    /// Changes the member in a copy of the project and passes it to the document.
-    void change(const std::function<void(void* owner)>& set);
+    void change(const FormModel::Change& set) { m_model.change(m_path, set, true); }
     /// Whether the change would violate no rule that is currently met.
-    [[nodiscard]] bool fits(const std::function<void(void* owner)>& set) const;
-    [[nodiscard]] const void* owner() const; ///< the struct with the member
-    [[nodiscard]] Document& document() const { return m_document; }
+    [[nodiscard]] bool fits(const FormModel::Change& set) const {
+        return m_model.fits(m_path, set);
+    }
+    /// The struct with the member.
+    [[nodiscard]] const void* owner() const { return m_model.ownerOf(m_path); }
+    [[nodiscard]] FormModel& model() const { return m_model; }
 
 private:
-    [[nodiscard]] std::optional<Project>
-    changedProject(const std::function<void(void* owner)>& set) const;
-
     std::string m_path;
     const Field& m_field;
-    Document& m_document;
+    FormModel& m_model;
     Remark m_issue;
 };
 
+/// The allowed numbers of a row where they are not those of its table.
+using SpecOf = std::function<NumberSpec()>;
+
 /// The editor of a row by its kind; null for kinds without one.
 [[nodiscard]] std::unique_ptr<FieldEditor> makeEditor(const std::string& path, const Field& field,
-                                                      Document& document, QWidget* parent);
+                                                      FormModel& model, QWidget* parent,
+                                                      const SpecOf& spec = {});
 
 } // namespace sparkout
