@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace sparkout {
 
@@ -60,5 +62,99 @@ Indirect<T>& Indirect<T>::operator=(Indirect&&) noexcept = default;
 
 template <class T>
 Indirect<T>::~Indirect() = default;
+
+/// An optional T on the heap, for a member whose type is only declared: an Indirect that may be
+/// empty. It is a value: copied and const with its owner. `extern template class Indirect<T>;` also
+/// suffices for it.
+template <class T>
+class OptionalIndirect {
+public:
+    using value_type = T;
+
+    OptionalIndirect() = default; ///< empty
+    OptionalIndirect(const OptionalIndirect& other) = default;
+    OptionalIndirect(OptionalIndirect&& other) noexcept ///< which is empty afterwards
+        : m_value(std::exchange(other.m_value, std::nullopt)) {}
+    OptionalIndirect& operator=(const OptionalIndirect& other) = default;
+    OptionalIndirect& operator=(OptionalIndirect&& other) noexcept { ///< which is empty afterwards
+        m_value = std::exchange(other.m_value, std::nullopt);
+        return *this;
+    }
+    OptionalIndirect& operator=(T value) {
+        (m_value ? **m_value : emplace()) = std::move(value);
+        return *this;
+    }
+    OptionalIndirect& operator=(std::nullopt_t) noexcept {
+        reset();
+        return *this;
+    }
+    ~OptionalIndirect() = default;
+
+    /// Replaces the contents by a value with T's default initialisers.
+    T& emplace() { return *m_value.emplace(); }
+    void reset() noexcept { m_value.reset(); }
+
+    [[nodiscard]] bool has_value() const { return m_value.has_value(); }
+    [[nodiscard]] explicit operator bool() const { return has_value(); }
+    [[nodiscard]] T& operator*() & { return **m_value; }
+    [[nodiscard]] const T& operator*() const& { return **m_value; }
+    [[nodiscard]] T* operator->() & { return &**this; }
+    [[nodiscard]] const T* operator->() const& { return &**this; }
+    const T& operator*() const&& = delete; // prevents references into a temporary
+    const T* operator->() const&& = delete;
+    [[nodiscard]] T value_or(T other) const { return m_value ? **m_value : std::move(other); }
+
+private:
+    std::optional<Indirect<T>> m_value;
+};
+
+/// An optional T whose copies share one T until one of them is modified: for large, rarely changed
+/// values. It is a value: const with its owner, and a change of one copy does not affect another.
+/// Non-const access counts as modification, so read through a const object; a pointer obtained for
+/// writing is valid until the next copy.
+///
+/// Like Indirect, T may be only declared, with `extern template class OptionalShared<T>;`.
+template <class T>
+class OptionalShared {
+public:
+    using value_type = T;
+
+    OptionalShared() = default; ///< empty
+
+    /// Replaces the contents by a value with T's default initialisers.
+    T& emplace();
+    void reset() noexcept { m_value.reset(); }
+
+    [[nodiscard]] bool has_value() const { return m_value != nullptr; }
+    [[nodiscard]] explicit operator bool() const { return has_value(); }
+    [[nodiscard]] T& operator*() &;
+    [[nodiscard]] const T& operator*() const& { return *m_value; }
+    [[nodiscard]] T* operator->() & { return &**this; }
+    [[nodiscard]] const T* operator->() const& { return m_value.get(); }
+    const T& operator*() const&& = delete; // prevents references into a temporary
+    const T* operator->() const&& = delete;
+
+    /// Whether both are empty, or share one value.
+    [[nodiscard]] bool isSharedWith(const OptionalShared& other) const {
+        return m_value == other.m_value;
+    }
+
+private:
+    std::shared_ptr<T> m_value; // null: empty
+};
+
+template <class T>
+T& OptionalShared<T>::emplace() {
+    m_value = std::make_shared<T>();
+    return *m_value;
+}
+
+template <class T>
+T& OptionalShared<T>::operator*() & {
+    if (m_value.use_count() > 1) {
+        m_value = std::make_shared<T>(*m_value);
+    }
+    return *m_value;
+}
 
 } // namespace sparkout

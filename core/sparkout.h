@@ -5,9 +5,7 @@
 // and judging cycles, stocks, remedies, batches, sweeps and searches; reading, judging and fitting
 // measurements, and designing trials; and set-ups with several ground surfaces.
 
-#include "core/adequacy/adequacy_outputs.h"
-#include "core/batch/batch_check.h"
-#include "core/batch/batch_json.h"
+#include "core/adequacy/adequacy.h"
 #include "core/batch/batch_outputs.h"
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_summary.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "words/result_schema.h"
 
-#include "core/adequacy/adequacy_outputs.h"
+#include "core/adequacy/adequacy.h"
 #include "core/batch/batch_outputs.h"
 #include "core/dressing/dressing_json.h"
 #include "core/format/strict_json.h"

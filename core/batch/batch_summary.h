@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/batch/batch_run.h"
-#include "core/batch/moments.h"
+#include "core/batch/batch_statistics.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/normality.h"
 

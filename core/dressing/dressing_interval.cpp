@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dressing/dressing_interval.h"
 
-#include "core/batch/batch_check.h"
+#include "core/batch/batch_run.h"
 #include "core/batch/scenario_source.h"
 #include "core/dressing/part_cost.h"
 #include "core/dressing/worn_parts.h"

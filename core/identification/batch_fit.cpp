@@ -2,7 +2,7 @@
 #include "core/identification/batch_fit.h"
 
 #include "core/adequacy/measured_statistics.h"
-#include "core/batch/moments.h"
+#include "core/batch/batch_statistics.h"
 #include "core/identification/cycle_response.h"
 #include "core/identification/fit_problem.h"
 #include "core/identification/sizes_over_phases.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification.h"
 
-#include "core/batch/moments.h"
+#include "core/batch/batch_statistics.h"
 #include "core/identification/applicable.h"
 #include "core/identification/batch_fit.h"
 #include "core/identification/calibration.h"

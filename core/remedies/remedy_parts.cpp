@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/remedies/remedy_parts.h"
 
-#include "core/batch/batch_check.h"
+#include "core/batch/batch_run.h"
 #include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
 #include "core/phases/cycle_trial.h"

@@ -2,7 +2,6 @@
 // The laws of Indirect and OptionalIndirect: values that stand apart from their owner.
 #include "core/format/difference.h"
 #include "core/indirect.h"
-#include "core/optional_indirect.h"
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: unsanitized
-#include "core/batch/batch_json.h"
+#include "core/batch/batch_outputs.h"
 #include "core/batch/batch_run.h"
 #include "core/course/work_file.h"
 #include "core/format/project_file.h"
