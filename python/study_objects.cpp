@@ -3,9 +3,8 @@
 
 #include "core/course/work_file.h"
 #include "core/deadline_stop.h"
-#include "core/files/file_step_text.h"
 #include "core/files/file_system.h"
-#include "core/format/today.h"
+#include "core/files/safe_file.h"
 #include "core/identification/calibration.h"
 #include "core/lesson/lesson_file.h"
 #include "core/optimisation/search_names.h"

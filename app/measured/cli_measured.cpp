@@ -12,7 +12,6 @@
 #include "core/adequacy/adequacy.h"
 #include "core/batch/batch_run.h"
 #include "core/files/file_system.h"
-#include "core/format/today.h"
 #include "core/identification/calibration.h"
 #include "core/identification/hold_out.h"
 #include "core/identification/identification.h"

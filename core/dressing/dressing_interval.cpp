@@ -3,20 +3,52 @@
 
 #include "core/batch/batch_run.h"
 #include "core/batch/scenario_source.h"
-#include "core/dressing/part_cost.h"
-#include "core/dressing/worn_parts.h"
+#include "core/project/batch.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
+#include "core/setup/setup.h"
+#include "core/setup/setup_run.h"
 #include "core/setup/surface_wear.h"
 #include "core/simulation/simulate.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace sparkout {
 
 namespace {
+
+/// The wheel of a set-up between two dressings [MODEL-12]. At part n it has removed n − 1 times the
+/// removal of all cycles of the first part, as simulated, plus that of the part's earlier surfaces.
+class WornParts {
+public:
+    /// For a set-up with the run of its first part after dressing.
+    WornParts(const Setup& setup, const SetupRun& first) : m_wear(setup.wear) {
+        for (const SurfaceRun& surface : first.surfaces) {
+            m_before.push_back(m_part);
+            m_part += surface.removed();
+        }
+    }
+
+    [[nodiscard]] double partVolume_mm3() const { return m_part.volume_mm3; }
+    /// Wears the dressed wheel of a project to its state at a surface of a part, from 1.
+    void wear(Project& dressed, std::size_t surface, std::int64_t part) const {
+        wearWheel(dressed, m_wear, m_before[surface] + static_cast<double>(part - 1) * m_part);
+    }
+    /// Whether the wheel no longer changes from this part on.
+    [[nodiscard]] bool isWornOut(const Wheel& dressed, std::int64_t part) const {
+        return sparkout::isWornOut(dressed, m_wear, static_cast<double>(part - 1) * m_part);
+    }
+
+private:
+    WheelWear m_wear;
+    RemovedMetal m_part;                ///< metal removed by all surfaces
+    std::vector<RemovedMetal> m_before; ///< metal removed by the earlier surfaces of each
+};
 
 /// A surface, nominal or with a part of its batch.
 struct Case {
@@ -167,6 +199,35 @@ std::optional<BestInterval> bestInterval(const DressingInterval& interval, const
 }
 
 } // namespace
+
+std::optional<std::int64_t> partsBetweenDressings(const Project& project) {
+    if (!project.optimisation || !project.optimisation->cost) {
+        return std::nullopt;
+    }
+    const Cost& cost = *project.optimisation->cost;
+    if (cost.parts_between_dressings || !project.batch || !project.batch->factors.dullness) {
+        return cost.parts_between_dressings;
+    }
+    return project.batch->factors.dullness->parts_between_dressings;
+}
+
+double partCost(const Cost& cost, double time_s, std::optional<std::int64_t> parts) {
+    constexpr double secondsPerHour = 3600;
+    double charged_s = time_s + cost.handling_s, worn = 0;
+    if (parts) {
+        const auto count = static_cast<double>(*parts);
+        charged_s += cost.dressing_s / count;
+        worn = cost.dressing_cost / count;
+    }
+    return cost.machine_per_h / secondsPerHour * charged_s + worn;
+}
+
+std::optional<double> costPerPart(const Project& project, double time_s) {
+    if (!project.optimisation || !project.optimisation->cost) {
+        return std::nullopt;
+    }
+    return partCost(*project.optimisation->cost, time_s, partsBetweenDressings(project));
+}
 
 DressingInterval dressingInterval(const Setup& given, const DressingOptions& options) {
     const Setup setup = dressedSetup(given);

@@ -2,7 +2,7 @@
 #include "core/lesson/lesson_check.h"
 
 #include "core/format/strict_json.h"
-#include "core/format/struct_reader.h"
+#include "core/format/table_reader.h"
 #include "core/lesson/text_markup.h"
 #include "core/project/cycle.h"
 #include "core/project/leaves.h"

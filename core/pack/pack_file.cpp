@@ -3,7 +3,7 @@
 
 #include "core/catalogue/catalogue.h"
 #include "core/format/strict_json.h"
-#include "core/format/struct_reader.h"
+#include "core/format/table_reader.h"
 #include "core/lesson/lesson_json.h"
 
 #include <algorithm>

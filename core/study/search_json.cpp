@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/search_json.h"
 
-#include "core/dressing/part_cost.h"
+#include "core/dressing/dressing_interval.h"
 #include "core/format/output_json.h"
 #include "core/format/project_file.h"
 #include "core/optimisation/levels.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/search_outputs.h"
 
-#include "core/dressing/part_cost.h"
+#include "core/dressing/dressing_interval.h"
 #include "core/optimisation/levels.h"
 #include "core/optimisation/search_names.h"
 #include "core/project/optimisation.h"
