@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/course/variant.h"
-#include "core/lesson/answer.h"
+#include "core/lesson/goal.h"
 #include "core/lesson/lesson.h"
 #include "core/project/project.h"
 

@@ -5,7 +5,6 @@
 #include "core/batch/batch_statistics.h"
 #include "core/identification/cycle_response.h"
 #include "core/identification/fit_problem.h"
-#include "core/identification/sizes_over_phases.h"
 #include "core/process/profile.h"
 #include "core/project/measured.h"
 #include "core/project/part.h"

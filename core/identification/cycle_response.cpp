@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/cycle_response.h"
 
+#include "core/batch/characteristics.h"
+#include "core/batch/worker_pool.h"
+#include "core/phases/phase_decision.h"
 #include "core/process/force.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
@@ -15,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 
@@ -251,6 +255,43 @@ double valueAt(const std::vector<double>& times, const std::vector<double>& valu
                                                 - times.begin());
     const double share = (time - times[after - 1]) / (times[after] - times[after - 1]);
     return values[after - 1] + share * (values[after] - values[after - 1]);
+}
+
+SizesOverPhases sizesOverPhases(const Project& project, const CycleFactors& factors,
+                                const std::stop_token& stop) {
+    constexpr std::size_t stocks = 256;
+    const StockRange range = usualPhases(project);
+    const Project scaled = scaledProject(project, factors);
+    std::vector<std::vector<double>> found(stocks);
+    forEachIndex(workerCount(0), 0, static_cast<std::int64_t>(stocks), stop,
+                 [&](std::size_t, std::int64_t index) {
+                     Project part = scaled;
+                     part.part->stock_mm = range.from_mm
+                                           + (range.to_mm - range.from_mm)
+                                                 * (static_cast<double>(index) + 0.5) / stocks;
+                     const SimulationResult result = simulateUnchecked(part, nullptr, stop);
+                     if (result.status == RunStatus::completed) {
+                         for (const SectionResult& section : result.sections) {
+                             found[static_cast<std::size_t>(index)].push_back(
+                                 meanDeviation_um(section, part.part->diameter_mm));
+                         }
+                     }
+                     return true;
+                 });
+    std::erase_if(found, [](const std::vector<double>& one) { return one.empty(); });
+    SizesOverPhases sizes;
+    const auto count = static_cast<double>(found.size());
+    for (std::size_t i = 0; !found.empty() && i < found.front().size(); ++i) {
+        double sum = 0, squares = 0;
+        for (const std::vector<double>& one : found) {
+            sum += one[i];
+            squares += one[i] * one[i];
+        }
+        sizes.means_um.push_back(sum / count);
+        sizes.deviations_um.push_back(
+            std::sqrt(std::max(0.0, squares / count - sum / count * sum / count)));
+    }
+    return sizes;
 }
 
 } // namespace sparkout

@@ -2,10 +2,11 @@
 #include "core/identification/identification.h"
 
 #include "core/batch/batch_statistics.h"
-#include "core/identification/applicable.h"
 #include "core/identification/batch_fit.h"
 #include "core/identification/calibration.h"
+#include "core/identification/fit_data.h"
 #include "core/identification/fit_problem.h"
+#include "core/identification/fitted_parameter.h"
 #include "core/identification/levenberg_marquardt.h"
 #include "core/process/contact_compliance.h"
 #include "core/process/coupled_sections.h"
@@ -13,7 +14,6 @@
 #include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/statistics/comparison.h"
-#include "core/statistics/median.h"
 
 #include <Eigen/Dense>
 

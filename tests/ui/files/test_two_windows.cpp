@@ -6,7 +6,7 @@
 #include "core/course/work_seal.h"
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
-#include "core/pack/pack_file.h"
+#include "core/pack/pack.h"
 #include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/ui/support/dialog_answers.h"

@@ -7,7 +7,7 @@
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/text_markup.h"
-#include "core/pack/pack_file.h"
+#include "core/pack/pack.h"
 #include "core/project/part.h"
 #include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
