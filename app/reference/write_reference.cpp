@@ -4,7 +4,6 @@
 #include "core/files/safe_file.h"
 #include "core/reference/json_schema.h"
 #include "core/reference/lesson_page.h"
-#include "core/reference/lesson_schema.h"
 #include "core/reference/reference_page.h"
 #include "words/result_schema.h"
 

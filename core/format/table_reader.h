@@ -4,11 +4,11 @@
 #include "core/field.h"
 #include "core/issue.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstddef>
 #include <string>
 #include <vector>
-
-#include <nlohmann/json_fwd.hpp>
 
 namespace sparkout {
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/quality/requirement.h"
+#include "core/result.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace sparkout {
@@ -70,5 +72,8 @@ enum class Side { atLeast, atMost };
 /// The worst result of each kind, in the order of the kinds, as the command line lists them.
 [[nodiscard]] std::vector<ConstraintResult>
 worstByKind(const std::vector<ConstraintResult>& constraints);
+
+/// The result of a requirement for a cycle.
+[[nodiscard]] std::span<const Output<ConstraintResult>> requirementOutputs();
 
 } // namespace sparkout

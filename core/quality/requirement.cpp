@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/requirement.h"
 
+#include "core/process/force.h"
+#include "core/process/recipe_force.h"
 #include "core/project/member.h"
+#include "core/project/wheel.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/drawing_constraints.h"
-#include "core/quality/setting_constraints.h"
 #include "core/text.h"
 
 #include <algorithm>
@@ -14,6 +16,23 @@ namespace sparkout {
 namespace {
 
 constexpr RequirementDigits micrometreDigits{.printed = 3, .shown = 2};
+
+consteval bool standInOrder() {
+    for (std::size_t i = 0; i < requirementRows.size(); ++i) {
+        if (requirementRows[i].kind != static_cast<ConstraintKind>(i)) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(standInOrder(), "one row for each kind, in the order of the kinds");
+
+bool isGiven(const Project& project, const char* path) {
+    const ConstMember member = findMember(project, path);
+    return member.field->kind == Kind::optionalNumberList
+               ? member.field->as<std::optional<std::vector<double>>>(member.owner).has_value()
+               : numberIn(*member.field, member.owner).has_value();
+}
 
 } // namespace
 
@@ -288,27 +307,6 @@ constexpr std::array<Requirement, constraintKinds> requirementRows{{
      .evaluate = evaluateLeastSteps},
 }};
 
-namespace {
-
-consteval bool standInOrder() {
-    for (std::size_t i = 0; i < requirementRows.size(); ++i) {
-        if (requirementRows[i].kind != static_cast<ConstraintKind>(i)) {
-            return false;
-        }
-    }
-    return true;
-}
-static_assert(standInOrder(), "one row for each kind, in the order of the kinds");
-
-bool isGiven(const Project& project, const char* path) {
-    const ConstMember member = findMember(project, path);
-    return member.field->kind == Kind::optionalNumberList
-               ? member.field->as<std::optional<std::vector<double>>>(member.owner).has_value()
-               : numberIn(*member.field, member.owner).has_value();
-}
-
-} // namespace
-
 const Requirement* requirementNamed(std::string_view key) {
     const auto* const found = std::ranges::find(requirementRows, key, &Requirement::key);
     return found == requirementRows.end() ? nullptr : found;
@@ -331,6 +329,29 @@ std::string missingInput(const Requirement& row, const Project& project) {
 std::optional<double> statedLimit(const Requirement& row, const Project& project) {
     const ConstMember member = findMember(project, row.inputs.front());
     return numberIn(*member.field, member.owner);
+}
+
+std::vector<const Field*> estimatesBehind(const Project& project, ConstraintKind kind) {
+    const Requirement& row = requirementOf(kind);
+    if (row.scope == ConstraintScope::setting) {
+        return {};
+    }
+    static const Project any;
+    std::vector<const Field*> fields;
+    const auto add = [&fields](const char* path) { fields.push_back(findMember(any, path).field); };
+    const bool threshold = hasThreshold(project);
+    for (const char* path :
+         {threshold ? "/material/threshold_force_n_mm" : "/material/flow_stress_mpa",
+          threshold ? "/material/specific_force_mpa" : dullnessPath(*project.wheel),
+          "/machine/compliance_mm_per_n"}) {
+        add(path);
+    }
+    for (const char* path : row.estimates) {
+        if (path) {
+            add(path);
+        }
+    }
+    return fields;
 }
 
 } // namespace sparkout

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/issue.h"
-#include "core/setup/ground_surface.h"
+#include "core/project/project.h"
 #include "core/setup/setup_times.h"
 #include "core/setup/wheel_wear.h"
 
@@ -12,6 +12,12 @@
 #include <vector>
 
 namespace sparkout {
+
+/// One surface of a set-up: the project of its cycle, including what all surfaces share.
+struct GroundSurface {
+    std::string name; ///< empty in a file with one surface
+    Project project;
+};
 
 namespace limits {
 inline constexpr std::size_t surfaces = 20;

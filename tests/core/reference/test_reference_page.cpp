@@ -10,7 +10,6 @@
 #include "core/quality/result_json.h"
 #include "core/reference/json_schema.h"
 #include "core/reference/lesson_page.h"
-#include "core/reference/lesson_schema.h"
 #include "core/reference/reference_page.h"
 #include "core/remedies/remedies_json.h"
 #include "core/simulation/simulate.h"
