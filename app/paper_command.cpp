@@ -9,7 +9,7 @@
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "ui/report/course/course_papers.h"
 #include "ui/report/course/worksheet.h"
 #include "ui/report/format/report_text.h"

@@ -11,7 +11,7 @@
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 #include "core/statistics/intervals.h"
-#include "core/statistics/permutation.h"
+#include "core/statistics/philox.h"
 #include "core/version.h"
 
 #include <algorithm>

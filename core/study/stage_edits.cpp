@@ -4,6 +4,7 @@
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/machine_steps.h"
+#include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/trimmed.h"
 #include "core/units.h"
@@ -11,9 +12,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace sparkout {
 
@@ -30,6 +33,16 @@ bool isAlong(const Project& project, const Field& column) {
 }
 
 constexpr std::string_view blanks(" \u00a0");
+
+constexpr double sameStock_mm = 1e-9;
+
+double sumFrom(const std::vector<Stage>& stages, std::size_t first) {
+    double sum = 0;
+    for (std::size_t i = first; i < stages.size(); ++i) {
+        sum += stages[i].stock_mm;
+    }
+    return sum;
+}
 
 } // namespace
 
@@ -133,6 +146,28 @@ bool statesContinuousInfeed(const Project& project) {
     return std::ranges::any_of(project.cycle->stages, [](const Stage& stage) {
         return stage.continuous_feed_mm_min.has_value();
     });
+}
+
+bool stocksAddUp(const Project& project) {
+    return std::abs(sumFrom(project.cycle->stages, 0) - project.part->stock_mm) <= sameStock_mm;
+}
+
+Project withFittedStocks(Project project) {
+    auto& stages = project.cycle->stages;
+    if (stages.empty() || stocksAddUp(project)) {
+        return project;
+    }
+    const double stock_mm = project.part->stock_mm;
+    auto rest = stages.begin(); // gets the remainder
+    if (sumFrom(stages, 1) >= stock_mm) {
+        const double scale = stock_mm / sumFrom(stages, 0);
+        for (Stage& stage : stages) {
+            stage.stock_mm = tidyStock(stage.stock_mm * scale);
+        }
+        rest = std::ranges::max_element(stages, {}, &Stage::stock_mm); // it absorbs the rounding
+    }
+    rest->stock_mm = tidyStock(rest->stock_mm + stock_mm - sumFrom(stages, 0));
+    return project;
 }
 
 } // namespace sparkout

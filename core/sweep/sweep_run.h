@@ -99,4 +99,13 @@ void putSweptValues(Project& project, const std::vector<SweepAxis>& axes,
 /// it within a revolution of each thread and keeps the finished points.
 [[nodiscard]] SweepResult runSweep(const Project& project, const SweepOptions& options = {});
 
+/// A point with its quantities, before they are aligned with those of all points.
+struct MeasuredPoint {
+    SweepPoint point;
+    std::vector<SweepQuantity> quantities;
+};
+
+/// Everything a sweep reports of one run.
+[[nodiscard]] MeasuredPoint measurePoint(const SimulationResult& result);
+
 } // namespace sparkout

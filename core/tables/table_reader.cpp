@@ -2,8 +2,8 @@
 #include "core/tables/table_reader.h"
 
 #include "core/digits.h"
-#include "core/tables/column_unit.h"
 #include "core/tables/csv_line.h"
+#include "core/tables/table_cell.h"
 #include "core/trimmed.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "core/judgement/judgement.h"
 #include "core/setup/setup.h"
 #include "core/setup/worn_project.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "ui/session/newest_job.h"
 
 #include <QObject>

@@ -3,7 +3,7 @@
 #include "core/batch/scenario_source.h"
 #include "core/project/validate.h"
 #include "core/statistics/intervals.h"
-#include "core/statistics/permutation.h"
+#include "core/statistics/philox.h"
 #include "core/statistics/sobol_sequence.h"
 
 #include "core/cholesky.h"

@@ -5,7 +5,7 @@
 #include "core/batch/batch_verdict.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/result_json.h"
-#include "core/sweep/sweep_point.h"
+#include "core/sweep/sweep_run.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"

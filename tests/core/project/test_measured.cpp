@@ -7,7 +7,7 @@
 #include "core/project/number_input.h"
 #include "core/project/validate.h"
 #include "core/quality/run_summary.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"

@@ -14,7 +14,7 @@
 #include "core/remedies/remedies_json.h"
 #include "core/simulation/simulate.h"
 #include "core/study/search.h"
-#include "core/study/search_json.h"
+#include "core/study/search_outputs.h"
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"

@@ -15,7 +15,7 @@
 #include "core/quality/ranges.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "words/remedy_words.h"
 
 #include "tests/core/support/failing_projects.h"

@@ -12,7 +12,6 @@
 #include "core/quality/result_json.h"
 #include "core/study/measured_form.h"
 #include "core/study/operation.h"
-#include "core/study/operation_return.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 

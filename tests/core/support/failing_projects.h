@@ -12,7 +12,7 @@
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
 #include "core/remedies/remedies.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/core/support/random_project.h"
 
 #include <nlohmann/json.hpp>

@@ -9,7 +9,7 @@
 #include "core/project/cycle.h"
 #include "core/quality/run_summary.h"
 #include "core/setup/setup_file.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/ui/support/languages.h"
 #include "tests/ui/support/report_reading.h"
 #include "ui/report/course/lab_report.h"

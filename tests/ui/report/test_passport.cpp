@@ -8,7 +8,7 @@
 #include "core/project/leaves.h"
 #include "core/project/member.h"
 #include "core/study/batch_edits.h"
-#include "core/study/judged_outcome.h"
+#include "core/study/whole_batch.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
 #include "ui/measured/measured_text.h"

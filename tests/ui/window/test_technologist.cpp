@@ -10,7 +10,7 @@
 #include "core/project/cycle.h"
 #include "core/project/part.h"
 #include "core/setup/worn_project.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "core/study/whole_batch.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"

@@ -4,7 +4,6 @@
 #include "core/project/member.h"
 #include "core/project/part.h"
 #include "core/study/operation.h"
-#include "core/study/operation_return.h"
 #include "ui/inputs/editors/choice_editor.h"
 #include "ui/inputs/editors/number_editor.h"
 #include "ui/inputs/editors/numbers_editor.h"

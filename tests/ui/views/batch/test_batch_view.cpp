@@ -6,7 +6,7 @@
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
 #include "core/study/batch_edits.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 #include "tests/ui/support/examples.h"
