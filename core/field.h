@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/indirect.h"
-#include "core/samples.h"
 
 #include <array>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include "core/adequacy/adequacy.h"
 #include "core/batch/batch_outputs.h"
-#include "core/dressing/dressing_json.h"
+#include "core/dressing/dressing_interval.h"
 #include "core/format/strict_json.h"
 #include "core/phases/phases_json.h"
 #include "core/quality/constraints.h"
@@ -12,7 +12,7 @@
 #include "core/remedies/remedies_json.h"
 #include "core/setup/setup_run.h"
 #include "core/study/search_outputs.h"
-#include "core/sweep/sweep_json.h"
+#include "core/sweep/sweep_run.h"
 #include "words/judgement_json.h"
 #include "words/measured_json.h"
 

@@ -5,7 +5,6 @@
 #include "core/adequacy/prediction.h"
 #include "core/project/project.h"
 #include "core/result.h"
-#include "core/statistics/comparison.h"
 #include "core/statistics/intervals.h"
 
 #include <optional>

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace sparkout {
@@ -137,6 +138,16 @@ RankScores ScenarioSource::scores(const std::vector<double>& values) const {
         scores[f] = static_cast<std::int32_t>(std::lround(std::ldexp(centred, rankScoreBits)));
     }
     return scores;
+}
+
+Project withFreshParts(Project project, int draw, int count) {
+    constexpr unsigned mostSeed = std::numeric_limits<int>::max(), apart = 1'000'003;
+    Batch& batch = *project.batch;
+    const unsigned seed = static_cast<unsigned>(batch.seed) + apart * static_cast<unsigned>(draw);
+    batch.seed = static_cast<int>(seed & mostSeed);
+    batch.scenarios = Scenarios::random;
+    batch.parts = count;
+    return project;
 }
 
 } // namespace sparkout

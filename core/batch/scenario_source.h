@@ -3,6 +3,7 @@
 
 #include "core/batch/factor_law.h"
 #include "core/project/batch.h"
+#include "core/project/project.h"
 #include "core/statistics/value_bins.h"
 
 #include <cstdint>
@@ -72,5 +73,13 @@ private:
     bool m_isSample = true;
     bool m_hasLaw = false;
 };
+
+/// Parts drawn for the last test of a cycle: if none of them is bad, at most mostFailing() of all
+/// are, with 95 % confidence.
+inline constexpr int freshPartCount = 500;
+
+/// The project with a batch of so many parts, drawn at random and independently; each `draw` from 1
+/// on gives different parts, and none gives those of the batch itself.
+[[nodiscard]] Project withFreshParts(Project project, int draw, int count = freshPartCount);
 
 } // namespace sparkout

@@ -5,6 +5,7 @@
 #include "core/project/batch.h"
 #include "core/project/project.h"
 #include "core/quality/constraints.h"
+#include "core/result.h"
 #include "core/setup/setup.h"
 #include "core/simulation/result.h"
 
@@ -12,7 +13,9 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 /// The number of parts that a wheel grinds between two dressings, and the best number.
@@ -106,5 +109,25 @@ struct BestInterval {
 /// The cheapest interval by partCost() of the mean time.
 [[nodiscard]] std::optional<BestInterval> cheapestInterval(const DressingInterval& interval,
                                                            const Cost& cost);
+
+/// The quickest and the cheapest interval between dressings; neither without rates of cost.
+struct BestIntervals {
+    std::optional<BestInterval> quickest, cheapest;
+};
+[[nodiscard]] BestIntervals bestIntervals(const Setup& setup, const DressingInterval& interval);
+
+/// The part that ends an interval.
+struct WornFailureOf {
+    const Setup& setup;
+    const WornFailure& failure;
+};
+
+[[nodiscard]] std::span<const Output<DressingInterval>> dressingOutputs();
+[[nodiscard]] std::span<const Output<WornFailureOf>> wornFailureOutputs();
+[[nodiscard]] std::span<const Output<BestInterval>> quickestIntervalOutputs();
+[[nodiscard]] std::span<const Output<BestInterval>> cheapestIntervalOutputs();
+
+/// The object of `dressing --json`.
+[[nodiscard]] std::string dressingJson(const Setup& setup, const DressingInterval& interval);
 
 } // namespace sparkout

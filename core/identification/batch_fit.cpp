@@ -8,7 +8,7 @@
 #include "core/process/profile.h"
 #include "core/project/measured.h"
 #include "core/project/part.h"
-#include "core/statistics/comparison.h"
+#include "core/statistics/intervals.h"
 #include "core/units.h"
 
 #include <Eigen/Dense>

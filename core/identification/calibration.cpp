@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/calibration.h"
 
-#include "core/identification/scaled_project.h"
+#include "core/identification/cycle_response.h"
 #include "core/process/force.h"
 #include "core/process/recipe_force.h"
 #include "core/process/scaled_compliance.h"

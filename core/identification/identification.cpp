@@ -13,7 +13,7 @@
 #include "core/project/gauge.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/statistics/comparison.h"
+#include "core/statistics/intervals.h"
 
 #include <Eigen/Dense>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/noise_model.h"
 
-#include "core/statistics/comparison.h"
+#include "core/statistics/intervals.h"
 
 #include <algorithm>
 #include <cmath>

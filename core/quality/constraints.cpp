@@ -124,4 +124,11 @@ std::span<const Output<ConstraintResult>> requirementOutputs() {
     return requirementTable;
 }
 
+std::optional<FormulaSheet> constraintSheet(const SimulationResult& result,
+                                            const PartAccuracy& accuracy,
+                                            const ConstraintResult& constraint) {
+    const auto sheet = requirementOf(constraint.kind).sheet;
+    return sheet ? sheet({result, accuracy, constraint.section}) : std::nullopt;
+}
+
 } // namespace sparkout

@@ -7,6 +7,12 @@
 
 namespace sparkout {
 
+namespace {
+
+constexpr double leastDivisor = 1e-12; ///< replaces 0 as a divisor
+
+} // namespace
+
 bool isClose(const ConstraintResult& constraint) {
     return constraint.holds && constraint.relativeMargin < closeMargin
            && requirementOf(constraint.kind).scope != ConstraintScope::setting;
@@ -65,6 +71,27 @@ Light verdictOf(RunStatus status, const std::vector<ConstraintResult>& constrain
         light = std::max(light, lightOf(constraint));
     }
     return light;
+}
+
+double usageOf(const ConstraintResult& requirement) {
+    if (requirementOf(requirement.kind).source != LimitSource::range) {
+        return std::max(1 - requirement.relativeMargin, 0.0);
+    }
+    const double end = requirement.limit, value = requirement.value;
+    return requirement.isLeast ? std::max(end, 0.0) / std::max(value, leastDivisor)
+                               : value / std::max(end, leastDivisor);
+}
+
+std::optional<double> placeInRange(const ConstraintResult& requirement) {
+    if (!requirement.otherEnd) {
+        return std::nullopt;
+    }
+    const auto [low, high] = std::minmax(requirement.limit, *requirement.otherEnd);
+    const double value = std::clamp(requirement.value, low, high);
+    if (high <= low) {
+        return 0.5;
+    }
+    return low > 0 ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
 }
 
 } // namespace sparkout

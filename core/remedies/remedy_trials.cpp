@@ -2,7 +2,6 @@
 #include "core/remedies/remedy_trials.h"
 
 #include "core/batch/batch_run.h"
-#include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
 #include "core/phases/cycle_trial.h"
 #include "core/phases/failing_stock.h"

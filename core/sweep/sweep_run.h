@@ -3,11 +3,13 @@
 
 #include "core/issue.h"
 #include "core/project/sweep.h"
+#include "core/result.h"
 #include "core/simulation/result.h"
 
 #include <atomic>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -107,5 +109,23 @@ struct MeasuredPoint {
 
 /// Everything a sweep reports of one run.
 [[nodiscard]] MeasuredPoint measurePoint(const SimulationResult& result);
+
+/// A quantity at a point.
+struct SweepFigure {
+    const SweepQuantity& quantity;
+    const SweepValue& value;
+};
+
+[[nodiscard]] std::span<const Output<SweepResult>> sweepOutputs();
+[[nodiscard]] std::span<const Output<SweptInput>> sweptInputOutputs();
+[[nodiscard]] std::span<const Output<SweepPoint>> sweepPointOutputs();
+[[nodiscard]] std::span<const Output<SweepFigure>> sweepFigureOutputs();
+
+/// The key in files and on the command line: "cannot_reach_size".
+[[nodiscard]] const char* sweepStatusKey(SweepStatus status);
+
+/// The object of `sweep --json`, which words faults by `sentence`.
+[[nodiscard]] std::string sweepJson(const SweepResult& sweep,
+                                    std::string (*sentence)(const Issue& issue));
 
 } // namespace sparkout

@@ -6,7 +6,7 @@
 #include "core/identification/cycle_response.h"
 #include "core/identification/identification.h"
 #include "core/phases/phase_decision.h"
-#include "core/statistics/comparison.h"
+#include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_samples.h"

@@ -3,7 +3,6 @@
 // Changes of one setting after which all holds: each one is run again by itself.
 #include "core/remedies/remedies.h"
 
-#include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
 #include "core/phases/cycle_trial.h"
 #include "core/phases/failing_stock.h"

@@ -4,7 +4,6 @@
 #include "core/study/usual_search.h"
 
 #include "core/batch/batch_run.h"
-#include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
 #include "core/batch/usual_batch.h"
 #include "core/deadline_stop.h"

@@ -2,8 +2,8 @@
 // No writer writes what its own reader refuses: each kind of file is grown until its writer gives
 // up; what was written last is read back whole, and what was refused changed nothing on the disk.
 #include "core/catalogue/catalogue.h"
+#include "core/course/work.h"
 #include "core/course/work_file.h"
-#include "core/course/work_seal.h"
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/text_markup.h"

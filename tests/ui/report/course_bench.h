@@ -3,7 +3,6 @@
 
 #include "core/course/variant.h"
 #include "core/course/work.h"
-#include "core/course/work_seal.h"
 #include "core/lesson/goal_check.h"
 #include "core/lesson/lesson_file.h"
 #include "core/project/cycle.h"

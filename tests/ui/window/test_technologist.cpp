@@ -3,7 +3,7 @@
 // passport and the operation card. Each cycle that the window offers on the way is judged for every
 // stock and by 500 fresh parts of its batch. One line a surface is printed. Pictures of the stages
 // are kept where SPARKOUT_HOUR_PICTURES names a folder.
-#include "core/batch/fresh_parts.h"
+#include "core/batch/scenario_source.h"
 #include "core/judgement/judgement.h"
 #include "core/optimisation/robust.h"
 #include "core/project/batch.h"
