@@ -4,7 +4,7 @@
 #include "core/project/measured.h"
 #include "core/tables/table_cell.h"
 #include "core/tables/table_reader.h"
-#include "core/trimmed.h"
+#include "core/text.h"
 
 #include <algorithm>
 #include <array>

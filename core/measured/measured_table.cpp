@@ -249,13 +249,6 @@ private:
     ReadMeasured m_read;
 };
 
-/// Reads the lines of a table with headings; `readMeasured()` without the steps common to all
-/// forms.
-ReadMeasured readRows(std::string_view text, const MeasuredTable& table,
-                      const MeasuredContext& context, const std::stop_token& stop) {
-    return RowReader(table, context).read(text, stop);
-}
-
 /// Counts from 0 if one of the first parts has the place 0.
 int firstPlaceIn(std::string_view text, const MeasuredTable& table) {
     const auto column =
@@ -310,7 +303,7 @@ ReadMeasured readMeasured(const TableText& source, const MeasuredTable& table,
     }
     const std::string_view text = source.utf8();
     read = table.isKeyValue ? readKeyValueLines(text, table, context, stop)
-                            : readRows(text, table, context, stop);
+                            : RowReader(table, context).read(text, stop);
     if (stop.stop_requested()) {
         return {};
     }

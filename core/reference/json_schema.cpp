@@ -8,7 +8,6 @@
 #include "core/project/conditions.h"
 #include "core/project/optimisation.h"
 #include "core/setup/setup.h"
-#include "core/setup/setup_times.h"
 #include "core/setup/shared_members.h"
 #include "core/setup/wheel_wear.h"
 
@@ -90,10 +89,6 @@ ordered_json choiceKeys(const Field& field) {
     return keys;
 }
 
-ordered_json choiceSchema(const Field& field) {
-    return {{"type", "string"}, {"enum", choiceKeys(field)}};
-}
-
 ordered_json kindSchema(const Field& field) {
     const ordered_json null = {{"type", "null"}};
     switch (field.kind) {
@@ -103,7 +98,7 @@ ordered_json kindSchema(const Field& field) {
     case Kind::optionalInteger: return orNull(integerSchema(field));
     case Kind::boolean: return {{"type", "boolean"}};
     case Kind::text: return {{"type", "string"}};
-    case Kind::choice: return choiceSchema(field);
+    case Kind::choice: return {{"type", "string"}, {"enum", choiceKeys(field)}};
     case Kind::numberList:
     case Kind::samples: return numbersSchema(field);
     case Kind::optionalNumberList: return orNull(numbersSchema(field));

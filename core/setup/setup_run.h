@@ -4,7 +4,6 @@
 #include "core/quality/constraints.h"
 #include "core/result.h"
 #include "core/setup/setup.h"
-#include "core/setup/setup_times.h"
 #include "core/setup/wheel_wear.h"
 #include "core/simulation/result.h"
 

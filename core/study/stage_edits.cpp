@@ -6,7 +6,7 @@
 #include "core/project/machine_steps.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
-#include "core/trimmed.h"
+#include "core/text.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -21,10 +21,6 @@
 namespace sparkout {
 
 namespace {
-
-bool isPerMinute(const Field& column) {
-    return std::string_view(column.unit) == "mm/min";
-}
 
 /// Whether the column holds the feed along the work.
 bool isAlong(const Project& project, const Field& column) {
@@ -49,7 +45,7 @@ double sumFrom(const std::vector<Stage>& stages, std::size_t first) {
 std::optional<FeedForms> feedForms(const Project& project, const Field& column,
                                    double feed_mm_min) {
     const double work_rpm = project.machine->work_speed_rpm, width_mm = project.wheel->width_mm;
-    if (!isPerMinute(column) || !(work_rpm > 0)) {
+    if (std::string_view(column.unit) != "mm/min" || !(work_rpm > 0)) {
         return {};
     }
     FeedForms forms{feed_mm_min / work_rpm, {}};

@@ -2,7 +2,7 @@
 #include "core/tables/table_cell.h"
 
 #include "core/printable.h"
-#include "core/trimmed.h"
+#include "core/text.h"
 
 #include <algorithm>
 #include <array>

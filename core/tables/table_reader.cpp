@@ -4,7 +4,7 @@
 #include "core/digits.h"
 #include "core/tables/csv_line.h"
 #include "core/tables/table_cell.h"
-#include "core/trimmed.h"
+#include "core/text.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 // The form of a struct that has a table: its rows give names, units, hints and ranges.
 #include "ui/form/struct_form.h"
 
-#include "core/setup/setup_times.h"
+#include "core/setup/setup.h"
 #include "tests/registry.h"
 #include "ui/session/company.h"
 #include "ui/text/hint_text.h"

@@ -3,7 +3,7 @@
 
 #include "core/batch/scenario_source.h"
 #include "core/project/card_entries.h"
-#include "core/setup/setup_times.h"
+#include "core/setup/setup.h"
 #include "core/study/outcome.h"
 #include "core/units.h"
 #include "ui/report/card/card_rows.h"
