@@ -4,7 +4,6 @@
 #include "app/io/cli_report.h"
 #include "app/io/console.h"
 #include "core/files/file_system.h"
-#include "core/files/safe_file.h"
 #include "core/format/project_file.h"
 #include "core/printable.h"
 #include "core/setup/setup_file.h"

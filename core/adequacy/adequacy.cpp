@@ -4,7 +4,6 @@
 #include "core/batch/batch_statistics.h"
 #include "core/project/batch.h"
 #include "core/project/part.h"
-#include "core/project/project.h"
 #include "core/quality/result_names.h"
 #include "core/text.h"
 

@@ -6,15 +6,12 @@
 #include "core/batch/part_table.h"
 #include "core/format/output_json.h"
 #include "core/format/project_file.h"
-#include "core/result.h"
 #include "core/tables/csv_line.h"
 #include "core/text.h"
 
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
-#include <string>
 
 namespace sparkout {
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_run.h"
 
-#include "core/batch/batch_statistics.h"
 #include "core/batch/part_queue.h"
-#include "core/batch/scenario_source.h"
 #include "core/batch/worker_pool.h"
 #include "core/build_id.h"
 #include "core/project/batch.h"

@@ -13,7 +13,6 @@
 #include "core/study/search.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>

@@ -4,21 +4,16 @@
 #include "core/batch/batch_run.h"
 #include "core/batch/scenario_source.h"
 #include "core/format/output_json.h"
-#include "core/project/batch.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
 #include "core/quality/result_names.h"
-#include "core/setup/setup.h"
 #include "core/setup/setup_run.h"
 #include "core/setup/surface_wear.h"
 #include "core/simulation/simulate.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <utility>
-#include <vector>
 
 namespace sparkout {
 

@@ -3,7 +3,6 @@
 
 #include "core/format/project_json.h"
 #include "core/format/strict_json.h"
-#include "core/project/project.h"
 
 #include <string>
 

@@ -4,16 +4,12 @@
 #include "core/batch/batch_statistics.h"
 #include "core/identification/batch_fit.h"
 #include "core/identification/calibration.h"
-#include "core/identification/fit_data.h"
 #include "core/identification/fit_problem.h"
-#include "core/identification/fitted_parameter.h"
-#include "core/identification/levenberg_marquardt.h"
 #include "core/process/contact_compliance.h"
 #include "core/process/coupled_sections.h"
 #include "core/project/gauge.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/statistics/intervals.h"
 
 #include <Eigen/Dense>
 

@@ -4,7 +4,6 @@
 #include "core/identification/cycle_response.h"
 #include "core/identification/fit_data.h"
 #include "core/identification/fit_problem.h"
-#include "core/identification/fitted_parameter.h"
 #include "core/identification/identifiability.h"
 #include "core/identification/levenberg_marquardt.h"
 #include "core/process/force.h"

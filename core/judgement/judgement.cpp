@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/judgement/judgement.h"
 
-#include "core/phases/phase_decision.h"
 #include "core/process/printed_form.h"
 #include "core/project/batch.h"
 #include "core/quality/roughness.h"

@@ -4,7 +4,6 @@
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_summary.h"
 #include "core/dynamic_programming/state_grid.h"
-#include "core/lesson/figure.h"
 #include "core/limits/burn.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/variants.h"
@@ -25,7 +24,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <string_view>
 
 namespace sparkout {

@@ -2,7 +2,6 @@
 #include "core/measured/column_match.h"
 
 #include "core/project/measured.h"
-#include "core/tables/table_cell.h"
 #include "core/tables/table_reader.h"
 #include "core/text.h"
 

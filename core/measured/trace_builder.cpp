@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measured/trace_builder.h"
 
-#include <cstddef>
-#include <utility>
-
 namespace sparkout {
 
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pack/pack.h"
 
-#include "core/catalogue/catalogue.h"
 #include "core/format/strict_json.h"
 #include "core/format/table_reader.h"
 #include "core/lesson/lesson_json.h"

@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <utility>
 
 namespace sparkout {

@@ -4,7 +4,6 @@
 #include "core/format/output_json.h"
 #include "core/format/strict_json.h"
 #include "core/project/part.h"
-#include "core/quality/constraints.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/form_outputs.h"

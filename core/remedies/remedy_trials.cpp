@@ -12,8 +12,6 @@
 #include "core/simulation/simulate.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>

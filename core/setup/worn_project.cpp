@@ -8,8 +8,6 @@
 #include "core/setup/shared_members.h"
 
 #include <algorithm>
-#include <optional>
-#include <utility>
 
 namespace sparkout {
 

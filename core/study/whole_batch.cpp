@@ -5,8 +5,6 @@
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
 
-#include <optional>
-
 namespace sparkout {
 
 const Characteristic* BatchOutcome::characteristicOf(std::size_t quantity) const {

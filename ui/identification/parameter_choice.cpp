@@ -2,7 +2,6 @@
 #include "ui/identification/parameter_choice.h"
 
 #include "core/identification/cycle_response.h"
-#include "core/identification/fit_data.h"
 #include "core/process/force.h"
 #include "core/project/part.h"
 #include "ui/fields/number_field.h"

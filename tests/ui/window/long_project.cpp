@@ -5,7 +5,6 @@
 #include "core/format/project_file.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
-#include "core/study/outcome.h"
 
 #include <chrono>
 
