@@ -173,25 +173,6 @@ constexpr Output<Figures> characteristicRows[] = {
 
 // Outputs as columns of a CSV table: an interval takes two columns, an estimate and a share three.
 
-/// A line of headings, and a line for each owner.
-template <class Owner, class Owners>
-[[nodiscard]] std::string outputsCsv(std::span<const Output<Owner>> rows, const Owners& owners) {
-    CsvLine line;
-    for (const Output<Owner>& row : rows) {
-        addCsvHeads(line, row, row.kind());
-    }
-    std::string text = line.end();
-    for (const Owner& owner : owners) {
-        for (const Output<Owner>& row : rows) {
-            if (*row.columnName()) {
-                addCsvCells(line, row.kind(), row.of(owner));
-            }
-        }
-        text += line.end();
-    }
-    return text;
-}
-
 constexpr double emptyCell = std::numeric_limits<double>::quiet_NaN();
 
 void addInterval(CsvLine& line, const std::optional<Interval>& interval) {
@@ -413,7 +394,20 @@ std::string batchJson(const BatchResult& result, const std::optional<SobolIndice
 
 std::string batchCsv(const BatchResult& result) {
     const BatchSummary summary = summarise(result);
-    return outputsCsv(characteristicOutputs(), figuresOf(summary));
+    CsvLine line;
+    for (const Output<Figures>& row : characteristicRows) {
+        addCsvHeads(line, row, row.kind());
+    }
+    std::string text = line.end();
+    for (const Figures& figures : figuresOf(summary)) {
+        for (const Output<Figures>& row : characteristicRows) {
+            if (*row.columnName()) {
+                addCsvCells(line, row.kind(), row.of(figures));
+            }
+        }
+        text += line.end();
+    }
+    return text;
 }
 
 } // namespace sparkout

@@ -2,7 +2,6 @@
 #include "core/files/safe_file.h"
 
 #include "core/files/save_steps.h"
-#include "core/files/temporary_file.h"
 #include "core/sha256.h"
 #include "core/text.h"
 
