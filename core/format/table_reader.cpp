@@ -326,8 +326,6 @@ void readByTable(const json& object, const StructInfo& table, void* owner, const
     Reader(issues, missing).readObject(object, table, owner, path, skip);
 }
 
-using nlohmann::json;
-
 void addIssue(Issues& issues, Issue issue) {
     if (issues.size() < limits::issues) {
         issues.push_back(std::move(issue));

@@ -17,23 +17,6 @@ namespace {
 
 constexpr RequirementDigits micrometreDigits{.printed = 3, .shown = 2};
 
-consteval bool standInOrder() {
-    for (std::size_t i = 0; i < requirementRows.size(); ++i) {
-        if (requirementRows[i].kind != static_cast<ConstraintKind>(i)) {
-            return false;
-        }
-    }
-    return true;
-}
-static_assert(standInOrder(), "one row for each kind, in the order of the kinds");
-
-bool isGiven(const Project& project, const char* path) {
-    const ConstMember member = findMember(project, path);
-    return member.field->kind == Kind::optionalNumberList
-               ? member.field->as<std::optional<std::vector<double>>>(member.owner).has_value()
-               : numberIn(*member.field, member.owner).has_value();
-}
-
 } // namespace
 
 constexpr std::array<Requirement, constraintKinds> requirementRows{{
@@ -306,6 +289,27 @@ constexpr std::array<Requirement, constraintKinds> requirementRows{{
      .settingOfStage = "stock_mm",
      .evaluate = evaluateLeastSteps},
 }};
+
+namespace {
+
+consteval bool standInOrder() {
+    for (std::size_t i = 0; i < requirementRows.size(); ++i) {
+        if (requirementRows[i].kind != static_cast<ConstraintKind>(i)) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(standInOrder(), "one row for each kind, in the order of the kinds");
+
+bool isGiven(const Project& project, const char* path) {
+    const ConstMember member = findMember(project, path);
+    return member.field->kind == Kind::optionalNumberList
+               ? member.field->as<std::optional<std::vector<double>>>(member.owner).has_value()
+               : numberIn(*member.field, member.owner).has_value();
+}
+
+} // namespace
 
 const Requirement* requirementNamed(std::string_view key) {
     const auto* const found = std::ranges::find(requirementRows, key, &Requirement::key);

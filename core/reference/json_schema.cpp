@@ -271,8 +271,6 @@ ordered_json setupSchema(const ordered_json& project) {
 
 } // namespace
 
-using nlohmann::ordered_json;
-
 bool alwaysRequired(const Field& field) {
     return field.required == conditions::always;
 }

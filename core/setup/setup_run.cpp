@@ -16,6 +16,8 @@ namespace sparkout {
 
 namespace {
 
+using nlohmann::ordered_json;
+
 /// Defined when every surface is completed.
 template <double PieceTime::*time_min>
 constexpr Output<SetupRunOf> timeRow(const char* key, const char* hint) {
@@ -83,8 +85,6 @@ SetupRun runSetup(const Setup& setup, const std::stop_token& stop) {
     }
     return run;
 }
-
-using nlohmann::ordered_json;
 
 std::span<const Output<SetupRunOf>> setupOutputs() {
     return partRows;

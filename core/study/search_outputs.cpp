@@ -133,10 +133,6 @@ constexpr Output<Found> searchRows[] = {
      isRobust},
 };
 
-double minutes(double time_s) {
-    return time_s / units::secondsPerMinute;
-}
-
 ordered_json orNull(const std::optional<double>& value) {
     return value ? ordered_json(*value) : ordered_json(nullptr);
 }
@@ -173,7 +169,7 @@ ordered_json dressingJson(const SearchOutcome& outcome) {
     return {{"parts", held.parts},
             {"endless", held.isEndless},
             {"at_least", held.isAll && !held.isEndless},
-            {"mean_time_min", minutes(held.meanTime_s)},
+            {"mean_time_min", inMinutes(held.meanTime_s)},
             {"ends_by", held.end ? ordered_json(requirementOf(*held.end).key) : nullptr}};
 }
 
@@ -233,7 +229,7 @@ ordered_json limitBoundsJson(const SteplessLimit& limit) {
                           {"to_mm", piece.to_mm},
                           {"bound", limitBoundKey(piece.bound, piece.kind)},
                           {"cut_mm", piece.cut_mm},
-                          {"time_min", minutes(piece.time_s)}});
+                          {"time_min", inMinutes(piece.time_s)}});
     }
     return bounds;
 }
@@ -251,7 +247,7 @@ ordered_json limitCyclesJson(const SteplessLimit& limit) {
 ordered_json givenJson(const SearchOutcome& outcome) {
     const GivenCycle& given = outcome.given;
     return {{"cycle_time_min",
-             given.time_s ? ordered_json(minutes(*given.time_s)) : ordered_json(nullptr)},
+             given.time_s ? ordered_json(inMinutes(*given.time_s)) : ordered_json(nullptr)},
             {"cost_per_part", given.time_s ? orNull(costPerPart(outcome.project, *given.time_s))
                                            : ordered_json(nullptr)},
             {"fails", given.isStopped ? ordered_json(nullptr) : keysJson(given.fails)}};
@@ -287,7 +283,7 @@ ordered_json freshPartsJson(const RobustSummary& robust) {
 ordered_json frontJson(const SearchOutcome& outcome) {
     ordered_json front = ordered_json::array();
     for (const FoundCycle* each : outcome.front()) {
-        front.push_back({{"cycle_time_min", minutes(each->time_s)},
+        front.push_back({{"cycle_time_min", inMinutes(each->time_s)},
                          {"least_relative_margin", each->leastRelativeMargin},
                          {"cycle", cycleJson(outcome, *each)},
                          {"machine", machineJson(outcome, *each)}});
@@ -300,9 +296,9 @@ ordered_json numbersJson(const SearchOutcome& outcome) {
     for (const SearchedNumber& each : outcome.numbers) {
         numbers.push_back({{"stages", each.stages},
                            {"status", searchStatusName(each.status)},
-                           {"cycle_time_min", each.best_s ? ordered_json(minutes(*each.best_s))
+                           {"cycle_time_min", each.best_s ? ordered_json(inMinutes(*each.best_s))
                                                           : ordered_json(nullptr)},
-                           {"bound_time_min", minutes(each.bound_s)}});
+                           {"bound_time_min", inMinutes(each.bound_s)}});
     }
     return numbers;
 }
@@ -353,8 +349,8 @@ std::string searchJson(const SearchOutcome& outcome) {
     if (outcome.refinement) {
         root["refined"] = {{"is_quicker", outcome.refinement->isQuicker},
                            {"grid_status", searchStatusName(outcome.search.status)},
-                           {"grid_time_min", minutes(outcome.search.best->time_s)},
-                           {"grid_bound_time_min", minutes(outcome.search.bound_s)},
+                           {"grid_time_min", inMinutes(outcome.search.best->time_s)},
+                           {"grid_bound_time_min", inMinutes(outcome.search.bound_s)},
                            {"cycles_run", outcome.refinement->runs}};
     }
     root["levels"] = levelsJson(outcome);
