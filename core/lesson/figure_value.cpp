@@ -32,10 +32,10 @@ namespace {
 
 using units::umPerMm;
 
+constexpr double wholePercent = 100;
+
 // Figures that need more than one run: of the project's batch, its search, or dynamic programming
 // on its levels. Each call computes them anew.
-
-constexpr double studyPercent = 100;
 
 /// The mean diameter of a place; it has both limits and so both indices.
 const CharacteristicSummary* diameterOf(const BatchSummary& summary, const PlaceName& place) {
@@ -79,7 +79,7 @@ std::optional<double> batchFigure(const Figure& figure, const Project& project) 
     }
     const BatchSummary summary = summarise(batch);
     if (figure.name == FigureName::batchBad) {
-        return summary.bad.value * studyPercent;
+        return summary.bad.value * wholePercent;
     }
     const CharacteristicSummary* const diameter = diameterOf(summary, figure.place);
     if (!diameter) {
@@ -119,10 +119,8 @@ std::optional<double> searchFigure(const Figure& figure, const Project& project)
         return inMinutes(grid->time_s);
     }
     const auto proved_s = best_s();
-    return proved_s ? std::optional((*grid->time_s / *proved_s - 1) * studyPercent) : std::nullopt;
+    return proved_s ? std::optional((*grid->time_s / *proved_s - 1) * wholePercent) : std::nullopt;
 }
-
-constexpr double wholePercent = 100;
 
 /// The least relative margin of all requirements, or of one kind.
 std::optional<double> leastMarginOf(const FigureSource& run, std::optional<ConstraintKind> kind) {
