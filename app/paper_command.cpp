@@ -5,7 +5,6 @@
 #include "app/window_io.h"
 #include "core/course/variant.h"
 #include "core/course/work.h"
-#include "core/course/work_file.h"
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"

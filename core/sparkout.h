@@ -20,7 +20,6 @@
 #include "core/judgement/judgement.h"
 #include "core/measured/measured_table.h"
 #include "core/phases/phase_decision.h"
-#include "core/phases/phases_json.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"

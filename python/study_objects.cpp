@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/study_objects.h"
 
-#include "core/course/work_file.h"
+#include "core/course/work.h"
 #include "core/deadline_stop.h"
 #include "core/files/file_system.h"
 #include "core/files/safe_file.h"

@@ -5,7 +5,7 @@
 #include "core/batch/batch_outputs.h"
 #include "core/dressing/dressing_interval.h"
 #include "core/format/strict_json.h"
-#include "core/phases/phases_json.h"
+#include "core/phases/phase_decision.h"
 #include "core/quality/constraints.h"
 #include "core/quality/form_outputs.h"
 #include "core/quality/shop_numbers.h"

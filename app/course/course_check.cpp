@@ -5,7 +5,6 @@
 #include "app/io/cli_kept_runs.h"
 #include "core/course/grading.h"
 #include "core/course/work.h"
-#include "core/course/work_file.h"
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
 #include "core/printable.h"

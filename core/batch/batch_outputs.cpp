@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_outputs.h"
 
-#include "core/batch/batch_verdict.h"
 #include "core/batch/characteristics.h"
 #include "core/batch/part_table.h"
 #include "core/format/output_json.h"

@@ -2,7 +2,6 @@
 #include "core/course/grading.h"
 
 #include "core/course/variant.h"
-#include "core/course/work_file.h"
 #include "core/deadline_stop.h"
 #include "core/setup/setup_file.h"
 #include "core/study/recalled_run.h"

@@ -2,13 +2,16 @@
 #pragma once
 
 #include "core/course/variant.h"
+#include "core/issue.h"
 #include "core/lesson/goal.h"
 #include "core/lesson/lesson.h"
 #include "core/project/project.h"
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// A student's work: the lesson with the student's variant, and all submissions in their order.
@@ -116,5 +119,22 @@ void addEntry(Work& work, WorkEntry entry);
 /// Digest of all entries, without seals, names and variant: equal if one work was copied from
 /// another. Empty without entries.
 [[nodiscard]] std::string contentDigest(const Work& work);
+
+// The file of a student's work, `.sparkout-work`: one UTF-8 JSON text, read and written by the
+// tables, its lesson as in a lesson file.
+
+inline constexpr const char* workFormat = "sparkout-work";
+inline constexpr int workVersion = 1;
+
+struct ReadWork {
+    std::optional<Work> work; ///< given without errors; its seals may be broken
+    Issues issues;            ///< those of its lesson below "/lesson"
+};
+
+/// Reads and checks a work within the limits of a project file. Returns all faults at once.
+[[nodiscard]] ReadWork readWork(std::string_view text, const std::stop_token& stop = {});
+
+/// The text of a work: the same work, the same bytes.
+[[nodiscard]] std::string writeWork(const Work& work);
 
 } // namespace sparkout

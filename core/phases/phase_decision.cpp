@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/phases/phase_decision.h"
 
+#include "core/format/output_json.h"
 #include "core/process/profile.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/quality/requirement.h"
+#include "core/quality/result_names.h"
 #include "core/simulation/cycle_loop.h"
 #include "core/simulation/plunge.h"
 #include "core/simulation/stage_control.h"
 #include "core/simulation/traverse.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <cassert>
@@ -21,6 +25,8 @@
 namespace sparkout {
 
 namespace {
+
+using nlohmann::ordered_json;
 
 std::unique_ptr<CycleSteps> stepsOf(const Project& project, const std::stop_token& stop) {
     return project.operation->hasZones ? traverseSteps(project, Zone::nz, nullptr, stop)
@@ -242,6 +248,55 @@ private:
     DecidedPiece m_decided;
 };
 
+std::optional<Interval> endsOf(const StockRange& range) {
+    return Interval{range.from_mm, range.to_mm};
+}
+
+constexpr Output<PhaseDecision> decisionRows[] = {
+    {{.key = "stock_mm", .unit = "mm", .hint = "range of stocks per side"},
+     [](const PhaseDecision& d) { return endsOf(d.range); }},
+    {{.key = "decided"}, [](const PhaseDecision& d) { return d.isDecided; }},
+    {{.key = "too_many_pieces", .hint = "the range has too many, and is not decided"},
+     [](const PhaseDecision& d) { return d.hasTooMany; }},
+    {{.key = "holds", .hint = "whether every requirement holds for every stock of the range"},
+     [](const PhaseDecision& d) { return d.holds(); }},
+};
+
+constexpr Output<DecidedPiece> pieceRows[] = {
+    {{.key = "stock_mm", .unit = "mm", .hint = "stocks per side whose cycles make the same steps"},
+     [](const DecidedPiece& p) {
+         return endsOf({p.piece.from_mm, p.piece.to_mm});
+     }},
+    {{.key = "status"},
+     [](const DecidedPiece& p) { return std::string(statusKey(p.piece.status)); }},
+    {{.key = "time_min", .unit = "min", .hint = "time of the cycle"},
+     [](const DecidedPiece& p) { return p.time_s / units::secondsPerMinute; }},
+    {{.key = "holds_mm", .unit = "mm", .hint = "those for which every requirement holds"},
+     [](const DecidedPiece& p) { return p.holds ? endsOf(*p.holds) : std::nullopt; }},
+};
+
+constexpr Output<FailingStocks> failingRows[] = {
+    {{.key = "stock_mm", .unit = "mm", .hint = "stocks per side for which the cycle fails"},
+     [](const FailingStocks& f) { return endsOf(f.stocks); }},
+    {{.key = "status"}, [](const FailingStocks& f) { return std::string(statusKey(f.status)); }},
+};
+
+constexpr Output<ConstraintResult> worstRows[] = {
+    {{.key = "name"},
+     [](const ConstraintResult& c) { return std::string(requirementOf(c.kind).key); }},
+    {{.key = "where"}, [](const ConstraintResult& c) { return whereText(c); }},
+    {{.key = "relative_margin", .hint = "at the worse end; positive when it holds"},
+     [](const ConstraintResult& c) { return c.relativeMargin; }},
+};
+
+ordered_json deviationsJson(const PieceEnd& end) {
+    ordered_json json = ordered_json::array();
+    for (const DeviationRange& each : end.deviations) {
+        json.push_back({each.least_mm * units::umPerMm, each.most_mm * units::umPerMm});
+    }
+    return json;
+}
+
 } // namespace
 
 double formChange_mm(const Project& project, double stock_mm) {
@@ -365,6 +420,39 @@ FailingShare failingShare(const PhaseDecision& decision,
         shares.failing += shareBelow(each.to_mm) - shareBelow(each.from_mm);
     }
     return shares;
+}
+
+std::span<const Output<PhaseDecision>> phasesOutputs() {
+    return decisionRows;
+}
+
+std::span<const Output<DecidedPiece>> phasePieceOutputs() {
+    return pieceRows;
+}
+
+std::span<const Output<FailingStocks>> failingStocksOutputs() {
+    return failingRows;
+}
+
+std::span<const Output<ConstraintResult>> phaseWorstOutputs() {
+    return worstRows;
+}
+
+std::string phasesJson(const PhaseDecision& decision) {
+    ordered_json json = outputsJson(phasesOutputs(), decision);
+    json["pieces"] = outputsJsonOfEach(phasePieceOutputs(), decision.pieces);
+    json["failing"] = outputsJsonOfEach(failingStocksOutputs(), decision.failing);
+    for (std::size_t i = 0; i < decision.pieces.size(); ++i) {
+        const DecidedPiece& piece = decision.pieces[i];
+        json["pieces"][i].update({{"steps_by_stage", piece.piece.counts},
+                                  {"deviations_um_from", deviationsJson(piece.low)},
+                                  {"deviations_um_to", deviationsJson(piece.high)},
+                                  {"worst", outputsJson(phaseWorstOutputs(), piece.worst)}});
+    }
+    for (std::size_t i = 0; i < decision.failing.size(); ++i) {
+        json["failing"][i]["worst"] = outputsJson(phaseWorstOutputs(), decision.failing[i].worst);
+    }
+    return json.dump(2) + '\n';
 }
 
 } // namespace sparkout

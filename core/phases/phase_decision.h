@@ -3,13 +3,16 @@
 
 #include "core/project/project.h"
 #include "core/quality/constraints.h"
+#include "core/result.h"
 #include "core/simulation/result.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace sparkout {
@@ -153,5 +156,15 @@ struct FailingShare {
 /// of the range. A stock in overlapping pieces counts once. No stock is sampled.
 [[nodiscard]] FailingShare failingShare(const PhaseDecision& decision,
                                         const std::function<double(double stock_mm)>& shareBelow);
+
+[[nodiscard]] std::span<const Output<PhaseDecision>> phasesOutputs();
+[[nodiscard]] std::span<const Output<DecidedPiece>> phasePieceOutputs();
+[[nodiscard]] std::span<const Output<FailingStocks>> failingStocksOutputs();
+/// Returns the outputs of the requirement nearest to its limit in a piece or in failing stocks.
+[[nodiscard]] std::span<const Output<ConstraintResult>> phaseWorstOutputs();
+
+/// Returns the object of `phases --json`: the pieces of the range, and the stocks for which the
+/// cycle fails.
+[[nodiscard]] std::string phasesJson(const PhaseDecision& decision);
 
 } // namespace sparkout

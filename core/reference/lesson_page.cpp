@@ -2,7 +2,6 @@
 #include "core/reference/lesson_page.h"
 
 #include "core/course/work.h"
-#include "core/course/work_file.h"
 #include "core/format/strict_json.h"
 #include "core/lesson/figure.h"
 #include "core/lesson/lesson.h"

@@ -2,7 +2,6 @@
 // Labels: numbers
 // `course` as a teacher meets it: variants for a list, works marked, faults named.
 #include "core/course/work.h"
-#include "core/course/work_file.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/registry.h"

@@ -2,9 +2,9 @@
 // Labels: unsanitized
 #include "core/batch/batch_outputs.h"
 #include "core/batch/batch_run.h"
-#include "core/course/work_file.h"
+#include "core/course/work.h"
 #include "core/format/project_file.h"
-#include "core/phases/phases_json.h"
+#include "core/phases/phase_decision.h"
 #include "core/project/batch.h"
 #include "core/quality/constraints.h"
 #include "core/quality/result_json.h"

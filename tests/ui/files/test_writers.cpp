@@ -3,7 +3,6 @@
 // up; what was written last is read back whole, and what was refused changed nothing on the disk.
 #include "core/catalogue/catalogue.h"
 #include "core/course/work.h"
-#include "core/course/work_file.h"
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/text_markup.h"
