@@ -28,7 +28,7 @@
 #include "core/printable.h"
 #include "core/project/batch.h"
 #include "core/quality/remarks.h"
-#include "core/setup/setup_json.h"
+#include "core/setup/setup_run.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
 #include "words/judgement_json.h"

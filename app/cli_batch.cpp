@@ -2,7 +2,7 @@
 #include "app/cli_batch.h"
 
 #include "app/io/cli_report.h"
-#include "core/batch/batch_json.h"
+#include "core/batch/batch_outputs.h"
 #include "core/batch/batch_state_reader.h"
 #include "core/batch/part_table.h"
 #include "core/digits.h"

@@ -3,7 +3,7 @@
 
 #include "core/batch/batch_state.h"
 #include "core/batch/batch_state_reader.h"
-#include "core/batch/batch_verdict.h"
+#include "core/batch/batch_summary.h"
 #include "core/batch/sensitivity.h"
 
 #include <optional>

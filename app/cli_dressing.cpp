@@ -6,7 +6,7 @@
 #include "app/io/cli_io.h"
 #include "app/io/cli_report.h"
 #include "app/io/stop_signals.h"
-#include "core/dressing/dressing_json.h"
+#include "core/dressing/dressing_interval.h"
 #include "core/project/batch.h"
 #include "core/project/optimisation.h"
 #include "core/quality/result_names.h"

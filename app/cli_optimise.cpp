@@ -14,7 +14,7 @@
 #include "core/setup/setup_file.h"
 #include "core/setup/shared_members.h"
 #include "core/study/kept_search.h"
-#include "core/study/search_json.h"
+#include "core/study/search_outputs.h"
 #include "words/search_words.h"
 
 #include <string>

@@ -7,7 +7,7 @@
 #include "app/io/cli_surfaces.h"
 #include "app/io/stop_signals.h"
 #include "core/digits.h"
-#include "core/phases/phases_json.h"
+#include "core/phases/phase_decision.h"
 #include "core/printable.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"

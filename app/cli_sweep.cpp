@@ -9,7 +9,7 @@
 #include "core/digits.h"
 #include "core/project/validate.h"
 #include "core/quality/result_names.h"
-#include "core/sweep/sweep_json.h"
+#include "core/sweep/sweep_run.h"
 #include "core/tables/csv_line.h"
 #include "words/issue_words.h"
 

@@ -3,7 +3,7 @@
 
 #include "app/study_command.h"
 #include "app/window_io.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "ui/export/export_file.h"
 
 #include <QFileInfo>

@@ -2,9 +2,6 @@
 #pragma once
 
 #include "core/indirect.h"
-#include "core/optional_indirect.h"
-#include "core/optional_shared.h"
-#include "core/samples.h"
 
 #include <array>
 #include <cstddef>

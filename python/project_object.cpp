@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/project_object.h"
 
-#include "core/files/file_step_text.h"
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
 #include "core/project/validate.h"

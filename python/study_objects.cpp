@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/study_objects.h"
 
-#include "core/course/work_file.h"
+#include "core/course/work.h"
 #include "core/deadline_stop.h"
-#include "core/files/file_step_text.h"
 #include "core/files/file_system.h"
-#include "core/format/today.h"
+#include "core/files/safe_file.h"
 #include "core/identification/calibration.h"
 #include "core/lesson/lesson_file.h"
 #include "core/optimisation/search_names.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "words/course_json.h"
 
-#include "core/course/work_seal.h"
+#include "core/course/work.h"
 #include "words/lesson_words.h"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/course/course_check.h"
+#include "core/course/grading.h"
 
 #include <string>
 

@@ -3,7 +3,7 @@
 
 #include "core/format/output_json.h"
 #include "core/format/strict_json.h"
-#include "core/quality/requirement_outputs.h"
+#include "core/quality/constraints.h"
 #include "core/quality/result_json.h"
 #include "words/judgement_words.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "words/measured_json.h"
 
-#include "core/adequacy/adequacy_outputs.h"
 #include "core/format/output_json.h"
 #include "words/issue_words.h"
 #include "words/measured_words.h"

@@ -6,7 +6,6 @@
 #include "core/project/cycle.h"
 #include "core/project/member.h"
 #include "core/project/validate.h"
-#include "core/short_time.h"
 #include "core/text.h"
 #include "core/units.h"
 

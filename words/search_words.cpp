@@ -7,7 +7,6 @@
 #include "core/printable.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
-#include "core/short_time.h"
 #include "core/text.h"
 #include "core/units.h"
 #include "words/issue_words.h"

@@ -3,9 +3,8 @@
 
 #include "app/io/cli_io.h"
 #include "app/io/cli_kept_runs.h"
-#include "core/course/course_check.h"
-#include "core/course/work_file.h"
-#include "core/course/work_seal.h"
+#include "core/course/grading.h"
+#include "core/course/work.h"
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
 #include "core/printable.h"

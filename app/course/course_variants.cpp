@@ -7,7 +7,7 @@
 #include "app/io/stop_signals.h"
 #include "core/course/best_table.h"
 #include "core/course/make_variants.h"
-#include "core/course/work_file.h"
+#include "core/course/work.h"
 #include "core/files/file_system.h"
 #include "core/printable.h"
 #include "words/lesson_words.h"

@@ -3,7 +3,6 @@
 
 #include "app/io/cli_report.h"
 #include "app/io/console.h"
-#include "core/files/file_step_text.h"
 #include "core/files/file_system.h"
 #include "core/format/project_file.h"
 #include "core/printable.h"

@@ -4,7 +4,7 @@
 #include "app/io/exit_status.h"
 #include "core/files/safe_file.h"
 #include "core/issue.h"
-#include "core/measured/cell_fault.h"
+#include "core/measured/number_table.h"
 #include "core/setup/setup.h"
 
 #include <cstdio>

@@ -4,7 +4,6 @@
 #include "app/io/cli_report.h"
 #include "core/digits.h"
 #include "core/quality/ranges.h"
-#include "core/quality/shop_outputs.h"
 
 #include <algorithm>
 #include <vector>

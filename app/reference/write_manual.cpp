@@ -5,7 +5,6 @@
 #include "app/manual/command_line.h"
 #include "app/manual/completion.h"
 #include "app/manual/manual_page.h"
-#include "core/files/file_step_text.h"
 #include "core/files/safe_file.h"
 #include "core/version.h"
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the help pages of the project and lesson files and the JSON Schemas into a folder,
 // resources/help, and the stubs of the Python module, python/sparkout.pyi, from sparkout.pyi.in.
-#include "core/files/file_step_text.h"
 #include "core/files/safe_file.h"
 #include "core/reference/json_schema.h"
 #include "core/reference/lesson_page.h"
-#include "core/reference/lesson_schema.h"
 #include "core/reference/reference_page.h"
 #include "words/result_schema.h"
 

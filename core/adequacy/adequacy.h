@@ -3,10 +3,12 @@
 
 #include "core/adequacy/measured_statistics.h"
 #include "core/adequacy/prediction.h"
-#include "core/statistics/comparison.h"
+#include "core/project/project.h"
+#include "core/result.h"
 #include "core/statistics/intervals.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 /// Whether a model's prediction agrees with measured parts [MODEL-13]: compares the interval of the
@@ -68,5 +70,23 @@ struct AdequacyLimits {
 
 /// Whether there is no contradiction with the model: no row with a bias or a different scatter.
 [[nodiscard]] bool speaksForModel(const std::vector<AdequacyRow>& rows);
+
+/// A judged quantity, and its project.
+struct AdequacyOf {
+    const Project& project;
+    const AdequacyRow& row;
+};
+
+[[nodiscard]] std::span<const Output<AdequacyOf>> adequacyOutputs();
+[[nodiscard]] std::span<const Output<PredictedRange>> predictedOutputs();
+[[nodiscard]] std::span<const Output<VarianceRatio>> varianceRatioOutputs();
+[[nodiscard]] std::span<const Output<InsideShare>> insideShareOutputs();
+
+/// Names in files and on the command line: "diameter_deviation", "scatter_differs".
+[[nodiscard]] const char* keyOf(MeasuredQuantity quantity);
+[[nodiscard]] const char* keyOf(AdequacyVerdict verdict);
+[[nodiscard]] const char* keyOf(MeanPlace place);
+/// A zone or section by its name in JSON, or the part.
+[[nodiscard]] std::string placeKey(const Project& project, int place);
 
 } // namespace sparkout

@@ -3,7 +3,7 @@
 
 #include "core/project/part.h"
 #include "core/project/project.h"
-#include "core/statistics/comparison.h"
+#include "core/statistics/intervals.h"
 #include "core/units.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/adequacy/prediction.h"
 
-#include "core/batch/moments.h"
+#include "core/batch/batch_statistics.h"
 #include "core/project/batch.h"
 #include "core/project/part.h"
 #include "core/quality/requirement.h"

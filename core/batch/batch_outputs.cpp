@@ -3,15 +3,21 @@
 
 #include "core/batch/characteristics.h"
 #include "core/batch/part_table.h"
+#include "core/format/output_json.h"
+#include "core/format/project_file.h"
+#include "core/tables/csv_line.h"
 #include "core/text.h"
 
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace sparkout {
 
 namespace {
 
 using Figures = CharacteristicFigures;
+using nlohmann::ordered_json;
 
 bool counted(const Figures& f) {
     return f.of->count > 0;
@@ -164,6 +170,170 @@ constexpr Output<Figures> characteristicRows[] = {
      [](const Figures& f) { return f.of->unstated > 0; }},
 };
 
+// Outputs as columns of a CSV table: an interval takes two columns, an estimate and a share three.
+
+constexpr double emptyCell = std::numeric_limits<double>::quiet_NaN();
+
+void addInterval(CsvLine& line, const std::optional<Interval>& interval) {
+    line.number(interval ? interval->low : emptyCell).number(interval ? interval->high : emptyCell);
+}
+
+void addCsvHeads(CsvLine& line, const OutputRow& row, OutputKind kind) {
+    const std::string name = row.columnName();
+    if (name.empty()) {
+        return;
+    }
+    if (kind != OutputKind::interval) {
+        line.text(name);
+    }
+    if (kind == OutputKind::interval || kind == OutputKind::estimate || kind == OutputKind::share) {
+        line.text(name + "_low").text(name + "_high");
+    }
+}
+
+void addCsvCells(CsvLine& line, OutputKind kind, const OutputValue& value) {
+    switch (kind) {
+    case OutputKind::number:
+    case OutputKind::optionalNumber: {
+        const auto* number = std::get_if<double>(&value);
+        line.number(number ? *number : emptyCell);
+        break;
+    }
+    case OutputKind::whole:
+    case OutputKind::optionalWhole: {
+        const auto* whole = std::get_if<std::int64_t>(&value);
+        whole ? line.whole(*whole) : line.empty();
+        break;
+    }
+    case OutputKind::truth:
+    case OutputKind::optionalTruth: {
+        const auto* truth = std::get_if<bool>(&value);
+        line.text(!truth ? "" : *truth ? "true" : "false");
+        break;
+    }
+    case OutputKind::text:
+    case OutputKind::optionalText: {
+        const auto* text = std::get_if<std::string>(&value);
+        line.text(text ? *text : std::string());
+        break;
+    }
+    case OutputKind::interval: {
+        const auto* interval = std::get_if<Interval>(&value);
+        addInterval(line, interval ? std::optional(*interval) : std::nullopt);
+        break;
+    }
+    case OutputKind::estimate: {
+        const auto* estimate = std::get_if<Estimate>(&value);
+        line.number(estimate ? estimate->value : emptyCell);
+        addInterval(line, estimate ? std::optional(estimate->interval) : std::nullopt);
+        break;
+    }
+    case OutputKind::share: {
+        const auto* share = std::get_if<Share>(&value);
+        line.number(share ? share->value : emptyCell);
+        addInterval(line, share ? share->interval : std::nullopt);
+        break;
+    }
+    }
+}
+
+ordered_json characteristicJson(const CharacteristicFigures& figures) {
+    ordered_json json = outputsJson(characteristicOutputs(), figures);
+    const CharacteristicSummary& summary = *figures.of;
+    if (!figures.isSample || summary.count == 0) {
+        return json;
+    }
+    for (const Percentile& percentile : summary.percentiles) {
+        json["percentiles"].push_back(
+            {{"order", percentile.order},
+             {"value", percentile.value},
+             {"interval_95",
+              percentile.interval ? outputJson(*percentile.interval) : ordered_json(nullptr)}});
+    }
+    for (const HistogramBar& bar : summary.histogram) {
+        json["histogram"].push_back({bar.low, bar.high, bar.count});
+    }
+    return json;
+}
+
+ordered_json notCountedJson(const Project& project) {
+    ordered_json json = ordered_json::array();
+    for (const FactorKind kind : notCounted(project)) {
+        json.push_back(factorKey(kind));
+    }
+    return json;
+}
+
+/// Parts by cause of rejection, the most frequent first.
+ordered_json rejectsJson(const BatchSummary& summary) {
+    ordered_json json = ordered_json::object();
+    for (const RejectCause& cause : summary.causes) {
+        json[cause.kind ? requirementOf(*cause.kind).key : "size_not_reached"] = cause.count;
+    }
+    return json;
+}
+
+ordered_json worstJson(const BatchResult& result, std::int64_t part) {
+    if (part < 0) {
+        return nullptr;
+    }
+    const ScenarioSource source(result.project);
+    const std::vector<double> values = source.values(part);
+    ordered_json factors = ordered_json::object();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        factors[factorKey(source.factors()[i])] = values[i];
+    }
+    return {{"part", part},
+            {"factors", std::move(factors)},
+            {"project", ordered_json::parse(writeProject(source.project(part)))}};
+}
+
+/// Coefficients by factor; null if the ranks could not be regressed.
+ordered_json regressionJson(const std::optional<RankRegression>& regression,
+                            const std::vector<GivenFactor>& factors, std::int64_t batchParts) {
+    if (!regression) {
+        return nullptr;
+    }
+    ordered_json coefficients = ordered_json::object();
+    for (std::size_t f = 0; f < factors.size(); ++f) {
+        coefficients[factorKey(factors[f])] = regression->coefficients[f];
+    }
+    return {{"coefficients", std::move(coefficients)},
+            {"determination", regression->determination},
+            {"of_parts_below", batchParts}};
+}
+
+/// Indices by factor; null for a characteristic that does not vary.
+ordered_json sobolJson(const std::vector<SobolIndex>& indices,
+                       const std::vector<GivenFactor>& factors) {
+    if (indices.empty()) {
+        return nullptr;
+    }
+    ordered_json json = ordered_json::object();
+    for (std::size_t f = 0; f < factors.size(); ++f) {
+        json[factorKey(factors[f])] = {{"first", indices[f].first}, {"total", indices[f].total}};
+    }
+    return json;
+}
+
+constexpr std::array fitnessNames{"conforms", "conditionally_conforms", "does_not_conform"};
+constexpr std::array reasonNames{"no_part",          "parts_fail", "some_parts_fail",
+                                 "stopped",          "no_sample",  "few_parts",
+                                 "expected_outside", "ppk",        "all_hold"};
+
+ordered_json verdictJson(const BatchVerdict& verdict, const BatchSummary& summary) {
+    ordered_json json = {{"fitness", fitnessNames[static_cast<std::size_t>(verdict.fitness)]},
+                         {"decided_by", reasonNames[static_cast<std::size_t>(verdict.reason)]},
+                         {"value", verdict.value},
+                         {"limit", verdict.limit}};
+    if (verdict.characteristic) {
+        const Characteristic& of = summary.characteristics[*verdict.characteristic].characteristic;
+        json["where"] = placeKey(of);
+        json["name"] = of.name;
+    }
+    return json;
+}
+
 } // namespace
 
 std::vector<CharacteristicFigures> figuresOf(const BatchSummary& summary) {
@@ -176,6 +346,67 @@ std::vector<CharacteristicFigures> figuresOf(const BatchSummary& summary) {
 
 std::span<const Output<CharacteristicFigures>> characteristicOutputs() {
     return characteristicRows;
+}
+
+const char* batchStatusKey(BatchStatus status) {
+    constexpr std::array keys{"completed", "narrow_enough", "stopped", "refused"};
+    return keys[static_cast<std::size_t>(status)];
+}
+
+std::string batchJson(const BatchResult& result, const std::optional<SobolIndices>& indices) {
+    const BatchSummary summary = summarise(result);
+    ordered_json json = {{"engine_version", result.engineVersion},
+                         {"status", batchStatusKey(result.status)},
+                         {"batch", ordered_json::parse(writeProject(result.project)).at("batch")},
+                         {"batch_parts", result.batchParts},
+                         {"parts", summary.parts},
+                         {"is_sample", summary.isSample},
+                         {"did_not_reach_size", summary.failed},
+                         {"strips_uncut", summary.stripped},
+                         {"not_good", outputJson(summary.bad)},
+                         {"rejects", rejectsJson(summary)},
+                         {"verdict", verdictJson(weigh(summary, result), summary)},
+                         {"drifts", summary.drifts},
+                         {"not_counted", notCountedJson(result.project)},
+                         {"exact_percentiles", summary.exactPercentiles},
+                         {"characteristics", ordered_json::array()},
+                         {"worst", worstJson(result, summary.worstPart)}};
+    if (indices) {
+        json["sobol_simulations"] = indices->simulations;
+    }
+    const auto regressions = rankRegressions(result);
+    const auto factors = scatteredFactors(result.project);
+    const std::vector<CharacteristicFigures> figures = figuresOf(summary);
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        json["characteristics"].push_back(characteristicJson(figures[i]));
+        if (summary.isSample) {
+            json["characteristics"].back()["standardised_rank_regression"] =
+                regressionJson(regressions[i], factors, result.batchParts);
+        }
+        if (indices) {
+            json["characteristics"].back()["sobol_indices"] =
+                sobolJson(indices->byCharacteristic[i], factors);
+        }
+    }
+    return json.dump(2) + '\n';
+}
+
+std::string batchCsv(const BatchResult& result) {
+    const BatchSummary summary = summarise(result);
+    CsvLine line;
+    for (const Output<Figures>& row : characteristicRows) {
+        addCsvHeads(line, row, row.kind());
+    }
+    std::string text = line.end();
+    for (const Figures& figures : figuresOf(summary)) {
+        for (const Output<Figures>& row : characteristicRows) {
+            if (*row.columnName()) {
+                addCsvCells(line, row.kind(), row.of(figures));
+            }
+        }
+        text += line.end();
+    }
+    return text;
 }
 
 } // namespace sparkout

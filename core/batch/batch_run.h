@@ -2,9 +2,10 @@
 #pragma once
 
 #include "core/batch/batch_statistics.h"
-#include "core/batch/part_record.h"
+#include "core/batch/characteristics.h"
 #include "core/batch/scenario_source.h"
 #include "core/issue.h"
+#include "core/project/project.h"
 
 #include <atomic>
 #include <optional>
@@ -12,6 +13,10 @@
 #include <string>
 
 namespace sparkout {
+
+/// Faults of a project with a batch: its own, the batch's, and those of the extreme parts, each of
+/// which must be a valid project. Empty: the batch can be run.
+[[nodiscard]] Issues checkBatch(const Project& project);
 
 /// The parts first…end−1 of a batch.
 struct PartRange {

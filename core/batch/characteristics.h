@@ -5,6 +5,8 @@
 #include "core/simulation/result.h"
 
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -56,5 +58,15 @@ struct PartOutcome {
 /// Measures a result into `outcome`, for the characteristics of its project.
 void measure(const SimulationResult& result, const std::vector<Characteristic>& characteristics,
              PartOutcome& outcome);
+
+/// One part of a batch that was run.
+struct PartRecord {
+    std::int64_t part = 0;
+    std::vector<double> factors; ///< values, in the order of givenFactors()
+    PartOutcome outcome;
+};
+
+/// Receives a part; returns false to end the batch.
+using PartSink = std::function<bool(const PartRecord&)>;
 
 } // namespace sparkout

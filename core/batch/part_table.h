@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/batch/part_record.h"
+#include "core/batch/characteristics.h"
 #include "core/batch/scenario_source.h"
 #include "core/tables/table_reader.h"
 

@@ -1,18 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/scenario_source.h"
 
+#include "core/cholesky.h"
 #include "core/process/profile.h"
 #include "core/project/batch.h"
 #include "core/project/gauge.h"
 #include "core/quality/roughness.h"
-#include "core/statistics/permutation.h"
+#include "core/statistics/intervals.h"
+#include "core/statistics/philox.h"
 #include "core/statistics/sobol_sequence.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace sparkout {
+
+std::optional<Correlation> Correlation::of(const std::vector<std::vector<double>>& matrix) {
+    auto lower = choleskyFactor(matrix);
+    if (!lower) {
+        return std::nullopt;
+    }
+    Correlation found;
+    found.m_lower = std::move(*lower);
+    return found;
+}
+
+void Correlation::apply(std::span<double> shares) const {
+    std::vector<double> scores;
+    for (const double share : shares) {
+        scores.push_back(normalQuantile(share));
+    }
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        double score = 0;
+        for (std::size_t k = 0; k <= i; ++k) {
+            score += m_lower[i][k] * scores[k];
+        }
+        shares[i] = std::clamp(normalShare(score), 0x1p-60, 1 - 0x1p-53);
+    }
+}
 
 ScenarioSource::ScenarioSource(Project project)
     : m_nominal(withMeasuredRa(std::move(project))), m_batch(m_nominal.batch.value_or(Batch{})) {
@@ -110,6 +138,16 @@ RankScores ScenarioSource::scores(const std::vector<double>& values) const {
         scores[f] = static_cast<std::int32_t>(std::lround(std::ldexp(centred, rankScoreBits)));
     }
     return scores;
+}
+
+Project withFreshParts(Project project, int draw, int count) {
+    constexpr unsigned mostSeed = std::numeric_limits<int>::max(), apart = 1'000'003;
+    Batch& batch = *project.batch;
+    const unsigned seed = static_cast<unsigned>(batch.seed) + apart * static_cast<unsigned>(draw);
+    batch.seed = static_cast<int>(seed & mostSeed);
+    batch.scenarios = Scenarios::random;
+    batch.parts = count;
+    return project;
 }
 
 } // namespace sparkout

@@ -3,13 +3,34 @@
 
 #include "core/batch/factor_law.h"
 #include "core/project/batch.h"
-#include "core/statistics/correlation.h"
+#include "core/project/project.h"
 #include "core/statistics/value_bins.h"
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace sparkout {
+
+/// Correlates factors by a Gaussian copula: independent shares u become normal scores z = Φ⁻¹(u),
+/// L·z with R = L·Lᵀ are scores of correlation R, and back to shares. R is the correlation of the
+/// scores: of normal factors Pearson's own, of others the rank correlation is (6/π)·asin(R/2).
+///
+/// Not by Iman and Conover's reordering [IMAN1982]: that needs the whole sample at once, and a part
+/// here must be known from its number alone. As a drawback, only the first factor of a Latin
+/// hypercube keeps its strata exactly.
+class Correlation {
+public:
+    /// Empty if the matrix is not positive definite. It must be square with ones on its diagonal.
+    static std::optional<Correlation> of(const std::vector<std::vector<double>>& matrix);
+
+    /// Turns independent shares into correlated ones.
+    void apply(std::span<double> shares) const;
+
+private:
+    std::vector<std::vector<double>> m_lower; ///< L, row i of i + 1 values
+};
 
 /// The parts of a batch [MODEL-8], each made from its number alone: part 17 is the same in any
 /// order and on any thread or machine. The batch must pass checkBatch().
@@ -52,5 +73,13 @@ private:
     bool m_isSample = true;
     bool m_hasLaw = false;
 };
+
+/// Parts drawn for the last test of a cycle: if none of them is bad, at most mostFailing() of all
+/// are, with 95 % confidence.
+inline constexpr int freshPartCount = 500;
+
+/// The project with a batch of so many parts, drawn at random and independently; each `draw` from 1
+/// on gives different parts, and none gives those of the batch itself.
+[[nodiscard]] Project withFreshParts(Project project, int draw, int count = freshPartCount);
 
 } // namespace sparkout

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/usual_batch.h"
 
-#include "core/batch/batch_check.h"
+#include "core/batch/batch_run.h"
 #include "core/process/force.h"
 #include "core/process/recipe_force.h"
 #include "core/project/gauge.h"

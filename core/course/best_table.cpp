@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/course/best_table.h"
 
-#include "core/course/work_seal.h"
 #include "core/lesson/goal_check.h"
 #include "core/project/cycle.h"
 #include "core/project/validate.h"

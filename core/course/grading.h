@@ -6,6 +6,7 @@
 #include "core/course/work.h"
 #include "core/issue.h"
 #include "core/lesson/goal_check.h"
+#include "core/lesson/lesson.h"
 
 #include <chrono>
 #include <cstddef>
@@ -110,5 +111,18 @@ struct GradeWish {
                                                  const GradeWish& wish,
                                                  const std::stop_token& stop = {},
                                                  const std::function<void(std::size_t)>& note = {});
+
+/// The results of checking an answer to each step of a lesson.
+struct CheckedSteps {
+    Lesson lesson;
+    std::vector<GoalResult> steps;
+};
+
+/// Checks each step as given, before the student changes anything. If the lesson asks for the best
+/// cycle, its time is searched first.
+[[nodiscard]] CheckedSteps checkedAsGiven(Lesson lesson, const std::stop_token& stop = {});
+
+/// The last answers of a work, checked by the engine.
+[[nodiscard]] CheckedSteps checkedAnswers(const Work& work);
 
 } // namespace sparkout

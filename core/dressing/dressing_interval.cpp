@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dressing/dressing_interval.h"
 
-#include "core/batch/batch_check.h"
+#include "core/batch/batch_run.h"
 #include "core/batch/scenario_source.h"
-#include "core/dressing/part_cost.h"
-#include "core/dressing/worn_parts.h"
+#include "core/format/output_json.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
+#include "core/quality/result_names.h"
+#include "core/setup/setup_run.h"
 #include "core/setup/surface_wear.h"
 #include "core/simulation/simulate.h"
 
@@ -17,6 +18,36 @@
 namespace sparkout {
 
 namespace {
+
+using nlohmann::ordered_json;
+
+/// The wheel of a set-up between two dressings [MODEL-12]. At part n it has removed n − 1 times the
+/// removal of all cycles of the first part, as simulated, plus that of the part's earlier surfaces.
+class WornParts {
+public:
+    /// For a set-up with the run of its first part after dressing.
+    WornParts(const Setup& setup, const SetupRun& first) : m_wear(setup.wear) {
+        for (const SurfaceRun& surface : first.surfaces) {
+            m_before.push_back(m_part);
+            m_part += surface.removed();
+        }
+    }
+
+    [[nodiscard]] double partVolume_mm3() const { return m_part.volume_mm3; }
+    /// Wears the dressed wheel of a project to its state at a surface of a part, from 1.
+    void wear(Project& dressed, std::size_t surface, std::int64_t part) const {
+        wearWheel(dressed, m_wear, m_before[surface] + static_cast<double>(part - 1) * m_part);
+    }
+    /// Whether the wheel no longer changes from this part on.
+    [[nodiscard]] bool isWornOut(const Wheel& dressed, std::int64_t part) const {
+        return sparkout::isWornOut(dressed, m_wear, static_cast<double>(part - 1) * m_part);
+    }
+
+private:
+    WheelWear m_wear;
+    RemovedMetal m_part;                ///< metal removed by all surfaces
+    std::vector<RemovedMetal> m_before; ///< metal removed by the earlier surfaces of each
+};
 
 /// A surface, nominal or with a part of its batch.
 struct Case {
@@ -166,7 +197,94 @@ std::optional<BestInterval> bestInterval(const DressingInterval& interval, const
     return best;
 }
 
+constexpr Output<DressingInterval> intervalRows[] = {
+    {{.key = "parts", .hint = "parts of one dressing that meet every requirement"},
+     [](const DressingInterval& d) { return d.parts; }},
+    {{.key = "endless", .hint = "no part fails however many there are"},
+     [](const DressingInterval& d) { return d.isEndless; }},
+    {{.key = "at_least", .hint = "as many were tried, and none fails"},
+     [](const DressingInterval& d) { return !d.end && !d.isEndless; }},
+    {{.key = "part_volume_mm3", .unit = "mm³", .hint = "metal that a part loses"},
+     [](const DressingInterval& d) { return d.partVolume_mm3; }},
+    {{.key = "runs", .hint = "cycles that were run"},
+     [](const DressingInterval& d) { return d.tried; }},
+};
+
+/// Null if the part was not judged.
+template <class Value>
+std::optional<Value> ofWorst(const WornFailureOf& f, Value (*value)(const ConstraintResult&)) {
+    return f.failure.worst ? std::optional(value(*f.failure.worst)) : std::nullopt;
+}
+
+constexpr Output<WornFailureOf> failureRows[] = {
+    {{.key = "part", .hint = "the first part that fails, from 1"},
+     [](const WornFailureOf& f) { return f.failure.part; }},
+    {{.key = "surface"},
+     [](const WornFailureOf& f) { return f.setup.surfaces[f.failure.surface].name; }},
+    {{.key = "scenario", .hint = "part of the batch of the surface, from 0; none: as it stands"},
+     [](const WornFailureOf& f) { return f.failure.scenario; }},
+    {{.key = "status", .hint = "refused, or how its cycle ends"},
+     [](const WornFailureOf& f) {
+         const WornFailure& failure = f.failure;
+         return std::string(failure.issues.empty() ? statusKey(failure.status) : "refused");
+     }},
+    {{.key = "requirement", .hint = "the one that fails by most"},
+     [](const WornFailureOf& f) {
+         return ofWorst<std::string>(
+             f, [](auto& c) { return std::string(requirementOf(c.kind).key); });
+     }},
+    {{.key = "where"}, [](const WornFailureOf& f) { return ofWorst<std::string>(f, whereText); }},
+    {{.key = "value", .hint = "in the unit of the requirement"},
+     [](const WornFailureOf& f) { return ofWorst<double>(f, [](auto& c) { return c.value; }); }},
+    {{.key = "limit", .hint = "in the unit of the requirement"},
+     [](const WornFailureOf& f) { return ofWorst<double>(f, [](auto& c) { return c.limit; }); }},
+};
+
+constexpr Output<BestInterval> partsRow = {{.key = "parts", .hint = "parts between two dressings"},
+                                           [](const BestInterval& b) { return b.parts; }};
+
+constexpr Output<BestInterval> quickestRows[] = {
+    partsRow,
+    {{.key = "time_s", .unit = "s", .hint = "time of a part with its share of the dressing"},
+     [](const BestInterval& b) { return b.value; }},
+};
+
+constexpr Output<BestInterval> cheapestRows[] = {
+    partsRow,
+    {{.key = "cost", .hint = "of a part with its share of the dressing"},
+     [](const BestInterval& b) { return b.value; }},
+};
+
 } // namespace
+
+std::optional<std::int64_t> partsBetweenDressings(const Project& project) {
+    if (!project.optimisation || !project.optimisation->cost) {
+        return std::nullopt;
+    }
+    const Cost& cost = *project.optimisation->cost;
+    if (cost.parts_between_dressings || !project.batch || !project.batch->factors.dullness) {
+        return cost.parts_between_dressings;
+    }
+    return project.batch->factors.dullness->parts_between_dressings;
+}
+
+double partCost(const Cost& cost, double time_s, std::optional<std::int64_t> parts) {
+    constexpr double secondsPerHour = 3600;
+    double charged_s = time_s + cost.handling_s, worn = 0;
+    if (parts) {
+        const auto count = static_cast<double>(*parts);
+        charged_s += cost.dressing_s / count;
+        worn = cost.dressing_cost / count;
+    }
+    return cost.machine_per_h / secondsPerHour * charged_s + worn;
+}
+
+std::optional<double> costPerPart(const Project& project, double time_s) {
+    if (!project.optimisation || !project.optimisation->cost) {
+        return std::nullopt;
+    }
+    return partCost(*project.optimisation->cost, time_s, partsBetweenDressings(project));
+}
 
 DressingInterval dressingInterval(const Setup& given, const DressingOptions& options) {
     const Setup setup = dressedSetup(given);
@@ -223,6 +341,40 @@ std::optional<BestInterval> cheapestInterval(const DressingInterval& interval, c
     return bestInterval(interval, [&cost](double mean_s, std::int64_t parts) {
         return partCost(cost, mean_s, parts);
     });
+}
+
+BestIntervals bestIntervals(const Setup& setup, const DressingInterval& interval) {
+    const Cost* const rates = ratesOf(setup);
+    if (!rates) {
+        return {};
+    }
+    return {quickestInterval(interval, rates->dressing_s), cheapestInterval(interval, *rates)};
+}
+
+std::span<const Output<DressingInterval>> dressingOutputs() {
+    return intervalRows;
+}
+
+std::span<const Output<WornFailureOf>> wornFailureOutputs() {
+    return failureRows;
+}
+
+std::span<const Output<BestInterval>> quickestIntervalOutputs() {
+    return quickestRows;
+}
+
+std::span<const Output<BestInterval>> cheapestIntervalOutputs() {
+    return cheapestRows;
+}
+
+std::string dressingJson(const Setup& setup, const DressingInterval& interval) {
+    const BestIntervals best = bestIntervals(setup, interval);
+    ordered_json json = outputsJson(dressingOutputs(), interval);
+    json["ends_by"] =
+        interval.end ? outputsJson(wornFailureOutputs(), {setup, *interval.end}) : ordered_json();
+    json["quickest"] = outputsJson(quickestIntervalOutputs(), best.quickest);
+    json["cheapest"] = outputsJson(cheapestIntervalOutputs(), best.cheapest);
+    return json.dump(2) + '\n';
 }
 
 } // namespace sparkout

@@ -3,7 +3,9 @@
 
 #include "core/issue.h"
 #include "core/project/batch.h"
+#include "core/project/project.h"
 #include "core/quality/constraints.h"
+#include "core/result.h"
 #include "core/setup/setup.h"
 #include "core/simulation/result.h"
 
@@ -11,13 +13,35 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 /// The number of parts that a wheel grinds between two dressings, and the best number.
 namespace sparkout {
 
 struct Cost;
+
+/// The cost of a part [GILBERT1950], in the currency of the rates:
+///
+///     C = C_m·(T + t_h + t_d/N) + C_d/N
+///
+/// C_m the rate of machine and operator, T the mean time of the cycle, t_h handling, t_d the time
+/// and C_d the wheel and diamond of a dressing, N the parts between dressings; without N there is
+/// no dressing.
+[[nodiscard]] double partCost(const Cost& cost, double time_s, std::optional<std::int64_t> parts);
+
+/// The number given by the rates of a project, otherwise by its batch's dullness; empty: no
+/// dressing.
+[[nodiscard]] std::optional<std::int64_t> partsBetweenDressings(const Project& project);
+
+/// By the rates of a project, with its partsBetweenDressings(). N then does not depend on the
+/// cycle, and the quickest cycle of a grid is the cheapest. The cheapest cycle with N by the
+/// wheel's wear is in interval_search.h.
+///
+/// Empty if the project has no rates.
+[[nodiscard]] std::optional<double> costPerPart(const Project& project, double time_s);
 
 /// Why the parts between dressings are not known.
 enum class DressingFault {
@@ -85,5 +109,25 @@ struct BestInterval {
 /// The cheapest interval by partCost() of the mean time.
 [[nodiscard]] std::optional<BestInterval> cheapestInterval(const DressingInterval& interval,
                                                            const Cost& cost);
+
+/// The quickest and the cheapest interval between dressings; neither without rates of cost.
+struct BestIntervals {
+    std::optional<BestInterval> quickest, cheapest;
+};
+[[nodiscard]] BestIntervals bestIntervals(const Setup& setup, const DressingInterval& interval);
+
+/// The part that ends an interval.
+struct WornFailureOf {
+    const Setup& setup;
+    const WornFailure& failure;
+};
+
+[[nodiscard]] std::span<const Output<DressingInterval>> dressingOutputs();
+[[nodiscard]] std::span<const Output<WornFailureOf>> wornFailureOutputs();
+[[nodiscard]] std::span<const Output<BestInterval>> quickestIntervalOutputs();
+[[nodiscard]] std::span<const Output<BestInterval>> cheapestIntervalOutputs();
+
+/// The object of `dressing --json`.
+[[nodiscard]] std::string dressingJson(const Setup& setup, const DressingInterval& interval);
 
 } // namespace sparkout

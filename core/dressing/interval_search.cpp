@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dressing/interval_search.h"
 
-#include "core/dressing/part_cost.h"
+#include "core/dressing/dressing_interval.h"
 #include "core/grace_stop.h"
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/variants.h"

@@ -2,8 +2,8 @@
 #include "core/files/safe_file.h"
 
 #include "core/files/save_steps.h"
-#include "core/files/temporary_file.h"
 #include "core/sha256.h"
+#include "core/text.h"
 
 #include <algorithm>
 #include <array>
@@ -269,6 +269,34 @@ std::variant<std::filesystem::path, FileError> putAside(const std::filesystem::p
         }
     }
     return FileError{utf8(path), FileStep::backup, error, {}, false};
+}
+
+const char* fileStepText(FileStep step) {
+    switch (step) {
+    case FileStep::inspect:
+        return SPARKOUT_NOOP("FileError", "the file or folder is not accessible");
+    case FileStep::notRegular: return SPARKOUT_NOOP("FileError", "the path does not name a file");
+    case FileStep::readOnly: return SPARKOUT_NOOP("FileError", "the file is read-only");
+    case FileStep::open: return SPARKOUT_NOOP("FileError", "it cannot be opened");
+    case FileStep::create:
+        return SPARKOUT_NOOP("FileError", "no file can be created in the folder");
+    case FileStep::permissions: return SPARKOUT_NOOP("FileError", "its permissions cannot be set");
+    case FileStep::write:
+    case FileStep::sync:
+    case FileStep::close: return SPARKOUT_NOOP("FileError", "the data could not be written");
+    case FileStep::backup: return SPARKOUT_NOOP("FileError", "the previous version cannot be kept");
+    case FileStep::rename: return SPARKOUT_NOOP("FileError", "the new file cannot be put in place");
+    case FileStep::verify:
+        return SPARKOUT_NOOP("FileError",
+                             "the data read back from the disk differ from the data written");
+    case FileStep::read: return SPARKOUT_NOOP("FileError", "it cannot be read");
+    case FileStep::tooLarge: return SPARKOUT_NOOP("FileError", "the file is too large");
+    case FileStep::changed:
+        return SPARKOUT_NOOP("FileError", "another program has changed it in the meantime");
+    case FileStep::content:
+        return SPARKOUT_NOOP("FileError", "this program could not read the saved content back");
+    }
+    return "";
 }
 
 } // namespace sparkout

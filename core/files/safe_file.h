@@ -78,4 +78,7 @@ inline constexpr int mergeAttempts = 100;
 [[nodiscard]] std::variant<std::filesystem::path, FileError>
 putAside(const std::filesystem::path& path);
 
+/// The description of a step, marked for translation in the context "FileError".
+[[nodiscard]] const char* fileStepText(FileStep step);
+
 } // namespace sparkout

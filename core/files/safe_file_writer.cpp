@@ -2,7 +2,6 @@
 #include "core/files/safe_file_writer.h"
 
 #include "core/files/save_steps.h"
-#include "core/files/temporary_file.h"
 
 #include <cerrno>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/form/roundness_readings.h"
 
-#include "core/form/gaussian_filter.h"
+#include "core/form/harmonics.h"
 #include "core/form/reference_circles.h"
 
 namespace sparkout {

@@ -2,14 +2,13 @@
 #include "core/identification/batch_fit.h"
 
 #include "core/adequacy/measured_statistics.h"
-#include "core/batch/moments.h"
+#include "core/batch/batch_statistics.h"
 #include "core/identification/cycle_response.h"
 #include "core/identification/fit_problem.h"
-#include "core/identification/sizes_over_phases.h"
 #include "core/process/profile.h"
 #include "core/project/measured.h"
 #include "core/project/part.h"
-#include "core/statistics/comparison.h"
+#include "core/statistics/intervals.h"
 #include "core/units.h"
 
 #include <Eigen/Dense>

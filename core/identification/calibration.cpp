@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/calibration.h"
 
-#include "core/identification/scaled_project.h"
+#include "core/identification/cycle_response.h"
 #include "core/process/force.h"
 #include "core/process/recipe_force.h"
 #include "core/process/scaled_compliance.h"
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -273,6 +274,16 @@ void recordCalibration(Project& project, Calibration calibration) {
     } else {
         measured.calibrations.push_back(std::move(calibration));
     }
+}
+
+std::string today() {
+    using namespace std::chrono;
+    const year_month_day date(floor<days>(system_clock::now()));
+    const auto twoDigits = [](unsigned number) {
+        return (number < 10 ? "-0" : "-") + std::to_string(number);
+    };
+    return std::to_string(int(date.year())) + twoDigits(unsigned(date.month()))
+           + twoDigits(unsigned(date.day()));
 }
 
 } // namespace sparkout

@@ -18,4 +18,6 @@ namespace sparkout {
 /// Records the origin of an input's value.
 void recordCalibration(Project& project, Calibration calibration);
 
+[[nodiscard]] std::string today(); ///< today's date, UTC: "2026-03-05"
+
 } // namespace sparkout

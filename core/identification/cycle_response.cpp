@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/cycle_response.h"
 
+#include "core/batch/characteristics.h"
+#include "core/batch/worker_pool.h"
+#include "core/phases/phase_decision.h"
 #include "core/process/force.h"
+#include "core/process/profile.h"
+#include "core/process/recipe_force.h"
+#include "core/process/scaled_compliance.h"
+#include "core/process/system_compliance.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
+#include "core/project/material.h"
 #include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/simulation/plunge.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
@@ -15,8 +24,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
+#include <variant>
 
 namespace sparkout {
 
@@ -197,6 +209,62 @@ private:
 
 } // namespace
 
+CycleFactors factorsOf(const Project& project) {
+    CycleFactors factors;
+    factors.blankRunout_mm = initialRunout(*project.part);
+    return factors;
+}
+
+bool hasPlaceCompliances(const Project& project) {
+    const bool isGiven =
+        !std::holds_alternative<std::monostate>(project.machine->compliance_mm_per_n);
+    return isGiven || (!project.sections_coupled && zoneSectionCount(project) == 0);
+}
+
+void scalePlaceCompliances(Project& project, const std::vector<double>& factors) {
+    const std::vector<CompliantPoint> points = compliantPoints(project);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        values.push_back(points[i].gamma_mm_n * (i < factors.size() ? factors[i] : 1));
+    }
+    if (project.operation->hasZones && values.size() == 3) {
+        project.machine->compliance_mm_per_n = ZoneCompliance{values[0], values[1], values[2]};
+    } else {
+        project.machine->compliance_mm_per_n = std::move(values);
+    }
+}
+
+// σ_i and α have the same effect on α, since γ precedes both: γ' = γ·c·σ·α. η then corrects β. The
+// nonlinear wheel contact must deflect under P as before under σ·P.
+Project scaledProject(const Project& project, const CycleFactors& factors) {
+    Project scaled = project;
+    scaled.runs.clear();
+    scaled.measured.reset();
+    if (hasThreshold(project)) {
+        scaled.material->specific_force_mpa *= factors.alpha;
+        scaled.material->threshold_force_n_mm *= factors.beta;
+        scaleCompliance(scaled, factors.compliance);
+        if (!factors.places.empty()) {
+            scalePlaceCompliances(scaled, factors.places);
+        }
+        scaled.part->initial_runout_mm = factors.blankRunout_mm;
+        return scaled;
+    }
+    scaleCompliance(scaled, factors.compliance * factors.flowStress * factors.alpha);
+    if (auto& contact = scaled.machine->wheel_contact; contact && contact->n_um_at_n) {
+        for (std::vector<double>& row : *contact->n_um_at_n) {
+            row[0] /= factors.flowStress;
+        }
+    }
+    if (!factors.places.empty()) {
+        scalePlaceCompliances(scaled, factors.places);
+    }
+    setDullness(*scaled.wheel,
+                dullnessOf(*scaled.wheel) * (factors.dullness * factors.beta / factors.alpha));
+    scaled.part->initial_runout_mm = factors.blankRunout_mm;
+    return scaled;
+}
+
 CycleResponse respond(const Project& project, const CycleFactors& factors,
                       const std::vector<int>& stepsByStage, bool withPlaces,
                       const std::stop_token& stop) {
@@ -251,6 +319,43 @@ double valueAt(const std::vector<double>& times, const std::vector<double>& valu
                                                 - times.begin());
     const double share = (time - times[after - 1]) / (times[after] - times[after - 1]);
     return values[after - 1] + share * (values[after] - values[after - 1]);
+}
+
+SizesOverPhases sizesOverPhases(const Project& project, const CycleFactors& factors,
+                                const std::stop_token& stop) {
+    constexpr std::size_t stocks = 256;
+    const StockRange range = usualPhases(project);
+    const Project scaled = scaledProject(project, factors);
+    std::vector<std::vector<double>> found(stocks);
+    forEachIndex(workerCount(0), 0, static_cast<std::int64_t>(stocks), stop,
+                 [&](std::size_t, std::int64_t index) {
+                     Project part = scaled;
+                     part.part->stock_mm = range.from_mm
+                                           + (range.to_mm - range.from_mm)
+                                                 * (static_cast<double>(index) + 0.5) / stocks;
+                     const SimulationResult result = simulateUnchecked(part, nullptr, stop);
+                     if (result.status == RunStatus::completed) {
+                         for (const SectionResult& section : result.sections) {
+                             found[static_cast<std::size_t>(index)].push_back(
+                                 meanDeviation_um(section, part.part->diameter_mm));
+                         }
+                     }
+                     return true;
+                 });
+    std::erase_if(found, [](const std::vector<double>& one) { return one.empty(); });
+    SizesOverPhases sizes;
+    const auto count = static_cast<double>(found.size());
+    for (std::size_t i = 0; !found.empty() && i < found.front().size(); ++i) {
+        double sum = 0, squares = 0;
+        for (const std::vector<double>& one : found) {
+            sum += one[i];
+            squares += one[i] * one[i];
+        }
+        sizes.means_um.push_back(sum / count);
+        sizes.deviations_um.push_back(
+            std::sqrt(std::max(0.0, squares / count - sum / count * sum / count)));
+    }
+    return sizes;
 }
 
 } // namespace sparkout

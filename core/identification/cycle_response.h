@@ -1,12 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/scaled_project.h"
+#include "core/project/project.h"
 
 #include <stop_token>
 #include <vector>
 
 namespace sparkout {
+
+/// Factors on the inputs that determine the depths of cut.
+struct CycleFactors {
+    double alpha = 1, beta = 1, compliance = 1, flowStress = 1, dullness = 1;
+    std::vector<double> places; ///< factors of the compliance of each zone or section; empty: 1
+    double blankRunout_mm = 0;  ///< ΔR itself
+    friend bool operator==(const CycleFactors&, const CycleFactors&) = default;
+};
+
+/// The factors of an unchanged project.
+[[nodiscard]] CycleFactors factorsOf(const Project& project);
+
+/// Whether zones or sections can have their own compliances: given, or computed separately.
+[[nodiscard]] bool hasPlaceCompliances(const Project& project);
+
+/// Multiplies γ place by place; a computed γ becomes a given one.
+void scalePlaceCompliances(Project& project, const std::vector<double>& factors);
+
+/// Where the force has a threshold alpha is the factor of K and beta that of F'_0.
+///
+/// The project whose cycle has these α and β in every balance; with a wheel contact, whose balance
+/// is no sum of the two, α and β are to be 1. Its forces are not those of the
+/// factors: they follow from the depths of cut.
+[[nodiscard]] Project scaledProject(const Project& project, const CycleFactors& factors);
 
 /// The expected signals of gauge, drive and force sensor in a cycle, one value for each step: a
 /// double stroke or a revolution. Powers and forces follow the project's own law at the depths cut.
@@ -45,5 +69,17 @@ struct CycleResponse {
 /// value; a negative one leads.
 [[nodiscard]] double laggedAt(const std::vector<double>& times, const std::vector<double>& values,
                               double time, double lag_s);
+
+/// The sizes of many parts with an unknown stock within the steps of the feed: for each zone or
+/// section the mean diameter less the nominal one.
+struct SizesOverPhases {
+    std::vector<double> means_um;      ///< empty: no cycle reached size
+    std::vector<double> deviations_um; ///< standard deviations of single parts
+};
+
+/// Computes the sizes over usualPhases(), one infeed of stock, for 256 evenly spaced stocks: a step
+/// of the size over the stock is located to a 256th of the range.
+[[nodiscard]] SizesOverPhases sizesOverPhases(const Project& project, const CycleFactors& factors,
+                                              const std::stop_token& stop = {});
 
 } // namespace sparkout

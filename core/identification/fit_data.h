@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/identification/fitted_parameter.h"
 #include "core/project/project.h"
 
 #include <cstddef>
@@ -9,6 +10,12 @@
 #include <vector>
 
 namespace sparkout {
+
+/// Ratio of a normal distribution's standard deviation to the median of its absolute values.
+inline constexpr double deviationPerMedian = 1.482602218505602;
+
+/// The upper median of at least one value.
+[[nodiscard]] double medianOf(std::vector<double> values);
 
 enum class FitSource { size, power, force, parts };
 
@@ -44,5 +51,13 @@ struct FitData {
 /// diameters of its parts; without traces and listed parts, the means of summaries.
 [[nodiscard]] FitData fitDataOf(const Project& project, const std::vector<int>& traces,
                                 bool withParts);
+
+/// The parameters that data of these kinds can determine [MODEL-13]: size alone gives α and β,
+/// never γ and k_s separately; with the force it gives γ, σ_i and η. Power gives its two products,
+/// and the idle power if that is not given. Offsets of the traces are added. Finished parts give β
+/// and the setting of the gauge, those of one place the setting alone. With a threshold of the
+/// force, factors of K and F'_0 replace those of σ_i and η.
+[[nodiscard]] std::vector<FittedKind> proposedParameters(const FitData& data,
+                                                         bool hasThreshold = false);
 
 } // namespace sparkout

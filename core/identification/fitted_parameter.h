@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/project.h"
+
 #include <optional>
+#include <vector>
 
 namespace sparkout {
 
@@ -55,5 +58,9 @@ struct FittedParameter {
 [[nodiscard]] double plausibleRange(FittedKind kind);
 /// The key on the command line and in JSON, "time_shift".
 [[nodiscard]] const char* keyOf(FittedKind kind);
+
+/// Whether all these parameters apply to the project, and none is given twice: compliances only of
+/// places with their own, no runout of a measured blank, no α and β of a wheel contact.
+[[nodiscard]] bool areApplicable(const Project& project, const std::vector<FittedParameter>& list);
 
 } // namespace sparkout

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification.h"
 
-#include "core/batch/moments.h"
-#include "core/identification/applicable.h"
+#include "core/batch/batch_statistics.h"
 #include "core/identification/batch_fit.h"
 #include "core/identification/calibration.h"
 #include "core/identification/fit_problem.h"
-#include "core/identification/levenberg_marquardt.h"
 #include "core/process/contact_compliance.h"
 #include "core/process/coupled_sections.h"
 #include "core/project/gauge.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/statistics/comparison.h"
-#include "core/statistics/median.h"
 
 #include <Eigen/Dense>
 

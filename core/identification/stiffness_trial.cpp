@@ -7,7 +7,6 @@
 #include "core/project/measured.h"
 #include "core/project/part.h"
 #include "core/simulation/simulate.h"
-#include "core/statistics/comparison.h"
 #include "core/units.h"
 
 #include <Eigen/Dense>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/trial_design.h"
 
-#include "core/identification/applicable.h"
 #include "core/identification/cycle_response.h"
+#include "core/identification/fit_data.h"
 #include "core/identification/fit_problem.h"
-#include "core/identification/fit_proposal.h"
 #include "core/identification/identifiability.h"
 #include "core/identification/levenberg_marquardt.h"
 #include "core/process/force.h"

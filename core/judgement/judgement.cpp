@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/judgement/judgement.h"
 
-#include "core/batch/batch_verdict.h"
-#include "core/phases/failing_share.h"
 #include "core/process/printed_form.h"
 #include "core/project/batch.h"
 #include "core/project/machine.h"

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lesson/figure_value.h"
 
-#include "core/lesson/study_figure.h"
+#include "core/batch/batch_run.h"
+#include "core/batch/batch_summary.h"
+#include "core/dynamic_programming/state_grid.h"
 #include "core/limits/burn.h"
+#include "core/optimisation/optimise.h"
+#include "core/optimisation/variants.h"
 #include "core/process/force.h"
 #include "core/process/profile.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
+#include "core/project/project.h"
+#include "core/project/validate.h"
 #include "core/project/wheel.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/roughness.h"
@@ -18,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace sparkout {
 
@@ -26,6 +33,94 @@ namespace {
 using units::umPerMm;
 
 constexpr double wholePercent = 100;
+
+// Figures that need more than one run: of the project's batch, its search, or dynamic programming
+// on its levels. Each call computes them anew.
+
+/// The mean diameter of a place; it has both limits and so both indices.
+const CharacteristicSummary* diameterOf(const BatchSummary& summary, const PlaceName& place) {
+    for (const CharacteristicSummary& each : summary.characteristics) {
+        if (std::string_view(each.characteristic.name) == "diameter"
+            && each.characteristic.section == static_cast<int>(place.index())) {
+            return &each;
+        }
+    }
+    return nullptr;
+}
+
+std::optional<double> valueOf(const std::optional<Estimate>& index) {
+    return index ? std::optional(index->value) : std::nullopt;
+}
+
+std::optional<double> inMinutes(const std::optional<double>& time_s) {
+    return time_s ? std::optional(*time_s / units::secondsPerMinute) : std::nullopt;
+}
+
+/// Time of the proved quickest cycle of a grid [s].
+std::optional<double> provedTime_s(const Project& project) {
+    if (hasErrors(validate(project)) || Variants(project).fault() != GridFault::none) {
+        return std::nullopt;
+    }
+    const SearchSummary summary = optimise(project);
+    return summary.status == SearchStatus::proved && summary.best
+               ? std::optional(summary.best->time_s)
+               : std::nullopt;
+}
+
+/// A figure of the batch, or of a zone or section over it; empty if the project's batch cannot be
+/// run, or the figure is not known.
+std::optional<double> batchFigure(const Figure& figure, const Project& project) {
+    if (!project.batch) {
+        return std::nullopt;
+    }
+    const BatchResult batch = runBatch(project);
+    if (batch.status != BatchStatus::completed) {
+        return std::nullopt;
+    }
+    const BatchSummary summary = summarise(batch);
+    if (figure.name == FigureName::batchBad) {
+        return summary.bad.value * wholePercent;
+    }
+    const CharacteristicSummary* const diameter = diameterOf(summary, figure.place);
+    if (!diameter) {
+        return std::nullopt;
+    }
+    switch (figure.name) {
+    case FigureName::batchMean: return diameter->moments.mean;
+    case FigureName::batchDeviation: return diameter->moments.deviation;
+    case FigureName::batchMeanHalf:
+        return diameter->mean95
+                   ? std::optional((diameter->mean95->high - diameter->mean95->low) / 2)
+                   : std::nullopt;
+    case FigureName::batchPp: return valueOf(diameter->pp);
+    case FigureName::batchPpk: return valueOf(diameter->ppk);
+    default: return std::nullopt;
+    }
+}
+
+/// A figure of the search; empty without a grid or without a fit cycle.
+std::optional<double> searchFigure(const Figure& figure, const Project& project) {
+    if (figure.name == FigureName::bestTime) {
+        return project.optimisation ? inMinutes(provedTime_s(project)) : std::nullopt;
+    }
+    if (!project.optimisation || stateGridFault(project) != StateGridFault::none) {
+        return std::nullopt;
+    }
+    const StateGridSize size = usualStateGrid(project);
+    const auto best_s = [&] { return provedTime_s(withGridSearch(project, size)); };
+    if (figure.name == FigureName::levelsBestTime) {
+        return inMinutes(best_s());
+    }
+    const auto grid = fillStateGrid(project, size);
+    if (!grid || !grid->time_s) {
+        return std::nullopt;
+    }
+    if (figure.name == FigureName::levelsRuleTime) {
+        return inMinutes(grid->time_s);
+    }
+    const auto proved_s = best_s();
+    return proved_s ? std::optional((*grid->time_s / *proved_s - 1) * wholePercent) : std::nullopt;
+}
 
 /// The least relative margin of all requirements, or of one kind.
 std::optional<double> leastMarginOf(const FigureSource& run, std::optional<ConstraintKind> kind) {

@@ -10,7 +10,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double largest = 1e9;
+constexpr double largestNumber = 1e9;
 
 /// Whether each kind is given, in the order of GoalKind.
 std::array<bool, 8> given(const Goal& goal) {
@@ -111,10 +111,10 @@ const StructInfo& tableOf<FigureGoal>() {
     static const std::array rows{
         SPARKOUT_FIELD(FigureGoal, figure, .label = SPARKOUT_NOOP("Input", "Figure")),
         SPARKOUT_FIELD(FigureGoal, value, .label = SPARKOUT_NOOP("Input", "Value"),
-                       .hard = {-largest, largest}, .required = conditions::always,
+                       .hard = {-largestNumber, largestNumber}, .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "In the unit of the figure.")),
         SPARKOUT_FIELD(FigureGoal, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerance"),
-                       .hard = {0, largest, true}, .required = conditions::always,
+                       .hard = {0, largestNumber, true}, .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "In both directions (±).")),
     };
     static const StructInfo info =
@@ -127,7 +127,7 @@ const StructInfo& tableOf<NumberPrediction>() {
     static const std::array rows{
         SPARKOUT_FIELD(NumberPrediction, figure, .label = SPARKOUT_NOOP("Input", "Figure")),
         SPARKOUT_FIELD(NumberPrediction, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerance"),
-                       .hard = {0, largest},
+                       .hard = {0, largestNumber},
                        .hint = SPARKOUT_NOOP("Input", "±, in the quantity's unit.")),
         SPARKOUT_FIELD(
             NumberPrediction, tolerance_percent,
@@ -159,7 +159,7 @@ const StructInfo& tableOf<CurvePrediction>() {
                            "Where the drawn curve is compared: double strokes, revolutions and "
                            "stages from 1, sections from 0, zones as 0, 1, 2.")),
         SPARKOUT_FIELD(CurvePrediction, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerance"),
-                       .hard = {0, largest},
+                       .hard = {0, largestNumber},
                        .hint = SPARKOUT_NOOP("Input", "±, in the quantity's unit.")),
         SPARKOUT_FIELD(
             CurvePrediction, tolerance_percent,
@@ -182,7 +182,7 @@ const StructInfo& tableOf<OrderPrediction>() {
     static const std::array rows{
         SPARKOUT_FIELD(OrderPrediction, figure, .label = SPARKOUT_NOOP("Input", "Figure")),
         SPARKOUT_FIELD(OrderPrediction, alike, .label = SPARKOUT_NOOP("Input", "Alike within"),
-                       .hard = {0, largest},
+                       .hard = {0, largestNumber},
                        .hint = SPARKOUT_NOOP(
                            "Input", "Places whose values are no further apart may stand in either "
                                     "order.")),
@@ -262,6 +262,26 @@ const StructInfo& tableOf<Goal>() {
             .hint = SPARKOUT_NOOP("Input", "It is kept for the teacher, who gives the points.")),
     };
     static const StructInfo info = makeTable<Goal>(SPARKOUT_NOOP("Struct", "Goal"), rows);
+    return info;
+}
+
+template <>
+const StructInfo& tableOf<Answer>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(Answer, setup, .label = "Set-up", .sparse = true,
+                       .hint = "The project as the student has set it, as in a project file."),
+        SPARKOUT_FIELD(Answer, number, .label = "Number", .hard = {-largestNumber, largestNumber},
+                       .nullMeaning = "none is asked for"),
+        SPARKOUT_FIELD(Answer, curve, .label = "Curve", .hard = {-largestNumber, largestNumber},
+                       .nullMeaning = "none is asked for", .hint = "Rows of x and y, x rising."),
+        SPARKOUT_FIELD(Answer, order, .label = "Order", .hard = {0, 100000},
+                       .nullMeaning = "none is asked for",
+                       .hint = "Zones or sections from 0, the largest first."),
+        SPARKOUT_FIELD(Answer, chosen, .label = "Options chosen", .hard = {1, 20},
+                       .nullMeaning = "none is asked for", .hint = "From 1."),
+        SPARKOUT_FIELD(Answer, text, .label = "Text", .sparse = true),
+    };
+    static const StructInfo info = makeTable<Answer>("Answer", rows);
     return info;
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/issue.h"
-#include "core/lesson/answer.h"
 #include "core/lesson/figure_value.h"
+#include "core/lesson/goal.h"
 #include "core/lesson/lesson.h"
 #include "core/quality/requirement.h"
 

@@ -68,6 +68,103 @@ std::vector<std::string> changedInputs(const Project& from, const Project& to) {
 
 } // namespace
 
+bool isView(Hideable thing) {
+    return thing < Hideable::verdict;
+}
+
+std::optional<Hideable> viewNamed(std::string_view key) {
+    const auto choices = choicesOf<Hideable>();
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (key == choices[i].key && isView(static_cast<Hideable>(i))) {
+            return static_cast<Hideable>(i);
+        }
+    }
+    return std::nullopt;
+}
+
+template <>
+std::span<const Choice> choicesOf<Hideable>() {
+    static constexpr std::array choices{
+        Choice{"overview", SPARKOUT_NOOP("Choice", "Overview")},
+        Choice{"feeds", SPARKOUT_NOOP("Choice", "Feeds by stage")},
+        Choice{"profiles", SPARKOUT_NOOP("Choice", "Profiles")},
+        Choice{"constraints", SPARKOUT_NOOP("Choice", "Constraints")},
+        Choice{"compliance", SPARKOUT_NOOP("Choice", "Compliance")},
+        Choice{"layers", SPARKOUT_NOOP("Choice", "Layers")},
+        Choice{"batch", SPARKOUT_NOOP("Choice", "Batch")},
+        Choice{"sweep", SPARKOUT_NOOP("Choice", "Sweep")},
+        Choice{"optimise", SPARKOUT_NOOP("Choice", "Optimise")},
+        Choice{"compare", SPARKOUT_NOOP("Choice", "Compare")},
+        Choice{"measured", SPARKOUT_NOOP("Choice", "Measurements")},
+        Choice{"verdict", SPARKOUT_NOOP("Choice", "Verdict")},
+        Choice{"remedies", SPARKOUT_NOOP("Choice", "Remedies")},
+        Choice{"formulas", SPARKOUT_NOOP("Choice", "Formulas of the step")},
+        Choice{"messages", SPARKOUT_NOOP("Choice", "Messages")},
+        Choice{"kept_runs", SPARKOUT_NOOP("Choice", "Kept runs")},
+        Choice{"calibrate", SPARKOUT_NOOP("Choice", "Calibrate from measurements")},
+        Choice{"examples", SPARKOUT_NOOP("Choice", "Examples")},
+        Choice{"reports", SPARKOUT_NOOP("Choice", "Reports")},
+        Choice{"export_results", SPARKOUT_NOOP("Choice", "Export results")},
+        Choice{"batch_indices", SPARKOUT_NOOP("Choice", "Interval and indices of the batch")},
+    };
+    static_assert(choices.size() == static_cast<std::size_t>(Hideable::count_));
+    return choices;
+}
+
+template <>
+const StructInfo& tableOf<HiddenThing>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(HiddenThing, name, .label = SPARKOUT_NOOP("Input", "Name"),
+                       .required = conditions::always,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "A view by its name for `--view`, or a panel or command.")),
+    };
+    static const StructInfo info =
+        makeTable<HiddenThing>(SPARKOUT_NOOP("Struct", "Hidden parts"), rows);
+    return info;
+}
+
+template <>
+const StructInfo& tableOf<ControlQuestion>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(ControlQuestion, question, .label = SPARKOUT_NOOP("Input", "Question")),
+        SPARKOUT_FIELD(ControlQuestion, answer, .label = SPARKOUT_NOOP("Input", "Answer")),
+    };
+    static const StructInfo info =
+        makeTable<ControlQuestion>(SPARKOUT_NOOP("Struct", "Control question"), rows);
+    return info;
+}
+
+template <>
+const StructInfo& tableOf<TypicalMistake>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(TypicalMistake, text, .label = SPARKOUT_NOOP("Input", "Text"),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Frequent mistakes of students, and how to respond to them.")),
+    };
+    static const StructInfo info =
+        makeTable<TypicalMistake>(SPARKOUT_NOOP("Struct", "Typical mistake"), rows);
+    return info;
+}
+
+template <>
+const StructInfo& tableOf<TeachingGuide>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(TeachingGuide, minutes, .label = SPARKOUT_NOOP("Input", "Time norm"),
+                       .unit = "min", .hard = {1, 10000},
+                       .hint = SPARKOUT_NOOP("Input", "Of the whole work, by a student.")),
+        SPARKOUT_FIELD(TeachingGuide, questions,
+                       .label = SPARKOUT_NOOP("Input", "Control questions"), .hard = {0, 100},
+                       .sparse = true,
+                       .hint = SPARKOUT_NOOP("Input", "For the defence of the work.")),
+        SPARKOUT_FIELD(TeachingGuide, mistakes, .label = SPARKOUT_NOOP("Input", "Typical mistakes"),
+                       .hard = {0, 100}, .sparse = true),
+    };
+    static const StructInfo info =
+        makeTable<TeachingGuide>(SPARKOUT_NOOP("Struct", "Guide for the teacher"), rows);
+    return info;
+}
+
 double Lesson::points() const {
     double sum = 0;
     for (const LessonStep& step : steps) {

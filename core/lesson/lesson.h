@@ -1,21 +1,91 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/field.h"
 #include "core/lesson/bilingual.h"
 #include "core/lesson/goal.h"
-#include "core/lesson/hideable.h"
-#include "core/lesson/input_value.h"
-#include "core/lesson/teaching_guide.h"
 #include "core/lesson/variant_rules.h"
 #include "core/setup/setup.h"
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// A laboratory work: texts, steps and questions for a student.
 namespace sparkout {
+
+/// The elements of the window that a step may hide. The keys of the views are those of `--view`; a
+/// test of the window compares them with its views.
+enum class Hideable {
+    overview,
+    feeds,
+    profiles,
+    constraints,
+    compliance,
+    layers,
+    batch,
+    sweep,
+    optimise,
+    compare,
+    measured,
+    // panels and commands
+    verdict,
+    remedies,
+    formulas,
+    messages,
+    keptRuns,
+    calibrate,
+    examples,
+    reports,
+    exportResults,
+    batchIndices, ///< parts of a view: interval of the mean, Pp and Ppk
+    count_
+};
+
+/// Whether it is a view; otherwise it is a panel or a command.
+[[nodiscard]] bool isView(Hideable thing);
+/// The view with a name of `--view`; empty if there is none.
+[[nodiscard]] std::optional<Hideable> viewNamed(std::string_view key);
+
+/// A view, panel or command that a step hides.
+struct HiddenThing {
+    Hideable name = Hideable::optimise;
+    friend bool operator==(const HiddenThing&, const HiddenThing&) = default;
+};
+
+template <>
+std::span<const Choice> choicesOf<Hideable>();
+template <>
+const StructInfo& tableOf<HiddenThing>();
+
+// A teacher's material besides the tasks, from which the teaching guide is printed. Only the
+// teacher's file contains it.
+
+/// A question for the defence of the work.
+struct ControlQuestion {
+    Bilingual question;
+    Bilingual answer;
+};
+
+/// A frequent mistake of students, and a reply to it.
+struct TypicalMistake {
+    Bilingual text;
+};
+
+struct TeachingGuide {
+    int minutes = 90; ///< time norm of the whole work [min]
+    std::vector<ControlQuestion> questions;
+    std::vector<TypicalMistake> mistakes;
+};
+
+template <>
+const StructInfo& tableOf<ControlQuestion>();
+template <>
+const StructInfo& tableOf<TypicalMistake>();
+template <>
+const StructInfo& tableOf<TeachingGuide>();
 
 /// A student's access to an input.
 enum class Access { locked, free, hidden };

@@ -3,7 +3,6 @@
 
 #include "core/issue.h"
 #include "core/lesson/lesson.h"
-#include "core/lesson/lesson_check.h"
 
 #include <optional>
 #include <stop_token>
@@ -13,6 +12,14 @@
 /// The lesson file, `.sparkout-lesson`: one UTF-8 JSON text, read and written by the tables, its
 /// project as in a project file of either version.
 namespace sparkout {
+
+/// The owner of a lesson; a student's file need not contain the right options.
+enum class LessonOf { teacher, student };
+
+/// Faults of a lesson in addition to those of its keys, ranges and project: paths without an input,
+/// figures and moments that the project does not have, a missing or ambiguous goal, prices above
+/// the points.
+[[nodiscard]] Issues checkLesson(const Lesson& lesson, LessonOf of = LessonOf::teacher);
 
 inline constexpr const char* lessonFormat = "sparkout-lesson";
 inline constexpr int lessonVersion = 1;

@@ -2,7 +2,7 @@
 #include "core/lesson/lesson_json.h"
 
 #include "core/format/strict_json.h"
-#include "core/format/struct_reader.h"
+#include "core/format/table_reader.h"
 #include "core/format/table_writer.h"
 #include "core/setup/setup_file.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/measured/cell_fault.h"
+#include "core/measured/number_table.h"
 #include "core/tables/table_text.h"
 
 #include <cstddef>

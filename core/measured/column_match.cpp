@@ -2,9 +2,8 @@
 #include "core/measured/column_match.h"
 
 #include "core/project/measured.h"
-#include "core/tables/table_cell.h"
 #include "core/tables/table_reader.h"
-#include "core/trimmed.h"
+#include "core/text.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/issue.h"
-#include "core/tables/column_unit.h"
+#include "core/tables/table_cell.h"
 
 #include <optional>
 #include <string>

@@ -2,14 +2,252 @@
 #include "core/measured/measured_table.h"
 
 #include "core/measured/key_value_lines.h"
-#include "core/measured/measured_rows.h"
+#include "core/measured/trace_builder.h"
 #include "core/tables/table_cell.h"
+#include "core/units.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace sparkout {
 
 namespace {
+
+class RowReader {
+public:
+    RowReader(const MeasuredTable& table, const MeasuredContext& context)
+        : m_table(table), m_context(context) {
+        for (const ColumnMatch& match : table.columns) {
+            m_factors.push_back(factorOf(match.quantity, match.unit).value_or(1));
+            m_traces.emplace_back(match);
+        }
+    }
+
+    ReadMeasured read(std::string_view text, const std::stop_token& stop) {
+        TableReader rows(text, m_table.dialect.delimiter);
+        (void)rows.next(); // the headings
+        if (!columnsAreFit()) {
+            return std::move(m_read);
+        }
+        constexpr std::size_t rowsBetween = 4096;
+        std::size_t looked = 0;
+        while (!isFull() && rows.next()) {
+            if (++looked % rowsBetween == 0 && stop.stop_requested()) {
+                return {};
+            }
+            if (!rows.isBlank()) {
+                m_cells = rows.cells();
+                readLine(rows.line());
+            }
+        }
+        for (TraceBuilder& trace : m_traces) {
+            if (!trace.empty()) {
+                m_read.data.traces.push_back(trace.take(m_context));
+            }
+        }
+        return std::move(m_read);
+    }
+
+private:
+    [[nodiscard]] bool isFull() const { return m_read.faults.size() >= limits::issues; }
+
+    void fault(std::size_t line, std::size_t column, IssueCode code, Detail value, Detail limit) {
+        if (!isFull()) {
+            m_read.faults.push_back(
+                {line, column, {code, Severity::error, {}, std::move(value), std::move(limit)}});
+        }
+    }
+
+    /// Whether something is to be read, each with a unit it may have, traces with their times.
+    bool columnsAreFit() {
+        bool any = false, anyTrace = false;
+        for (std::size_t c = 0; c < m_table.columns.size(); ++c) {
+            const ColumnMatch& match = m_table.columns[c];
+            if (isNumeric(match.quantity) && !factorOf(match.quantity, match.unit)) {
+                fault(1, c + 1, IssueCode::notOneOf, quotedCell(match.heading),
+                      unitsFor(match.quantity));
+            }
+            anyTrace = anyTrace || isTrace(match.quantity);
+            any = any
+                  || (isNumeric(match.quantity) && match.quantity != ColumnQuantity::time
+                      && match.quantity != ColumnQuantity::place);
+            if (match.quantity == ColumnQuantity::time) {
+                m_time = c;
+            }
+        }
+        if (!any) {
+            fault(1, 0, IssueCode::missingKey, {},
+                  Keys{{"diameter, mm", "roundness, µm", "runout, µm", "Ra, µm", "size, mm",
+                        "power, kW", "force, N"},
+                       Keys::Kind::alternatives});
+        } else if (anyTrace && !m_time) {
+            fault(1, 0, IssueCode::missingKey, {}, Keys{{"time, s"}, Keys::Kind::alternatives});
+        }
+        return m_read.faults.empty();
+    }
+
+    void readLine(std::size_t line) {
+        const std::size_t expected = m_table.columns.size();
+        if (m_cells.size() > expected) {
+            fault(line, expected + 1, IssueCode::wrongCount, countOf(m_cells.size()),
+                  countOf(expected));
+            return;
+        }
+        ++m_read.rows;
+        m_parts.clear();
+        if (!takeTime(line)) {
+            return;
+        }
+        const int place = placeOf(line);
+        for (std::size_t c = 0; c < m_cells.size(); ++c) {
+            const ColumnMatch& match = m_table.columns[c];
+            if (match.quantity == ColumnQuantity::ignored || m_cells[c].empty() || c == m_time
+                || match.quantity == ColumnQuantity::place) {
+                continue;
+            }
+            if (isTrace(match.quantity)) {
+                const auto value = number(line, c);
+                if (value && m_isTimed) {
+                    m_traces[c].add(m_lastTime, *value);
+                }
+            } else if (isNumeric(match.quantity)) {
+                if (const auto value = number(line, c)) {
+                    put(m_parts[match.place.value_or(place)], match.quantity, *value);
+                }
+            }
+        }
+        keepParts(line);
+    }
+
+    /// False if the time of the line is before that of the previous line.
+    bool takeTime(std::size_t line) {
+        m_isTimed = false;
+        const auto time = m_time ? number(line, *m_time) : std::nullopt;
+        if (!time) {
+            return true;
+        }
+        if (*time < m_lastTime) {
+            fault(line, *m_time + 1, IssueCode::outOfRange, Amount{*time, "s"},
+                  Bounds{.range = {.low = m_lastTime}, .unit = "s"});
+            return false;
+        }
+        m_lastTime = *time;
+        m_isTimed = true;
+        return true;
+    }
+
+    /// The value of a cell in the unit of the section; empty if the cell is empty or refused.
+    std::optional<double> number(std::size_t line, std::size_t column) {
+        if (column >= m_cells.size() || m_cells[column].empty()) {
+            return std::nullopt;
+        }
+        const auto value = cellNumber(m_cells[column], m_table.dialect.decimal);
+        if (!value) {
+            fault(line, column + 1, IssueCode::wrongType, quotedCell(m_cells[column]),
+                  Phrase::number);
+            return std::nullopt;
+        }
+        const double converted = *value * m_factors[column];
+        const ColumnQuantity quantity = m_table.columns[column].quantity;
+        Bounds& bounds = m_bounds.try_emplace(quantity, boundsHere(quantity)).first->second;
+        if (!bounds.range.contains(converted)) {
+            fault(line, column + 1, IssueCode::outOfRange, Amount{converted, bounds.unit}, bounds);
+            return std::nullopt;
+        }
+        return converted;
+    }
+
+    /// Deviations refer to an allowed diameter of a part.
+    [[nodiscard]] Bounds boundsHere(ColumnQuantity quantity) const {
+        if (quantity != ColumnQuantity::diameter_deviation) {
+            return boundsOf(quantity);
+        }
+        const Range diameters = boundsOf(ColumnQuantity::diameter).range;
+        const double nominal_mm = m_context.nominalDiameter_mm;
+        return {.range = {.low = (diameters.low - nominal_mm) * units::umPerMm,
+                          .high = (diameters.high - nominal_mm) * units::umPerMm},
+                .unit = "µm"};
+    }
+
+    int placeOf(std::size_t line) {
+        for (std::size_t c = 0; c < m_cells.size(); ++c) {
+            if (m_table.columns[c].quantity != ColumnQuantity::place || m_cells[c].empty()) {
+                continue;
+            }
+            if (const auto zone = zoneNamed(m_cells[c])) {
+                return *zone;
+            }
+            const auto value = cellNumber(m_cells[c], m_table.dialect.decimal);
+            const Bounds bounds = boundsOf(ColumnQuantity::place);
+            if (!value || *value != std::floor(*value)) {
+                fault(line, c + 1, IssueCode::wrongType, quotedCell(m_cells[c]),
+                      Phrase::wholeNumber);
+            } else if (!bounds.range.contains(*value - m_table.firstPlace)) {
+                fault(line, c + 1, IssueCode::outOfRange, Amount{*value},
+                      Bounds{{bounds.range.low + m_table.firstPlace,
+                              bounds.range.high + m_table.firstPlace}});
+            } else {
+                return static_cast<int>(*value) - m_table.firstPlace;
+            }
+        }
+        return 0;
+    }
+
+    void put(MeasuredPart& part, ColumnQuantity quantity, double value) const {
+        switch (quantity) {
+        case ColumnQuantity::diameter: part.diameters_mm.push_back(value); break;
+        case ColumnQuantity::diameter_deviation:
+            part.diameters_mm.push_back(m_context.nominalDiameter_mm + value / units::umPerMm);
+            break;
+        case ColumnQuantity::roundness: part.roundness_um = value; break;
+        case ColumnQuantity::radial_runout: part.radial_runout_um = value; break;
+        case ColumnQuantity::cylindricity: part.cylindricity_um = value; break;
+        case ColumnQuantity::roughness_ra: part.roughness_ra_um = value; break;
+        default: break;
+        }
+    }
+
+    [[nodiscard]] std::string textOf(ColumnQuantity quantity) const {
+        for (std::size_t c = 0; c < m_cells.size(); ++c) {
+            if (m_table.columns[c].quantity == quantity) {
+                return std::string(m_cells[c]);
+            }
+        }
+        return {};
+    }
+
+    void keepParts(std::size_t line) {
+        for (auto& [place, part] : m_parts) {
+            if (m_read.data.parts.size() >= limits::measuredParts) {
+                fault(line, 0, IssueCode::wrongCount, countOf(m_read.data.parts.size() + 1),
+                      Bounds{{.high = limits::measuredParts}});
+                return;
+            }
+            part.place = place;
+            part.part = textOf(ColumnQuantity::part);
+            part.part = part.part.empty() ? std::to_string(m_read.rows) : part.part;
+            part.time = textOf(ColumnQuantity::when);
+            part.note = textOf(ColumnQuantity::note);
+            m_read.data.parts.push_back(std::move(part));
+        }
+    }
+
+    const MeasuredTable& m_table;
+    const MeasuredContext& m_context;
+    std::vector<double> m_factors;
+    std::vector<TraceBuilder> m_traces;
+    std::map<ColumnQuantity, Bounds> m_bounds;
+    std::vector<std::string_view> m_cells;
+    std::map<int, MeasuredPart> m_parts; ///< of the line, by place
+    std::optional<std::size_t> m_time;
+    double m_lastTime = -1e300;
+    bool m_isTimed = false; ///< the line has a time
+    ReadMeasured m_read;
+};
 
 /// Counts from 0 if one of the first parts has the place 0.
 int firstPlaceIn(std::string_view text, const MeasuredTable& table) {
@@ -65,7 +303,7 @@ ReadMeasured readMeasured(const TableText& source, const MeasuredTable& table,
     }
     const std::string_view text = source.utf8();
     read = table.isKeyValue ? readKeyValueLines(text, table, context, stop)
-                            : readRows(text, table, context, stop);
+                            : RowReader(table, context).read(text, stop);
     if (stop.stop_requested()) {
         return {};
     }

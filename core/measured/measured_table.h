@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/measured/cell_fault.h"
 #include "core/measured/column_match.h"
+#include "core/measured/number_table.h"
 #include "core/project/measured.h"
 #include "core/tables/table_reader.h"
 #include "core/tables/table_text.h"

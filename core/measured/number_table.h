@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/measured/cell_fault.h"
+#include "core/issue.h"
 #include "core/tables/table_text.h"
 
 #include <array>
@@ -10,6 +10,16 @@
 #include <vector>
 
 namespace sparkout {
+
+/// A fault of a table: the issue and its cell.
+struct CellFault {
+    std::size_t line = 0;   ///< counted from 1; 0: the whole text
+    std::size_t column = 0; ///< counted from 1; 0: the whole line
+    Issue issue;            ///< the issue, without a path
+    friend bool operator==(const CellFault&, const CellFault&) = default;
+};
+
+using CellFaults = std::vector<CellFault>;
 
 /// A table of numbers only, in either dialect, with or without headings.
 template <std::size_t columns>

@@ -2,7 +2,6 @@
 #include "core/measured/stiffness_table.h"
 
 #include "core/measured/column_match.h"
-#include "core/measured/number_table.h"
 #include "core/units.h"
 
 namespace sparkout {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/field.h"
-#include "core/measured/cell_fault.h"
+#include "core/measured/number_table.h"
 #include "core/tables/table_text.h"
 
 #include <vector>

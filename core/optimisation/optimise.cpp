@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/optimise.h"
 
-#include "core/grace.h"
+#include "core/grace_stop.h"
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/dynamic_programming.h"
 #include "core/optimisation/full_search.h"

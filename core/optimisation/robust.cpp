@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/robust.h"
 
-#include "core/batch/batch_verdict.h"
-#include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
 #include "core/grace_stop.h"
 #include "core/optimisation/cycle_runner.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/variants.h"
 
-#include "core/grace.h"
+#include "core/grace_stop.h"
 #include "core/project/machine.h"
 #include "core/project/optimisation.h"
 

@@ -1,18 +1,157 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/phases/phase_decision.h"
 
+#include "core/format/output_json.h"
+#include "core/process/profile.h"
+#include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/quality/requirement.h"
+#include "core/quality/result_names.h"
+#include "core/simulation/cycle_loop.h"
+#include "core/simulation/plunge.h"
 #include "core/simulation/stage_control.h"
+#include "core/simulation/traverse.h"
+#include "core/units.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
+#include <limits>
+#include <memory>
 #include <utility>
 
 namespace sparkout {
 
 namespace {
+
+using nlohmann::ordered_json;
+
+std::unique_ptr<CycleSteps> stepsOf(const Project& project, const std::stop_token& stop) {
+    return project.operation->hasZones ? traverseSteps(project, Zone::nz, nullptr, stop)
+                                       : plungeSteps(project, nullptr, stop);
+}
+
+constexpr double rounding_mm = 1e-12;
+
+/// Follows the cycles of an interval of stocks, as offsets from its lower end.
+class PhaseWalk {
+public:
+    PhaseWalk(Project project, double from_mm, double to_mm, const PieceVisitor& visit,
+              std::stop_token stop)
+        : m_project(std::move(project)), m_visit(visit), m_stop(std::move(stop)) {
+        m_project.part->stock_mm = from_mm;
+        m_overlap_mm = formChange_mm(m_project, to_mm - from_mm) + rounding_mm;
+        std::unique_ptr<CycleSteps> steps = stepsOf(m_project, m_stop);
+        CycleLoop loop(m_project, steps->run());
+        m_branches.push_back({std::move(steps), std::move(loop), 0, to_mm - from_mm, {}, {}});
+    }
+
+    /// Whether all were visited.
+    bool visit() {
+        while (!m_branches.empty()) {
+            Branch branch = std::move(m_branches.back());
+            m_branches.pop_back();
+            if (!follow(branch)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+private:
+    /// Stocks with the same steps so far. If the last step has split them it has to be judged
+    /// again, with the answers given already.
+    struct Branch {
+        std::unique_ptr<CycleSteps> steps;
+        CycleLoop loop;
+        double low_mm, high_mm;
+        StepReading last;
+        std::vector<bool> answers;
+        double left_mm = 0; ///< additional stock below its cuts in the run
+        /// The stocks are larger by more than this, as decided in the running stage. If a stage
+        /// comes to rest near its end, each further step would otherwise split them again.
+        double denied_mm = -std::numeric_limits<double>::infinity();
+    };
+
+    bool follow(Branch& branch) {
+        if (!branch.answers.empty()) {
+            judge(branch);
+        }
+        Run& run = branch.steps->run();
+        leaveMore(branch);
+        while (!branch.loop.finished() && !branch.loop.isStuck() && !run.mustEnd()) {
+            if (!branch.steps->step(branch.loop.next(run))) {
+                break;
+            }
+            branch.last = takeReading(*branch.steps);
+            judge(branch);
+            leaveMore(branch);
+        }
+        if (branch.loop.isStuck()) {
+            run.setStatus(RunStatus::cannotReachSize);
+        }
+        const double from_mm = m_project.part->stock_mm;
+        const std::vector<int>& counts = branch.loop.control().stepsByStage();
+        const SimulationResult result = branch.steps->finish(counts);
+        return !m_stop.stop_requested()
+               && m_visit(
+                   {from_mm + branch.low_mm, from_mm + branch.high_mm, counts, result.status},
+                   result);
+    }
+
+    /// Adds the additional stock of the branch, relative to the least of the interval, below its
+    /// cuts.
+    static void leaveMore(Branch& branch) {
+        if (branch.low_mm > branch.left_mm) {
+            branch.steps->run().leaveMore(branch.low_mm - branch.left_mm);
+            branch.left_mm = branch.low_mm;
+        }
+    }
+
+    /// Continues with the stocks for which the loop's next question is true, and leaves the others
+    /// for later.
+    void judge(Branch& branch) {
+        const std::vector<bool> known = std::exchange(branch.answers, {});
+        m_before = branch.loop;
+        m_given.clear();
+        branch.loop.stepDone(branch.last, [&](double larger_mm) {
+            if (m_given.size() < known.size()) {
+                m_given.push_back(known[m_given.size()]);
+                return static_cast<bool>(m_given.back());
+            }
+            if (larger_mm <= branch.denied_mm + rounding_mm) {
+                m_given.push_back(false);
+                return false;
+            }
+            const bool some = branch.low_mm <= larger_mm + m_overlap_mm;
+            const bool others = branch.high_mm > larger_mm - m_overlap_mm;
+            if (some && others) {
+                std::vector<bool> answers = m_given;
+                answers.push_back(false);
+                m_branches.push_back({branch.steps->copy(), *m_before,
+                                      std::max(branch.low_mm, larger_mm - m_overlap_mm),
+                                      branch.high_mm, branch.last, std::move(answers),
+                                      branch.left_mm, larger_mm});
+                branch.high_mm = std::min(branch.high_mm, larger_mm + m_overlap_mm);
+            }
+            m_given.push_back(some);
+            if (some) { // the next stage asks of another size
+                branch.denied_mm = -std::numeric_limits<double>::infinity();
+            }
+            return some;
+        });
+    }
+
+    Project m_project;
+    const PieceVisitor& m_visit;
+    std::stop_token m_stop;
+    double m_overlap_mm = 0;
+    std::vector<Branch> m_branches;
+    std::optional<CycleLoop> m_before; ///< the loop before the step that is judged
+    std::vector<bool> m_given;         ///< answers of that step
+};
 
 /// Decides on one piece.
 class PieceJudge {
@@ -109,7 +248,101 @@ private:
     DecidedPiece m_decided;
 };
 
+std::optional<Interval> endsOf(const StockRange& range) {
+    return Interval{range.from_mm, range.to_mm};
+}
+
+constexpr Output<PhaseDecision> decisionRows[] = {
+    {{.key = "stock_mm", .unit = "mm", .hint = "range of stocks per side"},
+     [](const PhaseDecision& d) { return endsOf(d.range); }},
+    {{.key = "decided"}, [](const PhaseDecision& d) { return d.isDecided; }},
+    {{.key = "too_many_pieces", .hint = "the range has too many, and is not decided"},
+     [](const PhaseDecision& d) { return d.hasTooMany; }},
+    {{.key = "holds", .hint = "whether every requirement holds for every stock of the range"},
+     [](const PhaseDecision& d) { return d.holds(); }},
+};
+
+constexpr Output<DecidedPiece> pieceRows[] = {
+    {{.key = "stock_mm", .unit = "mm", .hint = "stocks per side whose cycles make the same steps"},
+     [](const DecidedPiece& p) {
+         return endsOf({p.piece.from_mm, p.piece.to_mm});
+     }},
+    {{.key = "status"},
+     [](const DecidedPiece& p) { return std::string(statusKey(p.piece.status)); }},
+    {{.key = "time_min", .unit = "min", .hint = "time of the cycle"},
+     [](const DecidedPiece& p) { return p.time_s / units::secondsPerMinute; }},
+    {{.key = "holds_mm", .unit = "mm", .hint = "those for which every requirement holds"},
+     [](const DecidedPiece& p) { return p.holds ? endsOf(*p.holds) : std::nullopt; }},
+};
+
+constexpr Output<FailingStocks> failingRows[] = {
+    {{.key = "stock_mm", .unit = "mm", .hint = "stocks per side for which the cycle fails"},
+     [](const FailingStocks& f) { return endsOf(f.stocks); }},
+    {{.key = "status"}, [](const FailingStocks& f) { return std::string(statusKey(f.status)); }},
+};
+
+constexpr Output<ConstraintResult> worstRows[] = {
+    {{.key = "name"},
+     [](const ConstraintResult& c) { return std::string(requirementOf(c.kind).key); }},
+    {{.key = "where"}, [](const ConstraintResult& c) { return whereText(c); }},
+    {{.key = "relative_margin", .hint = "at the worse end; positive when it holds"},
+     [](const ConstraintResult& c) { return c.relativeMargin; }},
+};
+
+ordered_json deviationsJson(const PieceEnd& end) {
+    ordered_json json = ordered_json::array();
+    for (const DeviationRange& each : end.deviations) {
+        json.push_back({each.least_mm * units::umPerMm, each.most_mm * units::umPerMm});
+    }
+    return json;
+}
+
 } // namespace
+
+double formChange_mm(const Project& project, double stock_mm) {
+    const double share = largestRunout(*project.part) / targetRadius(*project.part);
+    return 2 * share * share * stock_mm;
+}
+
+bool visitPhasePieces(const Project& project, double from_mm, double to_mm,
+                      const PieceVisitor& visit, const std::stop_token& stop) {
+    assert(from_mm <= to_mm);
+    return PhaseWalk(project, from_mm, to_mm, visit, stop).visit();
+}
+
+std::vector<PhasePiece> phasePieces(const Project& project, double from_mm, double to_mm,
+                                    const std::stop_token& stop, std::size_t most) {
+    std::vector<PhasePiece> pieces;
+    const auto keep = [&pieces, most](const PhasePiece& piece, const SimulationResult&) {
+        pieces.push_back(piece);
+        return pieces.size() <= most;
+    };
+    if (!visitPhasePieces(project, from_mm, to_mm, keep, stop)) {
+        return {};
+    }
+    std::ranges::sort(
+        pieces, {}, [](const PhasePiece& piece) { return std::pair(piece.from_mm, piece.to_mm); });
+    return pieces;
+}
+
+SimulationResult simulatePiece(const Project& project, const PhasePiece& piece, double stock_mm,
+                               const std::stop_token& stop) {
+    Project made = project;
+    made.part->stock_mm = stock_mm;
+    const std::unique_ptr<CycleSteps> steps = stepsOf(made, stop);
+    CycleLoop loop(made, steps->run());
+    bool goesOn = true;
+    for (const int count : piece.counts) {
+        for (int i = 0; goesOn && i < count; ++i) {
+            goesOn = !steps->run().mustEnd() && steps->step(loop.next(steps->run()));
+        }
+        loop.endStage();
+    }
+    if (goesOn && piece.status == RunStatus::cannotReachSize) {
+        steps->run().setStatus(piece.status);
+    }
+    return steps->finish(piece.counts);
+}
 
 std::vector<StockRange> DecidedPiece::failing() const {
     if (!holds) {
@@ -177,6 +410,49 @@ PhaseDecision decidePhases(const Project& project, StockRange range, const std::
     }
     decision.isDecided = !decision.hasTooMany && !stop.stop_requested();
     return decision;
+}
+
+FailingShare failingShare(const PhaseDecision& decision,
+                          const std::function<double(double)>& shareBelow) {
+    const StockRange& range = decision.range;
+    FailingShare shares{0, 1 - (shareBelow(range.to_mm) - shareBelow(range.from_mm))};
+    for (const StockRange& each : decision.failingRanges()) {
+        shares.failing += shareBelow(each.to_mm) - shareBelow(each.from_mm);
+    }
+    return shares;
+}
+
+std::span<const Output<PhaseDecision>> phasesOutputs() {
+    return decisionRows;
+}
+
+std::span<const Output<DecidedPiece>> phasePieceOutputs() {
+    return pieceRows;
+}
+
+std::span<const Output<FailingStocks>> failingStocksOutputs() {
+    return failingRows;
+}
+
+std::span<const Output<ConstraintResult>> phaseWorstOutputs() {
+    return worstRows;
+}
+
+std::string phasesJson(const PhaseDecision& decision) {
+    ordered_json json = outputsJson(phasesOutputs(), decision);
+    json["pieces"] = outputsJsonOfEach(phasePieceOutputs(), decision.pieces);
+    json["failing"] = outputsJsonOfEach(failingStocksOutputs(), decision.failing);
+    for (std::size_t i = 0; i < decision.pieces.size(); ++i) {
+        const DecidedPiece& piece = decision.pieces[i];
+        json["pieces"][i].update({{"steps_by_stage", piece.piece.counts},
+                                  {"deviations_um_from", deviationsJson(piece.low)},
+                                  {"deviations_um_to", deviationsJson(piece.high)},
+                                  {"worst", outputsJson(phaseWorstOutputs(), piece.worst)}});
+    }
+    for (std::size_t i = 0; i < decision.failing.size(); ++i) {
+        json["failing"][i]["worst"] = outputsJson(phaseWorstOutputs(), decision.failing[i].worst);
+    }
+    return json.dump(2) + '\n';
 }
 
 } // namespace sparkout

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/field.h"
+#include "core/indirect.h"
 #include "core/issue.h"
-#include "core/samples.h"
 
 #include <optional>
 #include <string>

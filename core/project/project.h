@@ -3,8 +3,6 @@
 
 #include "core/field.h"
 #include "core/indirect.h"
-#include "core/optional_indirect.h"
-#include "core/optional_shared.h"
 #include "core/project/operation.h"
 
 #include <optional>

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/limits/formula.h"
 #include "core/quality/requirement.h"
+#include "core/result.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace sparkout {
@@ -70,5 +73,15 @@ enum class Side { atLeast, atMost };
 /// The worst result of each kind, in the order of the kinds, as the command line lists them.
 [[nodiscard]] std::vector<ConstraintResult>
 worstByKind(const std::vector<ConstraintResult>& constraints);
+
+/// The result of a requirement for a cycle.
+[[nodiscard]] std::span<const Output<ConstraintResult>> requirementOutputs();
+
+/// The calculation of a requirement's value at its worst place: the last step gives the value, for
+/// burn and self-sharpening the limit of the depth of cut. Empty for values read off (diameters,
+/// settings), for the power of coupled sections, which is an integral, and where nothing was cut.
+[[nodiscard]] std::optional<FormulaSheet> constraintSheet(const SimulationResult& result,
+                                                          const PartAccuracy& accuracy,
+                                                          const ConstraintResult& constraint);
 
 } // namespace sparkout

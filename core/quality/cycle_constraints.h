@@ -38,4 +38,15 @@ void evaluateWorkPower(ConstraintKind kind, const Judged& of, ConstraintResults&
 [[nodiscard]] std::optional<double> workPowerDepth(const Project& project, double b, double stock);
 [[nodiscard]] std::optional<PassBound> workPowerBound(const Project& project);
 
+// Checks of a cycle's settings: the machine's ranges, the gauge's commands, the overlap and the
+// number of steps of a stage [MODEL-8].
+
+/// Checks the range of this kind.
+void evaluateRange(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+void evaluateGaugeCommands(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+/// Checks the stages to which the requirement of this kind applies: see checkOverlaps().
+void evaluateOverlap(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+/// Checks the stage with the fewest steps; no result where no stage counts.
+void evaluateLeastSteps(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+
 } // namespace sparkout

@@ -7,6 +7,12 @@
 
 namespace sparkout {
 
+namespace {
+
+constexpr double leastDivisor = 1e-12; ///< replaces 0 as a divisor
+
+} // namespace
+
 bool isClose(const ConstraintResult& constraint) {
     return constraint.holds && constraint.relativeMargin < closeMargin
            && requirementOf(constraint.kind).scope != ConstraintScope::setting;
@@ -65,6 +71,29 @@ Light verdictOf(RunStatus status, const std::vector<ConstraintResult>& constrain
         light = std::max(light, lightOf(constraint));
     }
     return light;
+}
+
+double usageOf(const ConstraintResult& requirement) {
+    const double limit = requirement.limit, value = requirement.value;
+    if (requirementOf(requirement.kind).scope == ConstraintScope::setting) {
+        return requirement.isLeast ? std::max(limit, 0.0) / std::max(value, leastDivisor)
+                                   : value / std::max(limit, leastDivisor);
+    }
+    const bool isDecidedEstimate = requirement.mostValue && lightOf(requirement) == Light::holds;
+    return isDecidedEstimate ? *requirement.mostValue / limit
+                             : std::max(1 - requirement.relativeMargin, 0.0);
+}
+
+std::optional<double> placeInRange(const ConstraintResult& requirement) {
+    if (!requirement.otherEnd) {
+        return std::nullopt;
+    }
+    const auto [low, high] = std::minmax(requirement.limit, *requirement.otherEnd);
+    const double value = std::clamp(requirement.value, low, high);
+    if (high <= low) {
+        return 0.5;
+    }
+    return low > 0 ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
 }
 
 } // namespace sparkout

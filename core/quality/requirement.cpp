@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/requirement.h"
 
+#include "core/process/force.h"
+#include "core/process/recipe_force.h"
 #include "core/project/member.h"
+#include "core/project/wheel.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/drawing_constraints.h"
-#include "core/quality/setting_constraints.h"
 #include "core/text.h"
 
 #include <algorithm>
@@ -331,6 +333,29 @@ std::string missingInput(const Requirement& row, const Project& project) {
 std::optional<double> statedLimit(const Requirement& row, const Project& project) {
     const ConstMember member = findMember(project, row.inputs.front());
     return numberIn(*member.field, member.owner);
+}
+
+std::vector<const Field*> estimatesBehind(const Project& project, ConstraintKind kind) {
+    const Requirement& row = requirementOf(kind);
+    if (row.scope == ConstraintScope::setting) {
+        return {};
+    }
+    static const Project any;
+    std::vector<const Field*> fields;
+    const auto add = [&fields](const char* path) { fields.push_back(findMember(any, path).field); };
+    const bool threshold = hasThreshold(project);
+    for (const char* path :
+         {threshold ? "/material/threshold_force_n_mm" : "/material/flow_stress_mpa",
+          threshold ? "/material/specific_force_mpa" : dullnessPath(*project.wheel),
+          "/machine/compliance_mm_per_n"}) {
+        add(path);
+    }
+    for (const char* path : row.estimates) {
+        if (path) {
+            add(path);
+        }
+    }
+    return fields;
 }
 
 } // namespace sparkout

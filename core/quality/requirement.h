@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/field.h"
 #include "core/form/accuracy.h"
 #include "core/limits/formula.h"
+#include "core/project/project.h"
 #include "core/simulation/result.h"
 
 #include <array>
@@ -146,5 +148,11 @@ extern const std::array<Requirement, constraintKinds> requirementRows;
 
 /// The limit of a requirement whose source is an input, if it is on.
 [[nodiscard]] std::optional<double> statedLimit(const Requirement& row, const Project& project);
+
+/// The inputs behind a requirement's value that have no public source: estimates of the shop, to be
+/// calibrated at the machine. Empty for a setting. Whether the project's values are measured does
+/// not matter here.
+[[nodiscard]] std::vector<const Field*> estimatesBehind(const Project& project,
+                                                        ConstraintKind kind);
 
 } // namespace sparkout

@@ -7,10 +7,9 @@
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/form_outputs.h"
-#include "core/quality/requirement_outputs.h"
 #include "core/quality/result_names.h"
 #include "core/quality/roughness.h"
-#include "core/quality/shop_outputs.h"
+#include "core/quality/shop_numbers.h"
 #include "core/units.h"
 
 #include <initializer_list>

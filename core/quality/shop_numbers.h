@@ -5,6 +5,7 @@
 #include "core/simulation/result.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 /// The figures by which a grinding shop judges a cycle, for each stage of the cycle and for the
@@ -75,5 +76,11 @@ struct ShopNumbers {
 
 /// V of the whole cycle alone [mm³].
 [[nodiscard]] double removedVolume_mm3(const SimulationResult& result);
+
+/// The outputs of a stage, or of the whole cycle.
+[[nodiscard]] std::span<const Output<ShopColumn>> shopColumnOutputs();
+
+/// The outputs common to all stages.
+[[nodiscard]] std::span<const Output<ShopNumbers>> shopOutputs();
 
 } // namespace sparkout

@@ -9,4 +9,8 @@ namespace sparkout {
 /// lesson's goals: Markdown, made from the tables.
 [[nodiscard]] std::string lessonPage();
 
+/// The JSON Schema (draft 2020-12) of a lesson and of a student's work, made from the tables like
+/// projectSchema(); their project is that of project.schema.json.
+[[nodiscard]] std::string lessonSchema();
+
 } // namespace sparkout

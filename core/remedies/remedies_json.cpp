@@ -4,7 +4,7 @@
 #include "core/format/output_json.h"
 #include "core/format/project_file.h"
 #include "core/phases/sampled_phases.h"
-#include "core/quality/requirement_outputs.h"
+#include "core/quality/constraints.h"
 #include "core/units.h"
 
 #include <nlohmann/json.hpp>

@@ -23,10 +23,6 @@ double decimal(std::int64_t m, std::int64_t exponent) {
     return exponent < 0 ? mantissa / power : mantissa * power;
 }
 
-double withDecimals(double value, double scale) {
-    return std::round(value * scale) / scale;
-}
-
 double slackAt(double value) {
     return lastBits * std::max(std::abs(value), 1e-9);
 }
@@ -53,7 +49,8 @@ double SettingScale::at(std::int64_t place) const {
                            : decimal(20 + rest - fine, decade - 1);
     }
     const double value = m_base + static_cast<double>(place) * m_step;
-    return withDecimals(value, m_kind == Kind::revolutions ? 1e3 : 1e10);
+    const double decimals = m_kind == Kind::revolutions ? 1e3 : 1e10;
+    return std::round(value * decimals) / decimals;
 }
 
 std::int64_t SettingScale::about(double value) const {

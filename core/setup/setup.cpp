@@ -4,12 +4,96 @@
 #include "core/format/strict_json.h"
 #include "core/format/table_writer.h"
 #include "core/project/range_check.h"
+#include "core/text.h"
+#include "core/units.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <utility>
 
 namespace sparkout {
+
+template <>
+const StructInfo& tableOf<SetupTimes>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(
+            SetupTimes, approach_s, .label = SPARKOUT_NOOP("Input", "Approach"), .unit = "s",
+            .hard = {0, 3600},
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Time of the wheel's approach to a surface, for each surface.")),
+        SPARKOUT_FIELD(
+            SetupTimes, retreat_s, .label = SPARKOUT_NOOP("Input", "Retreat"), .unit = "s",
+            .hard = {0, 3600},
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Time of the wheel's retreat from a surface, for each surface.")),
+        SPARKOUT_FIELD(
+            SetupTimes, gauging_s, .label = SPARKOUT_NOOP("Input", "Gauging"), .unit = "s",
+            .hard = {0, 3600},
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Time of gauging a surface after its cycle, for each surface.")),
+        SPARKOUT_FIELD(
+            SetupTimes, positioning_s, .label = SPARKOUT_NOOP("Input", "Table positioning"),
+            .unit = "s", .hard = {0, 3600},
+            .hint =
+                SPARKOUT_NOOP("Input", "Time of moving the table from one surface to the next.")),
+        SPARKOUT_FIELD(SetupTimes, handling_s,
+                       .label = SPARKOUT_NOOP("Input", "Loading and unloading"), .unit = "s",
+                       .hard = {0, 36000},
+                       .hint = SPARKOUT_NOOP("Input", "Clamping a part and taking it off.")),
+        SPARKOUT_FIELD(SetupTimes, main_min, .label = SPARKOUT_NOOP("Input", "Main time"),
+                       .symbol = SPARKOUT_NOOP("Input", "T_o"), .unit = "min", .hard = {0, 100000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "the sum of the cycles"),
+                       .hint = SPARKOUT_NOOP("Input", "Time in which stock is removed.")),
+        SPARKOUT_FIELD(
+            SetupTimes, auxiliary_min, .label = SPARKOUT_NOOP("Input", "Auxiliary time"),
+            .symbol = SPARKOUT_NOOP("Input", "T_a"), .unit = "min", .hard = {0, 100000},
+            .nullMeaning = SPARKOUT_NOOP("Input", "the sum of the times above"),
+            .hint = SPARKOUT_NOOP("Input", "Work done for every part besides the cycles."),
+            .formula = SPARKOUT_NOOP(
+                "Input", "n·(approach + retreat + gauging) + (n − 1)·positioning + handling"),
+            .source = "MODEL-12"),
+        SPARKOUT_FIELD(SetupTimes, service_percent,
+                       .label = SPARKOUT_NOOP("Input", "Service and rest"), .unit = "%",
+                       .hard = {0, 100}, .soft = {0, 30},
+                       .hint = SPARKOUT_NOOP("Input", "Serving the machine, and rest, as a share "
+                                                      "of main and auxiliary time.")),
+        SPARKOUT_FIELD(SetupTimes, preparation_min,
+                       .label = SPARKOUT_NOOP("Input", "Preparation time"),
+                       .symbol = SPARKOUT_NOOP("Input", "T_p"), .unit = "min", .hard = {0, 100000},
+                       .hint = SPARKOUT_NOOP("Input", "Preparing the machine for a batch and "
+                                                      "clearing it afterwards.")),
+        SPARKOUT_FIELD(SetupTimes, batch_size, .label = SPARKOUT_NOOP("Input", "Batch size"),
+                       .symbol = "N", .hard = {1, 10000000},
+                       .hint = SPARKOUT_NOOP("Input", "Parts that share the preparation time.")),
+        SPARKOUT_FIELD(SetupTimes, piece_min, .label = SPARKOUT_NOOP("Input", "Piece time"),
+                       .symbol = SPARKOUT_NOOP("Input", "T_1"), .unit = "min", .hard = {0, 100000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "from the times above"),
+                       .hint = SPARKOUT_NOOP("Input", "The time that a part takes, without its "
+                                                      "share of the preparation."),
+                       .formula = SPARKOUT_NOOP("Input", "(T_o + T_a)·(1 + service/100)"),
+                       .source = "MODEL-12"),
+    };
+    static const StructInfo info =
+        makeTable<SetupTimes>(SPARKOUT_NOOP("Struct", "Standard times"), rows);
+    return info;
+}
+
+PieceTime pieceTime(const SetupTimes& times, std::size_t surfaces, double cycles_min) {
+    const auto n = static_cast<double>(surfaces);
+    const double auxiliary_s = n * (times.approach_s + times.retreat_s + times.gauging_s)
+                               + (n - 1) * times.positioning_s + times.handling_s;
+    PieceTime piece;
+    piece.main_min = times.main_min.value_or(cycles_min);
+    piece.auxiliary_min = times.auxiliary_min.value_or(auxiliary_s / units::secondsPerMinute);
+    piece.piece_min = times.piece_min.value_or((piece.main_min + piece.auxiliary_min)
+                                               * (1 + times.service_percent / 100));
+    piece.preparation_min = times.preparation_min;
+    piece.isPieceEntered =
+        times.piece_min || times.auxiliary_min || auxiliary_s > 0 || times.service_percent > 0;
+    piece.calculation_min = piece.piece_min + times.preparation_min / times.batch_size;
+    return piece;
+}
 
 bool Setup::isPlain() const {
     const auto isDefault = [](const StructInfo& table, const void* owner) {

@@ -1,17 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/field.h"
 #include "core/issue.h"
-#include "core/setup/ground_surface.h"
-#include "core/setup/setup_times.h"
+#include "core/project/project.h"
 #include "core/setup/wheel_wear.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace sparkout {
+
+/// The components of the standard times of a set-up. A time given as a total replaces its
+/// sum, see PieceTime.
+struct SetupTimes {
+    double approach_s = 0;               ///< wheel to a surface [s]
+    double retreat_s = 0;                ///< wheel from it [s]
+    double gauging_s = 0;                ///< measuring a surface after its cycle [s]
+    double positioning_s = 0;            ///< table from one surface to the next [s]
+    double handling_s = 0;               ///< clamping and taking off a part [s]
+    std::optional<double> main_min;      ///< T_o; not given: the cycles' times [min]
+    std::optional<double> auxiliary_min; ///< T_a; not given: the sum of the times above [min]
+    double service_percent = 0;          ///< share of T_o + T_a for service and rest [%]
+    double preparation_min = 0;          ///< T_p, for the batch [min]
+    int batch_size = 1;                  ///< number of parts that share it
+    std::optional<double> piece_min;     ///< T_1; not given: (T_o + T_a)·(1 + service/100) [min]
+    friend bool operator==(const SetupTimes&, const SetupTimes&) = default;
+};
+
+template <>
+const StructInfo& tableOf<SetupTimes>();
+
+/// The standard times of a part in one set-up, in minutes.
+struct PieceTime {
+    double main_min = 0;        ///< T_o, as given or the sum of the cycles
+    double auxiliary_min = 0;   ///< T_a, as given or n·(approach + retreat + gauging)
+                                ///< + (n − 1)·positioning + handling for n surfaces
+    double piece_min = 0;       ///< T_1, as given or (T_o + T_a)·(1 + service/100)
+    double preparation_min = 0; ///< T_p, as given
+    double calculation_min = 0; ///< T_1 + T_p/N, including the part's share of the set-up time
+    /// T_1, T_a, one of its times or the service is entered; otherwise T_1 is the time of the
+    /// cycles alone.
+    bool isPieceEntered = false;
+};
+
+/// The time of a piece with so many surfaces whose cycles take `cycles_min` together.
+[[nodiscard]] PieceTime pieceTime(const SetupTimes& times, std::size_t surfaces, double cycles_min);
+
+/// One surface of a set-up: the project of its cycle, including what all surfaces share.
+struct GroundSurface {
+    std::string name; ///< empty in a file with one surface
+    Project project;
+};
 
 namespace limits {
 inline constexpr std::size_t surfaces = 20;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/shared_members.h"
 
-#include "core/format/difference.h"
+#include "core/format/project_file.h"
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/card_entries.h"
 #include "core/project/machine.h"

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/worn_project.h"
 
+#include "core/format/project_file.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
-#include "core/setup/removed_volumes.h"
+#include "core/setup/setup_run.h"
 #include "core/setup/shared_members.h"
-#include "core/setup/surface_run.h"
 
 #include <algorithm>
-#include <optional>
-#include <utility>
 
 namespace sparkout {
 
 namespace {
+
+Project withoutRuns(const Project& project) {
+    Project bare = project;
+    bare.runs.clear();
+    return bare;
+}
 
 Issues errorsOf(const Project& project) {
     Issues issues = validate(project);
@@ -22,6 +26,23 @@ Issues errorsOf(const Project& project) {
 }
 
 } // namespace
+
+std::optional<double> RemovedVolumes::find(const Project& project) const {
+    const Project bare = withoutRuns(project);
+    const std::lock_guard lock(m_mutex);
+    const auto found = std::ranges::find_if(
+        m_known, [&bare](const auto& each) { return sameProject(each.first, bare); });
+    return found == m_known.end() ? std::nullopt : std::optional(found->second);
+}
+
+void RemovedVolumes::add(const Project& project, double removed_mm3) {
+    Project bare = withoutRuns(project);
+    const std::lock_guard lock(m_mutex);
+    if (m_known.size() >= most) {
+        m_known.pop_front();
+    }
+    m_known.emplace_back(std::move(bare), removed_mm3);
+}
 
 WornProject wornProject(const Setup& setup, std::size_t surface, const RemovedMetal& removed) {
     WornProject made{surface, setup.surfaces[surface].project, {}};

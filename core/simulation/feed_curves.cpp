@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/feed_curves.h"
 
-#include "core/short_time.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/catalogue/catalogue_entry.h"
+#include "core/catalogue/catalogue.h"
 #include "core/issue.h"
 #include "core/project/iso286.h"
 #include "core/project/part.h"

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <utility>
 
 namespace sparkout {
 
@@ -38,6 +40,26 @@ enum class RandomStream : std::uint32_t { plain, jitter, permutation, shift, var
 /// The middle of one of 2⁵² equal cells of (0, 1): never 0, never 1.
 [[nodiscard]] constexpr double openUnit(std::uint64_t bits) {
     return (static_cast<double>(bits >> 12) + 0.5) * 0x1p-52;
+}
+
+/// The image of `value` under a random permutation of 0…count−1, without a table: a Feistel network
+/// of four Philox rounds over the next even power of two, iterated until it falls into the range.
+[[nodiscard]] constexpr std::uint64_t permuted(std::uint64_t value, std::uint64_t count,
+                                               std::uint32_t seed, std::uint32_t which) {
+    const int half =
+        (static_cast<int>(std::bit_width(count > 1 ? count - 1 : std::uint64_t{1})) + 1) / 2;
+    const std::uint64_t mask = (std::uint64_t{1} << half) - 1;
+    do {
+        std::uint64_t left = value >> half, right = value & mask;
+        for (std::uint32_t round = 0; round < 4; ++round) {
+            const std::uint64_t mixed =
+                randomBits(seed, RandomStream::permutation, right, which * 4 + round);
+            left ^= mixed & mask;
+            std::swap(left, right);
+        }
+        value = left << half | right;
+    } while (value >= count);
+    return value;
 }
 
 } // namespace sparkout

@@ -16,10 +16,6 @@ std::string dotted(int major, int minor, int patch) {
     return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(patch);
 }
 
-std::string vectorUnitInUse() {
-    return widestUnit() == VectorUnit::avx2 ? "AVX2" : "SSE2";
-}
-
 } // namespace
 
 EngineInfo engineInfo() {
@@ -36,7 +32,7 @@ EngineInfo engineInfo() {
     int major = 0, minor = 0, bugfix = 0;
     nlopt_version(&major, &minor, &bugfix);
     info.nlopt = dotted(major, minor, bugfix);
-    info.vectorUnit = vectorUnitInUse();
+    info.vectorUnit = widestUnit() == VectorUnit::avx2 ? "AVX2" : "SSE2";
     return info;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/simulation/trajectory.h"
 #include "core/study/outcome.h"
-#include "core/study/recorded_step.h"
 
 #include <cstddef>
 #include <functional>
@@ -12,6 +12,23 @@
 /// Exercises for students on the numbers of a project: one input is changed, and the engine runs
 /// the changed project for the answer. This file makes the numbers, the window the texts.
 namespace sparkout {
+
+/// A visit of the wheel to one radius in a recorded run.
+struct RecordedStep {
+    std::size_t pass = 0; ///< index in the trajectory
+    int radius = 0;       ///< k
+    friend bool operator==(const RecordedStep&, const RecordedStep&) = default;
+};
+
+[[nodiscard]] const Visit* visitAt(const Trajectory& trajectory, const RecordedStep& step);
+
+/// Returns the visit of a radius at a place; null if there is none.
+[[nodiscard]] const Visit* visitAt(const Trajectory& trajectory, const Place& place, int radius);
+
+/// Returns the place nearest to the given one, by double stroke or revolution, at which both runs
+/// have this zone, stage, step and revolution; empty if there is none.
+[[nodiscard]] std::optional<Place> sharedPlace(const Trajectory& one, const Trajectory& other,
+                                               const Place& place);
 
 /// Quantity that an exercise asks for.
 enum class Asked {

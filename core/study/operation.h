@@ -33,4 +33,10 @@ namespace sparkout {
 /// Returns the project with a measured profile as the form of its blank, one value a radius.
 [[nodiscard]] Project withRadii(Project project, std::vector<double> radii_um);
 
+/// Like withOperation(), but restores from `last`, the project's last state under that operation,
+/// the feeds and those inputs of ground length, wheel, overruns, compliance, gauge and surface that
+/// were not edited since. Switching there and back gives the same project.
+[[nodiscard]] Project withOperation(const Project& project, Operation operation,
+                                    const Project* last);
+
 } // namespace sparkout

@@ -13,6 +13,7 @@
 #include "core/simulation/trajectory.h"
 
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 namespace sparkout {
@@ -36,5 +37,9 @@ struct Outcome {
 };
 
 using OutcomePtr = std::shared_ptr<const Outcome>;
+
+/// Checks a project, runs its cycle and checks the result against the drawing. Returns null when
+/// stopped.
+[[nodiscard]] OutcomePtr evaluate(const Project& project, const std::stop_token& stop = {});
 
 } // namespace sparkout

@@ -2,7 +2,7 @@
 #include "core/study/profile_series.h"
 
 #include "core/form/accuracy.h"
-#include "core/form/gaussian_filter.h"
+#include "core/form/harmonics.h"
 #include "core/form/reference_circles.h"
 #include "core/process/ground_stretch.h"
 #include "core/process/profile.h"

@@ -3,7 +3,7 @@
 
 #include "core/format/project_file.h"
 #include "core/simulation/simulate.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/search.h"
 
-#include "core/batch/batch_check.h"
+#include "core/batch/batch_run.h"
 #include "core/deadline_stop.h"
 #include "core/grace_stop.h"
 #include "core/optimisation/binding.h"

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace sparkout {
@@ -22,5 +23,8 @@ struct FreeSetting {
 };
 [[nodiscard]] std::vector<FreeSetting> freeSettings(const Project& searched,
                                                     const MachineSettings& found);
+
+/// Returns the object of `optimize --json`; its keys are fixed.
+[[nodiscard]] std::string searchJson(const SearchOutcome& outcome);
 
 } // namespace sparkout

@@ -4,8 +4,9 @@
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/machine_steps.h"
+#include "core/project/part.h"
 #include "core/project/wheel.h"
-#include "core/trimmed.h"
+#include "core/text.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -14,14 +15,11 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace sparkout {
 
 namespace {
-
-bool isPerMinute(const Field& column) {
-    return std::string_view(column.unit) == "mm/min";
-}
 
 /// Whether the column holds the feed along the work.
 bool isAlong(const Project& project, const Field& column) {
@@ -31,12 +29,22 @@ bool isAlong(const Project& project, const Field& column) {
 
 constexpr std::string_view blanks(" \u00a0");
 
+constexpr double sameStock_mm = 1e-9;
+
+double sumFrom(const std::vector<Stage>& stages, std::size_t first) {
+    double sum = 0;
+    for (std::size_t i = first; i < stages.size(); ++i) {
+        sum += stages[i].stock_mm;
+    }
+    return sum;
+}
+
 } // namespace
 
 std::optional<FeedForms> feedForms(const Project& project, const Field& column,
                                    double feed_mm_min) {
     const double work_rpm = project.machine->work_speed_rpm, width_mm = project.wheel->width_mm;
-    if (!isPerMinute(column) || !(work_rpm > 0)) {
+    if (std::string_view(column.unit) != "mm/min" || !(work_rpm > 0)) {
         return {};
     }
     FeedForms forms{feed_mm_min / work_rpm, {}};
@@ -133,6 +141,28 @@ bool statesContinuousInfeed(const Project& project) {
     return std::ranges::any_of(project.cycle->stages, [](const Stage& stage) {
         return stage.continuous_feed_mm_min.has_value();
     });
+}
+
+bool stocksAddUp(const Project& project) {
+    return std::abs(sumFrom(project.cycle->stages, 0) - project.part->stock_mm) <= sameStock_mm;
+}
+
+Project withFittedStocks(Project project) {
+    auto& stages = project.cycle->stages;
+    if (stages.empty() || stocksAddUp(project)) {
+        return project;
+    }
+    const double stock_mm = project.part->stock_mm;
+    auto rest = stages.begin(); // gets the remainder
+    if (sumFrom(stages, 1) >= stock_mm) {
+        const double scale = stock_mm / sumFrom(stages, 0);
+        for (Stage& stage : stages) {
+            stage.stock_mm = tidyStock(stage.stock_mm * scale);
+        }
+        rest = std::ranges::max_element(stages, {}, &Stage::stock_mm); // it absorbs the rounding
+    }
+    rest->stock_mm = tidyStock(rest->stock_mm + stock_mm - sumFrom(stages, 0));
+    return project;
 }
 
 } // namespace sparkout

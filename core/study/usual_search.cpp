@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/usual_search.h"
 
-#include "core/batch/batch_check.h"
+#include "core/batch/batch_run.h"
 #include "core/optimisation/levels.h"
 #include "core/optimisation/time_bound.h"
 #include "core/optimisation/variants.h"

@@ -56,4 +56,12 @@ std::int64_t partsOfIndices(const Project& project, int points) {
     return std::int64_t{points} * (static_cast<std::int64_t>(scatteredFactors(project).size()) + 2);
 }
 
+Judgement judgementOf(const Outcome& outcome, const BatchOutcome* batch,
+                      const std::stop_token& stop) {
+    const bool hasBatch = batch && batch->ran();
+    return judge(outcome.result, outcome.constraints, judgeStocks(outcome.result, stop),
+                 hasBatch ? std::optional(judgeBatch(batch->result, batch->summary))
+                          : std::nullopt);
+}
+
 } // namespace sparkout

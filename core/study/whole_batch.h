@@ -6,11 +6,13 @@
 #include "core/issue.h"
 #include "core/judgement/judgement.h"
 #include "core/project/given_factors.h"
+#include "core/study/outcome.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace sparkout {
@@ -48,5 +50,10 @@ using BatchOutcomePtr = std::shared_ptr<const BatchOutcome>;
 
 /// Returns the number of parts needed for Sobol indices.
 [[nodiscard]] std::int64_t partsOfIndices(const Project& project, int points);
+
+/// Judges an outcome for every stock within one infeed, which is decided here, and for a batch of
+/// the same inputs, which may be null. Used by reports, which wait for the decision.
+[[nodiscard]] Judgement judgementOf(const Outcome& outcome, const BatchOutcome* batch = nullptr,
+                                    const std::stop_token& stop = {});
 
 } // namespace sparkout

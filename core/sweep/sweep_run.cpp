@@ -1,22 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sweep/sweep_run.h"
 
+#include "core/batch/characteristics.h"
 #include "core/batch/worker_pool.h"
+#include "core/format/output_json.h"
 #include "core/project/machine.h"
 #include "core/project/number_input.h"
+#include "core/project/part.h"
 #include "core/project/range_check.h"
 #include "core/project/sweep.h"
 #include "core/project/sweep_rules.h"
 #include "core/project/validate.h"
+#include "core/quality/constraints.h"
+#include "core/quality/drawing_constraints.h"
+#include "core/quality/finished_surface.h"
+#include "core/quality/result_names.h"
 #include "core/quality/roughness.h"
 #include "core/simulation/simulate.h"
-#include "core/sweep/sweep_point.h"
 #include "core/text.h"
+#include "core/units.h"
 #include "core/version.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <deque>
 #include <mutex>
 #include <utility>
@@ -24,6 +33,8 @@
 namespace sparkout {
 
 namespace {
+
+using nlohmann::ordered_json;
 
 constexpr int digitsBetween = 10;
 
@@ -147,6 +158,167 @@ private:
     std::mutex m_mutex;
 };
 
+constexpr double percent = 100;
+
+class PointMeasure {
+public:
+    explicit PointMeasure(const SimulationResult& result)
+        : m_result(result), m_constraints(evaluateConstraints(result)) {}
+
+    MeasuredPoint measure() {
+        m_measured.point.status = SweepStatus::done;
+        m_measured.point.run = m_result.status;
+        add("time", "s", {m_result.time_s});
+        addLeastMargin();
+        for (std::size_t i = 0; i < m_result.sections.size(); ++i) {
+            addSection(m_result.sections[i], static_cast<int>(i));
+        }
+        for (const ConstraintResult& constraint : worstByKind(m_constraints)) {
+            if (requirementOf(constraint.kind).scope != ConstraintScope::section) {
+                add(requirementOf(constraint.kind).key, requirementOf(constraint.kind).unit,
+                    valueOf(constraint));
+            }
+        }
+        add("peak_normal_force", "N", {m_result.peakNormalForce_n});
+        add("peak_power", "kW", {m_result.peakPower_w / units::wPerKw});
+        return std::move(m_measured);
+    }
+
+private:
+    void add(const char* name, const char* unit, const SweepValue& value, Zone zone = Zone::section,
+             int section = -1) {
+        m_measured.quantities.push_back({name, unit, zone, section});
+        m_measured.point.values.push_back(value);
+    }
+
+    static SweepValue valueOf(const ConstraintResult& constraint) {
+        if (!constraint.isWhole) {
+            return {}; // strips stay uncut
+        }
+        SweepValue value{constraint.value};
+        (constraint.isLeast ? value.low : value.high) = constraint.limit;
+        value.margin = constraint.margin;
+        return value;
+    }
+
+    /// Like a batch: settings, such as those limited by the machine's ranges, have no margin of
+    /// that kind.
+    void addLeastMargin() {
+        SweepPoint& point = m_measured.point;
+        point.good = true;
+        std::optional<double> least;
+        for (const ConstraintResult& constraint : m_constraints) {
+            point.good = point.good && constraint.holds;
+            if (requirementOf(constraint.kind).scope != ConstraintScope::setting
+                && constraint.isWhole) {
+                least =
+                    std::min(least.value_or(constraint.relativeMargin), constraint.relativeMargin);
+            }
+        }
+        if (least) {
+            SweepValue value{*least * percent};
+            value.low = 0;
+            value.margin = value.value;
+            add("least_margin", "%", value);
+        }
+    }
+
+    void addSection(const SectionResult& section, int index) {
+        const Part& part = *m_result.project.part;
+        const auto addHere = [&](const char* name, const SweepValue& value) {
+            add(name, "µm", value, section.zone, index);
+        };
+        if (!FinishedSurface(m_result.project).isWhole()) {
+            return;
+        }
+        SweepValue diameter{meanDeviation_um(section, part.diameter_mm)};
+        diameter.low = part.lower_deviation_um;
+        diameter.high = part.upper_deviation_um;
+        diameter.margin = std::min(diameter.value - diameter.low, diameter.high - diameter.value);
+        addHere("diameter", diameter);
+        bool runout = false, roundness = false;
+        for (const ConstraintResult& constraint : m_constraints) {
+            if (requirementOf(constraint.kind).scope == ConstraintScope::section
+                && constraint.section == index) {
+                addHere(requirementOf(constraint.kind).key, valueOf(constraint));
+                runout = runout || constraint.kind == ConstraintKind::radialRunout;
+                roundness = roundness || constraint.kind == ConstraintKind::roundness;
+            }
+        }
+        if (!runout) {
+            addHere(requirementOf(ConstraintKind::radialRunout).key,
+                    {section.radialRunout_mm * units::umPerMm});
+        }
+        if (!roundness) {
+            const auto place = static_cast<std::size_t>(index);
+            addHere(requirementOf(ConstraintKind::roundness).key,
+                    {roundnessOf(m_result, place) * units::umPerMm});
+        }
+    }
+
+    const SimulationResult& m_result;
+    std::vector<ConstraintResult> m_constraints;
+    MeasuredPoint m_measured;
+};
+
+constexpr Output<SweepResult> sweepRows[] = {
+    {{.key = "status", .hint = "completed or stopped"},
+     [](const SweepResult& s) { return std::string(s.stopped ? "stopped" : "completed"); }},
+};
+
+constexpr Output<SweptInput> sweptInputRows[] = {
+    {{.key = "input", .hint = "JSON pointer of what is varied"},
+     [](const SweptInput& i) { return i.axis.input; }},
+    {{.key = "unit", .hint = "unit of its values"}, [](const SweptInput& i) { return i.unit; }},
+};
+
+constexpr Output<SweepPoint> sweepPointRows[] = {
+    {{.key = "status", .hint = "not_run, refused, cannot_reach_size or completed"},
+     [](const SweepPoint& p) { return std::string(sweepStatusKey(p.status)); }},
+    {{.key = "ok", .hint = "whether every requirement holds"},
+     [](const SweepPoint& p) { return p.good; }},
+};
+
+/// Omits missing values.
+template <double SweepValue::*number>
+constexpr Output<SweepFigure> sweepNumber(const char* key, const char* hint) {
+    return {{.key = key, .hint = hint},
+            [](const SweepFigure& f) { return f.value.*number; },
+            nullptr,
+            [](const SweepFigure& f) { return !std::isnan(f.value.*number); }};
+}
+
+constexpr Output<SweepFigure> sweepFigureRows[] = {
+    {{.key = "name", .hint = "a requirement, or time, least_margin, diameter …"},
+     [](const SweepFigure& f) { return f.quantity.name; }},
+    {{.key = "where"},
+     [](const SweepFigure& f) { return sectionOrPart(f.quantity.zone, f.quantity.section); }},
+    {{.key = "unit", .hint = "of value, limits and margin; empty for a plain number"},
+     [](const SweepFigure& f) { return f.quantity.unit; }},
+    {{.key = "value"}, [](const SweepFigure& f) { return f.value.value; }},
+    sweepNumber<&SweepValue::low>("low", "lower limit"),
+    sweepNumber<&SweepValue::high>("high", "upper limit"),
+    sweepNumber<&SweepValue::margin>("margin", "positive when it holds"),
+};
+
+ordered_json pointJson(const SweepResult& sweep, std::size_t index,
+                       std::string (*sentence)(const Issue& issue)) {
+    const SweepPoint& point = sweep.points[index];
+    ordered_json json = {{"values", sweep.valuesAt(index)}};
+    json.update(outputsJson(sweepPointOutputs(), point));
+    json["results"] = ordered_json::array();
+    for (const Issue& issue : point.issues) {
+        json["refused"].push_back(issue.path + ": " + sentence(issue));
+    }
+    for (std::size_t q = 0; q < point.values.size(); ++q) {
+        if (!std::isnan(point.values[q].value)) {
+            json["results"].push_back(
+                outputsJson(sweepFigureOutputs(), {sweep.quantities[q], point.values[q]}));
+        }
+    }
+    return json;
+}
+
 } // namespace
 
 std::vector<double> SweepResult::valuesAt(std::size_t point) const {
@@ -230,6 +402,44 @@ SweepResult runSweep(const Project& project, const SweepOptions& options) {
         return point.status == SweepStatus::pending;
     });
     return result;
+}
+
+MeasuredPoint measurePoint(const SimulationResult& result) {
+    return PointMeasure(result).measure();
+}
+
+std::span<const Output<SweepResult>> sweepOutputs() {
+    return sweepRows;
+}
+
+std::span<const Output<SweptInput>> sweptInputOutputs() {
+    return sweptInputRows;
+}
+
+std::span<const Output<SweepPoint>> sweepPointOutputs() {
+    return sweepPointRows;
+}
+
+std::span<const Output<SweepFigure>> sweepFigureOutputs() {
+    return sweepFigureRows;
+}
+
+const char* sweepStatusKey(SweepStatus status) {
+    constexpr std::array keys{"not_run", "refused", "cannot_reach_size", "completed"};
+    return keys[static_cast<std::size_t>(status)];
+}
+
+std::string sweepJson(const SweepResult& sweep, std::string (*sentence)(const Issue& issue)) {
+    ordered_json json = outputsJson(sweepOutputs(), sweep);
+    json["inputs"] = outputsJsonOfEach(sweptInputOutputs(), sweep.inputs);
+    json["points"] = ordered_json::array();
+    for (std::size_t i = 0; i < sweep.inputs.size(); ++i) {
+        json["inputs"][i]["values"] = sweep.inputs[i].values;
+    }
+    for (std::size_t i = 0; i < sweep.points.size(); ++i) {
+        json["points"].push_back(pointJson(sweep, i, sentence));
+    }
+    return json.dump(2) + '\n';
 }
 
 } // namespace sparkout

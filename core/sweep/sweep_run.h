@@ -3,11 +3,13 @@
 
 #include "core/issue.h"
 #include "core/project/sweep.h"
+#include "core/result.h"
 #include "core/simulation/result.h"
 
 #include <atomic>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -98,5 +100,32 @@ void putSweptValues(Project& project, const std::vector<SweepAxis>& axes,
 /// threads, bit for bit: each point is the run of the project with its values. A stop request ends
 /// it within a revolution of each thread and keeps the finished points.
 [[nodiscard]] SweepResult runSweep(const Project& project, const SweepOptions& options = {});
+
+/// A point with its quantities, before they are aligned with those of all points.
+struct MeasuredPoint {
+    SweepPoint point;
+    std::vector<SweepQuantity> quantities;
+};
+
+/// Everything a sweep reports of one run.
+[[nodiscard]] MeasuredPoint measurePoint(const SimulationResult& result);
+
+/// A quantity at a point.
+struct SweepFigure {
+    const SweepQuantity& quantity;
+    const SweepValue& value;
+};
+
+[[nodiscard]] std::span<const Output<SweepResult>> sweepOutputs();
+[[nodiscard]] std::span<const Output<SweptInput>> sweptInputOutputs();
+[[nodiscard]] std::span<const Output<SweepPoint>> sweepPointOutputs();
+[[nodiscard]] std::span<const Output<SweepFigure>> sweepFigureOutputs();
+
+/// The key in files and on the command line: "cannot_reach_size".
+[[nodiscard]] const char* sweepStatusKey(SweepStatus status);
+
+/// The object of `sweep --json`, which words faults by `sentence`.
+[[nodiscard]] std::string sweepJson(const SweepResult& sweep,
+                                    std::string (*sentence)(const Issue& issue));
 
 } // namespace sparkout

@@ -2,7 +2,7 @@
 #include "core/tables/table_cell.h"
 
 #include "core/printable.h"
-#include "core/trimmed.h"
+#include "core/text.h"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +11,26 @@
 #include <system_error>
 
 namespace sparkout {
+
+namespace {
+
+struct UnitName {
+    std::string_view text;
+    ColumnUnit unit;
+};
+
+constexpr auto unitNames = std::to_array<UnitName>({
+    {"mm", ColumnUnit::mm},   {"мм", ColumnUnit::mm},   {"um", ColumnUnit::um},
+    {"µm", ColumnUnit::um},   {"μm", ColumnUnit::um},   {"мкм", ColumnUnit::um},
+    {"s", ColumnUnit::s},     {"sec", ColumnUnit::s},   {"с", ColumnUnit::s},
+    {"сек", ColumnUnit::s},   {"ms", ColumnUnit::ms},   {"мс", ColumnUnit::ms},
+    {"min", ColumnUnit::min}, {"мин", ColumnUnit::min}, {"kw", ColumnUnit::kw},
+    {"квт", ColumnUnit::kw},  {"w", ColumnUnit::w},     {"вт", ColumnUnit::w},
+    {"n", ColumnUnit::n},     {"н", ColumnUnit::n},     {"kn", ColumnUnit::kn},
+    {"кн", ColumnUnit::kn},   {"a", ColumnUnit::a},     {"а", ColumnUnit::a},
+});
+
+} // namespace
 
 std::optional<double> cellNumber(std::string_view cell, char decimal) {
     constexpr std::string_view minus = "\xE2\x88\x92"; // U+2212
@@ -76,6 +96,17 @@ std::string lowerCase(std::string_view text) {
         }
     }
     return lower;
+}
+
+std::optional<ColumnUnit> unitNamed(std::string_view text) {
+    const std::string lower = lowerCase(text);
+    const auto* const found = std::ranges::find(unitNames, lower, &UnitName::text);
+    return found == unitNames.end() ? std::nullopt : std::optional(found->unit);
+}
+
+std::string_view nameOf(ColumnUnit unit) {
+    const auto* const found = std::ranges::find(unitNames, unit, &UnitName::unit);
+    return found == unitNames.end() ? std::string_view() : found->text;
 }
 
 } // namespace sparkout

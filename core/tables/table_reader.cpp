@@ -2,9 +2,9 @@
 #include "core/tables/table_reader.h"
 
 #include "core/digits.h"
-#include "core/tables/column_unit.h"
 #include "core/tables/csv_line.h"
-#include "core/trimmed.h"
+#include "core/tables/table_cell.h"
+#include "core/text.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/quality/usage.h"
+#include "core/quality/light.h"
 #include "core/study/outcome.h"
 #include "ui/charts/light_icon.h"
 #include "ui/tables/csv_table.h"

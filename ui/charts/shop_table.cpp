@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/shop_table.h"
 
-#include "core/quality/shop_outputs.h"
+#include "core/quality/shop_numbers.h"
 #include "core/units.h"
 #include "ui/tables/output_cells.h"
 #include "ui/text/names.h"

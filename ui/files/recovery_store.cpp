@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/files/recovery_store.h"
 
-#include "core/files/temporary_file.h"
+#include "core/files/save_steps.h"
 #include "core/format/project_file.h"
 #include "ui/files/file_lock.h"
 #include "ui/session/project_io.h"

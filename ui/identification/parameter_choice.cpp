@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/identification/parameter_choice.h"
 
-#include "core/identification/fit_proposal.h"
-#include "core/identification/scaled_project.h"
+#include "core/identification/cycle_response.h"
 #include "core/process/force.h"
 #include "core/project/part.h"
 #include "ui/fields/number_field.h"

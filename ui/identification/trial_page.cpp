@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/identification/trial_page.h"
 
-#include "core/identification/applicable.h"
 #include "core/project/cycle.h"
 #include "core/project/operation.h"
 #include "core/project/validate.h"

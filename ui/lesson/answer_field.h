@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/lesson/answer.h"
+#include "core/lesson/goal.h"
 #include "core/lesson/goal_check.h"
 #include "core/lesson/lesson.h"
 

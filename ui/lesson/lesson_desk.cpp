@@ -2,8 +2,6 @@
 #include "ui/lesson/lesson_desk.h"
 
 #include "core/course/make_variants.h"
-#include "core/course/work_file.h"
-#include "core/course/work_seal.h"
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
 #include "core/setup/setup_file.h"

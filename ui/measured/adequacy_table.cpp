@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/measured/adequacy_table.h"
 
-#include "core/adequacy/adequacy_outputs.h"
 #include "ui/measured/measured_text.h"
 #include "ui/tables/output_cells.h"
 #include "ui/text/output_text.h"

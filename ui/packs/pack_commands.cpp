@@ -3,7 +3,7 @@
 
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
-#include "core/pack/pack_file.h"
+#include "core/pack/pack.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/dialogs/save_dialog.h"

@@ -4,7 +4,6 @@
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
-#include "core/pack/pack_file.h"
 #include "ui/files/own_lessons.h"
 #include "ui/kit/answer_buttons.h"
 #include "ui/kit/copyable_label.h"

@@ -2,7 +2,6 @@
 #include "ui/session/document.h"
 
 #include "core/batch/usual_batch.h"
-#include "core/format/difference.h"
 #include "core/format/project_file.h"
 #include "core/project/leaves.h"
 #include "core/project/machine.h"

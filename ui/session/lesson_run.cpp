@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/lesson_run.h"
 
-#include "core/course/work_file.h"
-#include "core/course/work_seal.h"
 #include "core/format/project_file.h"
 #include "core/setup/setup_file.h"
 #include "ui/session/project_io.h"

@@ -3,7 +3,6 @@
 
 #include "core/project/validate.h"
 #include "core/quality/roughness.h"
-#include "core/setup/surface_run.h"
 #include "core/setup/worn_project.h"
 #include "core/units.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/setup/piece_time.h"
-#include "core/setup/surface_run.h"
+#include "core/setup/setup.h"
+#include "core/setup/setup_run.h"
 #include "ui/session/cycle_judge.h"
 #include "ui/session/document.h"
 #include "ui/session/newest_job.h"

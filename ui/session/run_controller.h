@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/judgement/judgement.h"
-#include "core/setup/removed_volumes.h"
 #include "core/setup/setup.h"
-#include "core/study/evaluate.h"
+#include "core/setup/worn_project.h"
+#include "core/study/outcome.h"
 #include "ui/session/newest_job.h"
 
 #include <QObject>

@@ -2,7 +2,7 @@
 #include "ui/text/estimate_names.h"
 
 #include "core/measured/calibrated_inputs.h"
-#include "core/quality/estimates.h"
+#include "core/quality/requirement.h"
 #include "ui/text/texts.h"
 
 #include <QStringList>

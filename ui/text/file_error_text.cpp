@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/file_error_text.h"
 
-#include "core/files/file_step_text.h"
 #include "core/printable.h"
 #include "ui/text/number_text.h"
 

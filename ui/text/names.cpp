@@ -5,7 +5,7 @@
 #include "core/project/member.h"
 #include "core/quality/light.h"
 #include "core/quality/ranges.h"
-#include "core/short_time.h"
+#include "core/units.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 

@@ -4,7 +4,7 @@
 #include "core/printable.h"
 #include "core/project/member.h"
 #include "core/project/project.h"
-#include "core/setup/setup_times.h"
+#include "core/setup/setup.h"
 #include "core/setup/wheel_wear.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_scale.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/time_unit.h"
 
-#include "core/short_time.h"
+#include "core/units.h"
 #include "ui/text/texts.h"
 
 namespace sparkout {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws a factor may follow, what it stands for, and where feeding starts in a batch.
-#include "core/batch/batch_check.h"
 #include "core/batch/batch_run.h"
 #include "core/batch/factor_law.h"
 #include "core/format/blanks_csv.h"

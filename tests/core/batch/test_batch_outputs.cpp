@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is stated of a batch's characteristics, as JSON and CSV have it.
-#include "core/batch/batch_json.h"
+#include "core/batch/batch_outputs.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 

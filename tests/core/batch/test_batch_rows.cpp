@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All parts of a batch as rows: what they hold, in which order, and when they end.
 #include "core/batch/batch_run.h"
-#include "core/batch/moments.h"
+#include "core/batch/batch_statistics.h"
 #include "core/batch/part_queue.h"
 #include "core/batch/part_table.h"
 

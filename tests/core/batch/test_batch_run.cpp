@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/batch/batch_check.h"
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_state.h"
 #include "core/batch/batch_state_reader.h"

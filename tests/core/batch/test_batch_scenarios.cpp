@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/batch/batch_check.h"
+#include "core/batch/batch_run.h"
 #include "core/batch/scenario_source.h"
 #include "core/project/validate.h"
 #include "core/statistics/intervals.h"
-#include "core/statistics/permutation.h"
+#include "core/statistics/philox.h"
 #include "core/statistics/sobol_sequence.h"
 
 #include "core/cholesky.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/batch/batch_verdict.h"
+#include "core/batch/batch_summary.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Errors of the gauge and the part's temperature as factors of a batch, what the machine prints
 // without a form, the usual batch, and what a batch leaves out.
-#include "core/batch/batch_check.h"
 #include "core/batch/batch_run.h"
+#include "core/batch/batch_statistics.h"
 #include "core/batch/factor_law.h"
-#include "core/batch/moments.h"
 #include "core/batch/usual_batch.h"
 #include "core/project/gauge.h"
 #include "core/project/validate.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stock, runout and compliance that scatter zone by zone: each in its own range, drawn by itself,
 // beside the factors of the part, which stay as they were; corners, states, robust search.
-#include "core/batch/batch_check.h"
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_state.h"
 #include "core/batch/batch_state_reader.h"

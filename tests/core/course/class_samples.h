@@ -4,8 +4,6 @@
 #include "core/course/group_list.h"
 #include "core/course/make_variants.h"
 #include "core/course/work.h"
-#include "core/course/work_file.h"
-#include "core/course/work_seal.h"
 #include "core/lesson/goal_check.h"
 #include "core/project/cycle.h"
 #include "core/setup/setup_file.h"

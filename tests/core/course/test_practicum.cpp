@@ -2,7 +2,7 @@
 // The ten works that are shipped, tried as a student tries them: who reads what the program shows
 // gets all points, who does not gets none; and each is a lesson, with its guide for the teacher.
 #include "core/course/grading.h"
-#include "core/course/variant_check.h"
+#include "core/course/make_variants.h"
 #include "core/quality/constraints.h"
 #include "tests/core/course/class_samples.h"
 #include "tests/registry.h"

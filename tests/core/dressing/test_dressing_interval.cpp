@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts between dressings: closed form of the drive's limit, every part tried by hand, laws.
 #include "core/dressing/dressing_interval.h"
-#include "core/dressing/part_cost.h"
 #include "core/process/force.h"
 #include "core/quality/shop_numbers.h"
 #include "core/setup/surface_wear.h"

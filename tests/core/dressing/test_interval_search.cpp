@@ -3,7 +3,6 @@
 // grid on all parts, laws, and the closed form of a drive's limit.
 #include "core/dressing/dressing_interval.h"
 #include "core/dressing/interval_search.h"
-#include "core/dressing/part_cost.h"
 #include "core/process/force.h"
 #include "core/quality/shop_numbers.h"
 #include "core/study/search.h"

@@ -63,7 +63,7 @@ def leftovers(folder):
 
 
 def leftover_name(target):
-    """A temporary name as temporary_file.cpp makes it: FNV-1a of the target's name."""
+    """A temporary name as save_steps.cpp makes it: FNV-1a of the target's name."""
     value = 0xcbf29ce484222325
     for byte in target.encode():
         value = (value ^ byte) * 0x100000001b3 % 2**64

@@ -3,7 +3,6 @@
 // reference circles against closed forms and against plain searches for the best centre.
 #include "core/form/roundness_readings.h"
 
-#include "core/form/gaussian_filter.h"
 #include "core/form/harmonics.h"
 #include "core/form/reference_circles.h"
 #include "tests/check_line.h"

@@ -3,10 +3,10 @@
 // Parameters from finished parts: table 2 of the thesis, a truth that the interval holds, and what
 // sizes cannot tell.
 #include "core/identification/calibration.h"
+#include "core/identification/cycle_response.h"
 #include "core/identification/identification.h"
-#include "core/identification/sizes_over_phases.h"
 #include "core/phases/phase_decision.h"
-#include "core/statistics/comparison.h"
+#include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_samples.h"

@@ -4,7 +4,7 @@
 
 #include "core/identification/fit_data.h"
 #include "core/identification/fitted_parameter.h"
-#include "core/identification/robust_weights.h"
+#include "core/identification/levenberg_marquardt.h"
 #include "core/process/scaled_compliance.h"
 #include "core/process/system_compliance.h"
 #include "tests/core/identification/measured_cycles.h"

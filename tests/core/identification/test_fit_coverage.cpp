@@ -4,9 +4,9 @@
 // parameters that are proposed for it; answers hold the truth, the others are refused. The whole
 // count: QTEST_FUNCTION_TIMEOUT=99999999 SPARKOUT_COVERAGE_SETS=300 ./workbench test
 // test_fit_coverage
-#include "core/identification/fit_proposal.h"
+#include "core/identification/cycle_response.h"
+#include "core/identification/fit_data.h"
 #include "core/identification/identification.h"
-#include "core/identification/scaled_project.h"
 #include "tests/core/identification/measured_cycles.h"
 #include "tests/registry.h"
 

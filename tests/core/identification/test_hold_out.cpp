@@ -2,9 +2,9 @@
 // A calibration is held against a cycle with other feeds that it has not seen: the model that made
 // both agrees, a machine that has changed since does not.
 #include "core/identification/calibration.h"
+#include "core/identification/cycle_response.h"
 #include "core/identification/hold_out.h"
 #include "core/identification/identification.h"
-#include "core/identification/scaled_project.h"
 #include "core/project/number_input.h"
 #include "tests/core/identification/measured_cycles.h"
 #include "tests/registry.h"

@@ -5,7 +5,6 @@
 
 #include "core/identification/calibration.h"
 #include "core/identification/cycle_response.h"
-#include "core/identification/scaled_project.h"
 #include "core/project/validate.h"
 #include "tests/check_line.h"
 #include "tests/core/identification/measured_cycles.h"

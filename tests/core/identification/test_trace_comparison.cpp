@@ -3,7 +3,7 @@
 // such data can tell.
 #include "core/identification/trace_comparison.h"
 
-#include "core/identification/fit_proposal.h"
+#include "core/identification/fit_data.h"
 #include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/ui/support/traced_project.h"

@@ -4,7 +4,6 @@
 #include "core/identification/noise_model.h"
 
 #include "core/identification/cycle_response.h"
-#include "core/identification/unlike.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
 #include "tests/core/support/project_samples.h"

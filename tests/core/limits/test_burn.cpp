@@ -2,7 +2,6 @@
 #include "core/limits/burn.h"
 
 #include "core/limits/burn_table.h"
-#include "core/limits/ierfc.h"
 #include "tests/core/support/random_cutting.h"
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"

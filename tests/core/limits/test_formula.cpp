@@ -5,10 +5,10 @@
 
 #include "core/form/accuracy.h"
 #include "core/limits/burn.h"
-#include "core/quality/balance.h"
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"
 #include "core/quality/self_sharpening.h"
+#include "core/quality/visit_sheet.h"
 #include "tests/core/support/formula_reader.h"
 #include "tests/core/support/random_cutting.h"
 #include "tests/core/support/rapidcheck_runs.h"

@@ -2,7 +2,7 @@
 // Labels: unsanitized
 // The laws that hold for the best cycle of any grid: what binds, what a limit, a stage or a
 // scenario does to its time, and that none is quicker than the stepless one.
-#include "core/dressing/part_cost.h"
+#include "core/dressing/dressing_interval.h"
 #include "core/optimisation/binding.h"
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/limit.h"

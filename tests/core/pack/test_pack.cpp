@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Packs: read strictly, every part as its own file would be.
-#include "core/pack/pack_file.h"
+#include "core/pack/pack.h"
 
 #include "tests/core/catalogue/shipped_catalogues.h"
 #include "tests/core/lesson/lesson_samples.h"

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stocks of an interval by what their cycles do: a closed form, and stocks run one by one.
-#include "core/phases/failing_share.h"
 #include "core/phases/failing_stock.h"
 #include "core/phases/phase_decision.h"
-#include "core/phases/phase_pieces.h"
 #include "core/phases/sampled_phases.h"
 #include "core/simulation/stage_control.h"
 #include "tests/core/support/project_fixtures.h"

@@ -2,7 +2,6 @@
 // Compiled by two tests: with EVERY_ROW it must compile, without it must not.
 #include "core/field.h"
 #include "core/indirect.h"
-#include "core/optional_indirect.h"
 
 #include <array>
 #include <optional>

@@ -2,12 +2,12 @@
 // Measured parts and traces in a project: shared by its copies, read and written as any input.
 #include "core/project/measured.h"
 
-#include "core/format/difference.h"
+#include "core/format/project_file.h"
 #include "core/project/member.h"
 #include "core/project/number_input.h"
 #include "core/project/validate.h"
 #include "core/quality/run_summary.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a requirement says of itself, and the depths of cut that the requirements allow.
-#include "core/quality/constraint_sheet.h"
+#include "core/quality/constraints.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/depth_limits.h"
 

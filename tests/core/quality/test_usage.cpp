@@ -3,7 +3,6 @@
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
 #include "core/quality/light.h"
-#include "core/quality/usage.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"

@@ -3,7 +3,6 @@
 // Changes of one setting after which all holds: each one is run again by itself.
 #include "core/remedies/remedies.h"
 
-#include "core/batch/fresh_parts.h"
 #include "core/batch/scenario_source.h"
 #include "core/phases/cycle_trial.h"
 #include "core/phases/failing_stock.h"
@@ -15,7 +14,7 @@
 #include "core/quality/ranges.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "words/remedy_words.h"
 
 #include "tests/core/support/failing_projects.h"

@@ -2,8 +2,6 @@
 // The surfaces of a set-up one after the other: wheel, times, verdict.
 #include "core/quality/result_json.h"
 #include "core/quality/shop_numbers.h"
-#include "core/setup/removed_volumes.h"
-#include "core/setup/setup_json.h"
 #include "core/setup/setup_run.h"
 #include "core/setup/worn_project.h"
 #include "core/simulation/simulate.h"

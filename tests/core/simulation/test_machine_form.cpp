@@ -2,9 +2,8 @@
 // The form that the machine prints onto every part: what its harmonics make of roundness, runout
 // and diameters, radii and reading of a run with it, lobes of a number not known, batches, bounds
 // of the search, and what is said where nothing is given.
-#include "core/batch/batch_check.h"
 #include "core/batch/batch_run.h"
-#include "core/batch/moments.h"
+#include "core/batch/batch_statistics.h"
 #include "core/form/roundness.h"
 #include "core/optimisation/limit.h"
 #include "core/process/printed_form.h"
@@ -13,7 +12,6 @@
 #include "core/quality/result_json.h"
 #include "core/study/measured_form.h"
 #include "core/study/operation.h"
-#include "core/study/operation_return.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 

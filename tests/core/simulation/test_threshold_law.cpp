@@ -8,9 +8,9 @@
 #include "core/process/force.h"
 #include "core/process/threshold_pass.h"
 #include "core/project/validate.h"
-#include "core/quality/balance.h"
 #include "core/quality/power.h"
 #include "core/quality/shop_numbers.h"
+#include "core/quality/visit_sheet.h"
 #include "core/simulation/simulate.h"
 
 #include "tests/core/support/project_fixtures.h"

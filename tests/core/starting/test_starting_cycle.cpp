@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rule of starting cycles: what it gives by hand, and what its cycles are worth on random
 // drawings, as an engine that knows nothing of the rule judges them.
-#include "core/batch/batch_check.h"
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_summary.h"
 #include "core/batch/usual_batch.h"

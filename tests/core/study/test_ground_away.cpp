@@ -2,7 +2,7 @@
 // Infeeds larger than the part: the run ends with a status of its own, and nothing that reads its
 // radii is upset by them.
 #include "core/quality/result_names.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 

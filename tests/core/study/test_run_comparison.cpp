@@ -8,7 +8,7 @@
 #include "core/project/member.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"

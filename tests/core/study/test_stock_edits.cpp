@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/stage_edits.h"
-#include "core/study/stock_edits.h"
 #include "tests/whole_project.h"
 
 #include "core/project/cycle.h"

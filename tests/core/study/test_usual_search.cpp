@@ -3,8 +3,7 @@
 // A usual search about a project's cycle, and what its answer is good for.
 #include "core/study/usual_search.h"
 
-#include "core/batch/batch_check.h"
-#include "core/batch/fresh_parts.h"
+#include "core/batch/batch_run.h"
 #include "core/batch/scenario_source.h"
 #include "core/batch/usual_batch.h"
 #include "core/deadline_stop.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/batch/batch_check.h"
+#include "core/batch/batch_run.h"
 #include "core/format/project_file.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
@@ -12,7 +12,7 @@
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
 #include "core/remedies/remedies.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/core/support/random_project.h"
 
 #include <nlohmann/json.hpp>

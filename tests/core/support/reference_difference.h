@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/quality/setting_constraints.h"
+#include "core/quality/cycle_constraints.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"

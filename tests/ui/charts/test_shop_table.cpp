@@ -2,8 +2,8 @@
 // Labels: own_language
 // The table of the shop's numbers has a row for every output that people read: it is printed, for
 // tests/one_place.
-#include "core/quality/shop_outputs.h"
-#include "core/study/evaluate.h"
+#include "core/quality/shop_numbers.h"
+#include "core/study/outcome.h"
 #include "tests/core/support/project_samples.h"
 #include "ui/charts/shop_table.h"
 #include "ui/text/output_text.h"

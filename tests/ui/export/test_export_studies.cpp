@@ -2,7 +2,7 @@
 // Labels: numbers
 // Batch, sweep and search as workbooks, all parts as rows: by the window's own ways and by
 // sparkout --export.
-#include "core/batch/batch_verdict.h"
+#include "core/batch/batch_summary.h"
 #include "core/judgement/judgement.h"
 #include "core/setup/setup_run.h"
 #include "tests/core/support/batch_fixtures.h"

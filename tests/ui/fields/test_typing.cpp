@@ -2,8 +2,8 @@
 // Labels: numbers
 // What happens while one types: in the cells of the stages, in the forms, and when it is undone.
 #include "core/project/machine.h"
-#include "core/study/evaluate.h"
 #include "core/study/new_project.h"
+#include "core/study/outcome.h"
 #include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/editors/hint_strip.h"

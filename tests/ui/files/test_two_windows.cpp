@@ -2,11 +2,10 @@
 // Labels: measures
 // Check 10: two windows, one file, for every kind of file that the window owns. The other window is
 // a process of its own: this program, started with --hold or --put.
-#include "core/course/work_file.h"
-#include "core/course/work_seal.h"
+#include "core/course/work.h"
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
-#include "core/pack/pack_file.h"
+#include "core/pack/pack.h"
 #include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/ui/support/dialog_answers.h"

@@ -2,12 +2,11 @@
 // No writer writes what its own reader refuses: each kind of file is grown until its writer gives
 // up; what was written last is read back whole, and what was refused changed nothing on the disk.
 #include "core/catalogue/catalogue.h"
-#include "core/course/work_file.h"
-#include "core/course/work_seal.h"
+#include "core/course/work.h"
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/text_markup.h"
-#include "core/pack/pack_file.h"
+#include "core/pack/pack.h"
 #include "core/project/part.h"
 #include "core/setup/setup_file.h"
 #include "core/study/new_project.h"

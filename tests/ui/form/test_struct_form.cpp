@@ -4,7 +4,7 @@
 #include "ui/form/struct_form.h"
 
 #include "core/lesson/lesson.h"
-#include "core/setup/setup_times.h"
+#include "core/setup/setup.h"
 #include "tests/registry.h"
 #include "ui/session/company.h"
 #include "ui/text/hint_text.h"

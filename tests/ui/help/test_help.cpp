@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // F1 tells of every input and every view, in both languages, and no link of the help is dead.
-#include "core/lesson/hideable.h"
+#include "core/lesson/lesson.h"
 #include "core/project/project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/languages.h"

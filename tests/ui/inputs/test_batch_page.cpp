@@ -2,7 +2,7 @@
 // Labels: numbers
 // The page "Batch" of the inputs: factors, their forms and numbers, correlations, by keys and
 // mouse.
-#include "core/batch/batch_check.h"
+#include "core/batch/batch_run.h"
 #include "core/batch/scenario_source.h"
 #include "core/study/new_project.h"
 #include "tests/core/support/batch_fixtures.h"

@@ -2,7 +2,7 @@
 // Labels: numbers
 // The stages of the table, added, removed, moved, made to spark out; what it shows of them.
 #include "core/project/validate.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
 #include "tests/ui/support/typing.h"

@@ -2,7 +2,7 @@
 // Labels: numbers
 // The stiffness of a machine from the catalogue is offered, with its effect, not just taken.
 #include "core/format/project_file.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
 #include "tests/ui/support/dialog_answers.h"

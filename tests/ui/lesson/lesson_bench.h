@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/course/work_file.h"
+#include "core/course/work.h"
 #include "core/files/safe_file.h"
 #include "core/lesson/lesson_file.h"
 #include "tests/core/course/class_samples.h"

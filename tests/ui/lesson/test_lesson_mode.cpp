@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A laboratory work in the window, as a student does it: by mouse and keys, to full points.
 #include "core/course/grading.h"
-#include "core/course/work_seal.h"
+#include "core/course/work.h"
 #include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/lesson/lesson_bench.h"

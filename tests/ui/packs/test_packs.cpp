@@ -2,7 +2,7 @@
 // Packs by the hands of those who make one and those who take it in.
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
-#include "core/pack/pack_file.h"
+#include "core/pack/pack.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"

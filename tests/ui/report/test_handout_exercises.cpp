@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The questions of the course hand-out, run again, and the page of their answers.
-#include "core/format/difference.h"
 #include "core/format/project_file.h"
 #include "core/simulation/simulate.h"
 #include "tests/registry.h"

@@ -3,12 +3,12 @@
 // The accuracy passport: its numbers and verdict are those of the engine's own batch, and what it
 // prints is enough to compute them again.
 #include "core/adequacy/adequacy.h"
-#include "core/batch/moments.h"
+#include "core/batch/batch_statistics.h"
 #include "core/batch/scenario_source.h"
 #include "core/project/leaves.h"
 #include "core/project/member.h"
 #include "core/study/batch_edits.h"
-#include "core/study/judged_outcome.h"
+#include "core/study/whole_batch.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
 #include "ui/measured/measured_text.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cursor goes through the whole cycle in every unit, and keeps its place in a new run.
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/registry.h"
 #include "tests/two_stage_projects.h"
 #include "ui/session/cycle_cursor.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/format/difference.h"
+#include "core/format/project_file.h"
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/wheel.h"
 #include "core/quality/roughness.h"
@@ -11,7 +11,6 @@
 #include "tests/whole_project.h"
 #include "ui/session/document.h"
 
-#include "core/format/project_file.h"
 #include "core/project/validate.h"
 
 #include "tests/registry.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Checks 4 and 25: random edits, runs, saves, undos and redos. All of it undone is the beginning,
 // all of it redone the end, step by step; and what is saved opens as the same.
-#include "core/study/evaluate.h"
 #include "core/study/operation.h"
-#include "core/study/operation_return.h"
+#include "core/study/outcome.h"
 #include "ui/session/document.h"
 #include "ui/text/file_error_text.h"
 

@@ -4,8 +4,8 @@
 #include "ui/session/kept_runs.h"
 
 #include "core/format/project_file.h"
-#include "core/study/evaluate.h"
 #include "core/study/new_project.h"
+#include "core/study/outcome.h"
 #include "tests/registry.h"
 
 #include <QTemporaryDir>

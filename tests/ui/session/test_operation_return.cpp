@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Switching the operation and back.
-#include "core/study/evaluate.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
-#include "core/study/operation_return.h"
+#include "core/study/outcome.h"
 #include "tests/ui/support/untitled.h"
 #include "tests/whole_project.h"
 #include "ui/text/operation_changes.h"

@@ -13,7 +13,7 @@
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
 #include "core/study/search_edits.h"
-#include "core/study/search_json.h"
+#include "core/study/search_outputs.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"

@@ -2,7 +2,7 @@
 // Projects, outcomes and events for the tests of the views.
 #pragma once
 
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/two_stage_projects.h"
 #include "ui/plot/view.h"
 

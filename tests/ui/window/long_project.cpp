@@ -3,7 +3,6 @@
 #include "tests/whole_project.h"
 
 #include "core/format/project_file.h"
-#include "core/study/evaluate.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 

@@ -20,7 +20,7 @@
 #include "ui/window/view_tabs.h"
 
 #include "core/format/project_file.h"
-#include "core/study/stock_edits.h"
+#include "core/study/stage_edits.h"
 
 #include <QAction>
 #include <QComboBox>

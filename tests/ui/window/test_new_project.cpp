@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A new project: its drawing is yet to be given, and until then nothing is said of it.
-#include "core/format/difference.h"
+#include "core/format/project_file.h"
 #include "core/phases/phase_decision.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A technologist's hour, with mouse and keys: a stepped shaft of a gearbox from its drawing to the
 // passport and the operation card. Each cycle that the window offers on the way is judged for every
-// stock.
+// stock and by 500 fresh parts of its batch. One line a surface is printed. Pictures of the stages
+// are kept where SPARKOUT_HOUR_PICTURES names a folder.
+#include "core/batch/scenario_source.h"
 #include "core/judgement/judgement.h"
+#include "core/optimisation/robust.h"
+#include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/part.h"
 #include "core/setup/worn_project.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
+#include "core/study/whole_batch.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/hand.h"
@@ -25,12 +30,16 @@
 #include <QComboBox>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QFileInfo>
 #include <QTabBar>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QToolButton>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace sparkout::test_technologist {
@@ -38,6 +47,8 @@ namespace sparkout::test_technologist {
 constexpr int mostClicks = 70;
 constexpr double mostTime_s = 600;
 constexpr double leastPlunge_s = 10;
+constexpr double mostFinishFeed_mm_min = 0.2;
+constexpr int otherDraw = 1000; // than any that a search tries its answers on
 
 constexpr int traverseEntry = 1, plungeEntry = 2; // of what a new surface begins with
 
@@ -64,21 +75,115 @@ const std::vector<Drawn> drawing{
     {"Цапфа", 4, true, "48h6", "0,2", nullptr, "8", "0,8"},
     {"Подшипник справа", 5, false, "40k6", "0,15", "5", nullptr, "0,8"}};
 
-/// A cycle as it was offered.
+/// A cycle as it was offered, and what it is good for.
 struct Offered {
-    explicit Offered(const Project& project) {
-        const OutcomePtr outcome = evaluate(project, {});
+    Project project;
+    OutcomePtr outcome;
+    Judgement judgement; ///< with the fresh parts as its batch
+    std::optional<double> leastPpk;
+
+    [[nodiscard]] double time_s() const { return outcome->result.time_s; }
+    /// Infeed per side [mm/min], of traverse that of a double stroke over its time.
+    [[nodiscard]] double feed_mm_min(std::size_t stage) const {
+        const Stage& of = project.cycle->stages[stage];
         const SimulationResult& result = outcome->result;
-        const Judgement judgement = judge(result, outcome->constraints, judgeStocks(result));
-        time_s = result.time_s;
-        state = QString::fromLatin1(stateKey(judgement.state));
-        isFit = !isFailure(judgement.state) && judgement.stocks && judgement.stocks->holds
-                && (project.operation->travels || time_s >= leastPlunge_s);
+        constexpr double secondsPerMinute = 60;
+        return project.operation->travels
+                   ? of.radial_feed_mm.value_or(0) * result.countsByStage[stage]
+                             / result.timeByStage_s[stage] * secondsPerMinute
+                         + of.continuousFeed_mm_min()
+                   : of.radial_feed_mm_min.value_or(0);
     }
-    double time_s;
-    QString state;
-    bool isFit; ///< for every stock, and in a time that a shop believes
+    [[nodiscard]] std::size_t finish() const { ///< the last stage that feeds
+        const std::vector<Stage>& stages = project.cycle->stages;
+        return stages.size() - (stages.size() > 1 && !stages.back().feeds() ? 2 : 1);
+    }
+    [[nodiscard]] QString text() const;
+    [[nodiscard]] QString fault() const; ///< why a shop would not run it; empty: it would
 };
+
+Offered judged(const Project& project) {
+    Offered offered;
+    offered.project = project;
+    offered.outcome = evaluate(project, {});
+    const BatchOutcomePtr batch = runWholeBatch(withFreshParts(project, otherDraw));
+    const SimulationResult& result = offered.outcome->result;
+    offered.judgement = judge(result, offered.outcome->constraints, judgeStocks(result),
+                              judgeBatch(batch->result, batch->summary));
+    for (const CharacteristicSummary& each : batch->summary.characteristics) {
+        if (each.ppk && (!offered.leastPpk || each.ppk->value < *offered.leastPpk)) {
+            offered.leastPpk = each.ppk->value;
+        }
+    }
+    return offered;
+}
+
+QString Offered::text() const {
+    const auto number = [](double value, int digits) {
+        return QString::number(value, 'f', digits);
+    };
+    const SimulationResult& result = outcome->result;
+    const std::vector<Stage>& stages = project.cycle->stages;
+    QStringList parts{number(time_s(), 1) + QStringLiteral(" s")};
+    for (std::size_t i = 0; i <= finish(); ++i) {
+        parts += number(feed_mm_min(i), 3) + QStringLiteral(" mm/min × ")
+                 + number(stages[i].stock_mm, 3);
+        if (project.operation->travels) {
+            parts.back() += QStringLiteral(" (S_t %1 µm, S_ax %2)")
+                                .arg(number(stages[i].radial_feed_mm.value_or(0) * 1000, 1),
+                                     number(stages[i].axial_feed_mm_min.value_or(0), 0));
+        }
+    }
+    const bool sparksOut = !stages.back().feeds();
+    parts += sparksOut ? QStringLiteral("spark-out %1 (%2 s)")
+                             .arg(result.countsByStage.back())
+                             .arg(number(result.timeByStage_s.back(), 1))
+                       : QStringLiteral("no spark-out");
+    double runout_mm = 0;
+    for (const SectionResult& section : result.sections) {
+        runout_mm = std::max(runout_mm, section.radialRunout_mm);
+    }
+    for (const ConstraintResult& each : worstByKind(outcome->constraints)) {
+        if (each.kind == ConstraintKind::roughness) {
+            parts +=
+                QStringLiteral("Ra %1…%2")
+                    .arg(number(each.value, 2), number(each.mostValue.value_or(each.value), 2));
+        } else if (each.kind == ConstraintKind::roundness
+                   || each.kind == ConstraintKind::cylindricity) {
+            parts += QStringLiteral("%1 %2").arg(QString::fromLatin1(requirementOf(each.kind).key),
+                                                 number(each.value, 2));
+        }
+    }
+    parts += QStringLiteral("runout %1").arg(number(runout_mm * 1000, 2));
+    parts +=
+        leastPpk ? QStringLiteral("Ppk %1").arg(number(*leastPpk, 2)) : QStringLiteral("no Ppk");
+    parts += QStringLiteral("%1 bad of %2").arg(judgement.batch->bad).arg(judgement.batch->parts);
+    parts += QString::fromLatin1(stateKey(judgement.state));
+    return parts.join(QStringLiteral(", "));
+}
+
+QString Offered::fault() const {
+    if (!outcome->ran()
+        || (isFailure(judgement.state) && judgement.state != JudgedState::batchFails)) {
+        return QString::fromLatin1(stateKey(judgement.state));
+    }
+    if (!judgement.stocks || !judgement.stocks->holds) {
+        return QStringLiteral("not for every stock");
+    }
+    // What was good on 500 parts promises no less than the bound that these leave.
+    const double most = std::max(judgement.batch->allowedShare, mostFailing(freshPartCount, 1));
+    if (judgement.batch->parts != freshPartCount
+        || double(judgement.batch->bad) > most * freshPartCount) {
+        return QStringLiteral("not for the batch");
+    }
+    if (!project.operation->travels && time_s() < leastPlunge_s) {
+        return QStringLiteral("a plunge that nobody believes");
+    }
+    if (feed_mm_min(finish()) > mostFinishFeed_mm_min) {
+        return QStringLiteral("a finish that nobody believes");
+    }
+    return {};
+}
 
 /// The window as he has it, and what he does there.
 struct Workplace : Bench {
@@ -117,14 +222,19 @@ struct Workplace : Bench {
         hand.check(QTest::qWaitFor(hasKeys), QStringLiteral("a window has no keys"));
     }
     /// Nothing is refused, all that is in sight has its room; a stage is over.
-    void endStage(const QString& stage, QWidget* of = nullptr) {
+    void endStage(const QString& picture, QWidget* of = nullptr) {
         calm(of);
         for (const Refusal& refusal : window->inputs().refusals()) {
             hand.check(false, QString::fromStdString(refusal.path) + u' ' + refusal.reason);
         }
         QWidget& shown = of ? *of : *window;
         for (const QString& cut : textsWithoutRoom(shown)) {
-            hand.check(false, QStringLiteral("no room, %1: %2").arg(stage, cut));
+            hand.check(false, QStringLiteral("no room, %1: %2").arg(picture, cut));
+        }
+        const QString folder = qEnvironmentVariable("SPARKOUT_HOUR_PICTURES");
+        if (!folder.isEmpty()) {
+            hand.check(shown.grab().save(folder + u'/' + picture + QStringLiteral(".png")),
+                       QStringLiteral("no picture in ") + folder);
         }
     }
 
@@ -216,6 +326,7 @@ struct Workplace : Bench {
                 hand.tabTo(begin->objectName());
                 hand.key(begin->currentIndex() > wanted ? Qt::Key_Up : Qt::Key_Down);
             }
+            endPicture(dialog, QStringLiteral("add"));
         });
         calm();
         hand.check(QApplication::focusWidget()
@@ -223,6 +334,12 @@ struct Workplace : Bench {
                    QStringLiteral("the size of a new surface is not asked for first"));
         hand.type(QString::fromLatin1(drawn.size));
         typeDrawing(drawn);
+    }
+    void endPicture(QDialog& dialog, const QString& name) {
+        const QString folder = qEnvironmentVariable("SPARKOUT_HOUR_PICTURES");
+        if (!folder.isEmpty()) {
+            dialog.grab().save(folder + u'/' + name + QStringLiteral(".png"));
+        }
     }
 
     Hand hand;
@@ -233,7 +350,7 @@ struct Workplace : Bench {
 std::vector<Offered> judgedAll(const Setup& setup) {
     std::vector<Offered> all;
     for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
-        all.emplace_back(wornProject(setup, i).project);
+        all.push_back(judged(wornProject(setup, i).project));
     }
     return all;
 }
@@ -301,21 +418,38 @@ private slots:
         place.endStage(QStringLiteral("11-papers"));
         const QStringList papers = kept.entryList({QStringLiteral("*.pdf")});
         hand.check(papers.size() == 2, QStringLiteral("not exported"));
+        if (const QString to = qEnvironmentVariable("SPARKOUT_HOUR_PICTURES"); !to.isEmpty()) {
+            for (const QString& paper : papers) {
+                QFile::copy(folder.filePath(paper), to + u'/' + paper);
+            }
+        }
         const double wall_s = double(place.time.elapsed()) / 1000;
         qInfo("HOUR %d clicks, %d keys, %d turns of the wheel, %.1f s, searches %.1f s of it; "
               "a person with the searches %.0f s",
               hand.clicks(), hand.keys(), hand.turns(), wall_s, searched_s,
               hand.person_s() + searched_s);
 
+        QStringList faults;
         const std::vector<Offered> before = judgedAll(started), after = judgedAll(found);
         for (std::size_t i = 0; i < drawing.size(); ++i) {
-            const QString how =
-                QStringLiteral("%1: starting %2, optimum %3")
-                    .arg(QString::fromUtf8(drawing[i].name), before[i].state, after[i].state);
-            QVERIFY2(before[i].isFit && after[i].isFit && after[i].time_s <= before[i].time_s,
-                     qPrintable(how));
+            const QString name = QString::fromStdString(found.surfaces[i].name);
+            qInfo().noquote() << QStringLiteral("HOUR %1: starting %2; optimum %3")
+                                     .arg(name, before[i].text(), after[i].text());
+            for (const Offered* offered : {&before[i], &after[i]}) {
+                if (const QString fault = offered->fault(); !fault.isEmpty()) {
+                    faults += QStringLiteral("%1, %2: %3")
+                                  .arg(name,
+                                       offered == &before[i] ? QStringLiteral("starting")
+                                                             : QStringLiteral("optimum"),
+                                       fault);
+                }
+            }
+            if (after[i].time_s() > before[i].time_s()) {
+                faults += name + QStringLiteral(": the optimum takes longer");
+            }
         }
         QCOMPARE(hand.faults(), QString());
+        QCOMPARE(faults.join(u'\n'), QString());
         QVERIFY(hand.clicks() <= mostClicks);
         QVERIFY(wall_s <= mostTime_s && hand.person_s() + searched_s <= mostTime_s);
     }

@@ -4,7 +4,6 @@
 #include "core/project/member.h"
 #include "core/project/part.h"
 #include "core/study/operation.h"
-#include "core/study/operation_return.h"
 #include "ui/form/text_editor.h"
 #include "ui/inputs/editors/radii_editor.h"
 #include "ui/inputs/editors/range_editor.h"

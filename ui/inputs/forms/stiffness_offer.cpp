@@ -2,7 +2,6 @@
 #include "ui/inputs/forms/stiffness_offer.h"
 
 #include "core/project/machine.h"
-#include "core/study/evaluate.h"
 #include "core/units.h"
 #include "ui/kit/metrics.h"
 #include "ui/text/names.h"

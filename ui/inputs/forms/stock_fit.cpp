@@ -3,7 +3,7 @@
 
 #include "core/project/cycle.h"
 #include "core/project/part.h"
-#include "core/study/stock_edits.h"
+#include "core/study/stage_edits.h"
 #include "ui/session/document.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_scale.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/course/lab_report.h"
 
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "ui/report/course/goal_words.h"
 #include "ui/report/course/lesson_markup.h"
 #include "ui/report/course/paper_writer.h"

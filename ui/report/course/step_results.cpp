@@ -6,7 +6,6 @@
 #include "core/quality/run_summary.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
-#include "core/study/evaluate.h"
 #include "core/study/recalled_run.h"
 #include "core/study/run_comparison.h"
 #include "ui/charts/run_table.h"

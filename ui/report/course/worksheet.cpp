@@ -3,7 +3,6 @@
 
 #include "core/project/leaves.h"
 #include "core/setup/worn_project.h"
-#include "core/study/evaluate.h"
 #include "ui/report/course/answer_fields.h"
 #include "ui/report/course/paper_writer.h"
 #include "ui/report/course/step_key.h"

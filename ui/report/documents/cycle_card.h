@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/study/judged_outcome.h"
+#include "core/study/whole_batch.h"
 #include "ui/report/format/report.h"
 
 #include <QCoreApplication>

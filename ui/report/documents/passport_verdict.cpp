@@ -2,7 +2,7 @@
 #include "ui/report/documents/passport_verdict.h"
 
 #include "core/project/batch.h"
-#include "core/study/judged_outcome.h"
+#include "core/study/whole_batch.h"
 #include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/views/batch/batch_text.h"

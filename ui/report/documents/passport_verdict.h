@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/batch/batch_verdict.h"
+#include "core/batch/batch_summary.h"
 #include "core/judgement/judgement.h"
 #include "ui/report/documents/report_kinds.h"
 

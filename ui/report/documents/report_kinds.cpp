@@ -3,8 +3,6 @@
 
 #include "core/batch/scenario_source.h"
 #include "core/project/card_entries.h"
-#include "core/setup/piece_time.h"
-#include "core/study/evaluate.h"
 #include "core/units.h"
 #include "ui/report/card/card_rows.h"
 #include "ui/report/card/operation_card_report.h"

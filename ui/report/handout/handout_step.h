@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/study/recorded_step.h"
+#include "core/study/exercises.h"
 
 #include <QString>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/constraints/constraints_view.h"
 
-#include "core/quality/constraint_sheet.h"
 #include "ui/charts/light_icon.h"
 #include "ui/charts/margin_model.h"
 #include "ui/charts/verdict_why.h"

@@ -2,7 +2,6 @@
 #include "ui/views/sweep/phase_text.h"
 
 #include "core/batch/factor_law.h"
-#include "core/phases/failing_share.h"
 #include "core/project/given_factors.h"
 #include "core/units.h"
 #include "ui/text/names.h"

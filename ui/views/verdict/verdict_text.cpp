@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict/verdict_text.h"
 
-#include "core/short_time.h"
 #include "core/units.h"
 #include "ui/text/names.h"
 

@@ -2,8 +2,8 @@
 #include "ui/window/dialogs/examples_dialog.h"
 
 #include "core/setup/setup_run.h"
-#include "core/study/evaluate.h"
-#include "core/study/judged_outcome.h"
+#include "core/study/outcome.h"
+#include "core/study/whole_batch.h"
 #include "ui/kit/answer_buttons.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"

@@ -2,11 +2,11 @@
 // Labels: numbers
 // The view "Batch": its figures are the engine's, a stop keeps what was done, the newest wins, the
 // worst part is reproduced by its inputs.
-#include "core/batch/batch_check.h"
+#include "core/batch/batch_run.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
 #include "core/study/batch_edits.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 #include "tests/ui/support/examples.h"

@@ -5,7 +5,7 @@
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
-#include "core/quality/constraint_sheet.h"
+#include "core/quality/constraints.h"
 #include "core/quality/power.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"

@@ -7,7 +7,7 @@
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/optimisation.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/dynamic_programming/grid_moment.h"

@@ -5,7 +5,6 @@
 #include "core/quality/diameter_shares.h"
 #include "core/quality/light.h"
 #include "core/quality/run_summary.h"
-#include "core/quality/usage.h"
 #include "core/study/run_comparison.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"

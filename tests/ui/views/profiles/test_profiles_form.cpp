@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // Form in the view "Zone profiles": magnification, reference circles, spectrum.
-#include "core/form/gaussian_filter.h"
+#include "core/form/harmonics.h"
 #include "core/form/roundness_readings.h"
 #include "tests/registry.h"
 #include "tests/ui/support/on_disk.h"

@@ -3,7 +3,7 @@
 // The view "Sweep": chosen, run, stopped and taken from with mouse and keys; its curves are the
 // sweep's; a project from which the varied stage has gone does no harm.
 #include "core/project/number_input.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "core/study/sweep_edits.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_fixtures.h"

@@ -4,7 +4,7 @@
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/views/verdict/narrow_table.h"
 #include "ui/views/verdict/verdict_panel.h"

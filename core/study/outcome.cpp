@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/evaluate.h"
+#include "core/study/outcome.h"
 
-#include "core/process/system_compliance.h"
 #include "core/project/validate.h"
 #include "core/quality/remarks.h"
 #include "core/simulation/simulate.h"
