@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_batch_command.h"
+#include "app/commands.h"
 
 #include "app/cli_batch.h"
 #include "app/io/batch_watch.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/io/exit_status.h"
 #include "core/files/safe_file.h"
 #include "core/issue.h"
 #include "core/measured/cell_fault.h"
@@ -10,8 +9,24 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace sparkout::cli {
+
+/// Exit status of the program. `interrupted` plus the number of the signal is 130 or 143, as shells
+/// report Ctrl+C and SIGTERM, for a command that was ended without an answer, or with a part of it.
+/// `nothingFeasible` is an answer, for which every cycle was decided.
+enum Exit {
+    done = 0,
+    refused = 1,
+    usage = 2,
+    cannotReachSize = 3,
+    requirementFails = 4,
+    nothingFeasible = 5,
+    undecided = 6, ///< no cycle was found, but there may be one: the time was up, or the method
+                   ///< proves nothing
+    interrupted = 128
+};
 
 void print(std::FILE* stream, const std::string& text);
 
@@ -43,6 +58,10 @@ void printIssues(const std::string& file, const Issues& issues);
 
 /// Prints the faults of a table, each with its line and column.
 void printFaults(const std::string& file, const CellFaults& faults);
+
+/// Prints the kept runs of a project whose results differ from the engine's to stderr, one on a
+/// line; returns their names.
+std::vector<std::string> printUntrueRuns(const std::string& file, const Project& project);
 
 /// The bytes of a file; if it cannot be read, reports it and returns an empty value.
 [[nodiscard]] std::optional<std::string> readOrSay(const std::string& file, std::size_t most);
