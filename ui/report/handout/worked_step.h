@@ -3,16 +3,24 @@
 
 #include "core/study/outcome.h"
 #include "ui/report/format/report.h"
+#include "ui/report/handout/citations.h"
 #include "ui/report/handout/handout_step.h"
-#include "ui/report/handout/step_formulas.h"
 
 #include <QCoreApplication>
 #include <QSet>
 #include <QString>
 
 #include <optional>
+#include <set>
+#include <vector>
 
 namespace sparkout::report {
+
+/// The formulas of a step, and their symbols.
+struct StepBlocks {
+    std::vector<Block> blocks;
+    std::set<QString> symbols;
+};
 
 /// The step that the hand-out works out: its place, its formulas and its limits.
 class WorkedStep {
