@@ -29,6 +29,32 @@ namespace sparkout {
 
 namespace {
 
+constexpr int leastTyped = 2; ///< letters worth marking
+
+QUrl urlOf(const QString& topic) {
+    return QUrl(QStringLiteral("help:") + topic);
+}
+
+constexpr QSize helpSize(900, 640);
+constexpr QSize helpFrame(40, 80);
+constexpr int contentsWidth = 250;
+constexpr int topicRole = Qt::UserRole;
+constexpr int searchPause_ms = 200; ///< after typing a search
+
+QTreeWidgetItem* contentsItem(QTreeWidget& list, const QString& topic) {
+    for (int i = 0; i < list.topLevelItemCount(); ++i) {
+        QTreeWidgetItem* group = list.topLevelItem(i);
+        for (int j = 0; j < group->childCount(); ++j) {
+            if (group->child(j)->data(0, topicRole) == topic) {
+                return group->child(j);
+            }
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
 /// Shows pages of a help book, in the colours and the font of the window.
 class HelpBrowser : public QTextBrowser {
 public:
@@ -50,12 +76,6 @@ private:
     const HelpBook* m_book = nullptr;
     QString m_words;
 };
-
-constexpr int leastTyped = 2; ///< letters worth marking
-
-QUrl urlOf(const QString& topic) {
-    return QUrl(QStringLiteral("help:") + topic);
-}
 
 HelpBrowser::HelpBrowser(QWidget* parent) : QTextBrowser(parent) {
     setOpenExternalLinks(false);
@@ -128,26 +148,6 @@ void HelpBrowser::changeEvent(QEvent* event) {
         renew();
     }
 }
-
-constexpr QSize helpSize(900, 640);
-constexpr QSize helpFrame(40, 80);
-constexpr int contentsWidth = 250;
-constexpr int topicRole = Qt::UserRole;
-constexpr int searchPause_ms = 200; ///< after typing a search
-
-QTreeWidgetItem* contentsItem(QTreeWidget& list, const QString& topic) {
-    for (int i = 0; i < list.topLevelItemCount(); ++i) {
-        QTreeWidgetItem* group = list.topLevelItem(i);
-        for (int j = 0; j < group->childCount(); ++j) {
-            if (group->child(j)->data(0, topicRole) == topic) {
-                return group->child(j);
-            }
-        }
-    }
-    return nullptr;
-}
-
-} // namespace
 
 HelpWindow::HelpWindow(std::function<QString()> shortcuts, QWidget* parent)
     : QWidget(parent, Qt::Window)

@@ -32,6 +32,33 @@ namespace sparkout {
 
 namespace {
 
+constexpr int dragged_ms = 200; ///< interval of checking for the end of a drag
+constexpr QSize usualWindow(1366, 768);
+constexpr QSize frameAllowance(8, 40);
+constexpr int verdictWidth = 310;
+constexpr int wideVerdictWidth = 450;  ///< in a wide window: no name of a requirement wraps
+constexpr int leastVerdictWidth = 292; ///< for smaller fonts: frames and gaps do not shrink
+constexpr int messagesHeight = 96;
+
+/// Names the buttons that Qt adds, which it names once in one language, or not at all.
+void nameQtButtons(const QWidget& window) {
+    const auto name = [&window](const char* object, const QString& text) {
+        for (auto* button : window.findChildren<QAbstractButton*>(QString::fromLatin1(object))) {
+            button->setAccessibleName(text);
+            button->setAccessibleDescription(text);
+            button->setToolTip(text);
+        }
+    };
+    name("qt_dockwidget_floatbutton", WindowLayout::tr("Detach or attach the panel"));
+    name("qt_dockwidget_closebutton", WindowLayout::tr("Close the panel"));
+    name("qt_toolbar_ext_button", WindowLayout::tr("More commands"));
+    name("qt_menubar_ext_button", WindowLayout::tr("More menus"));
+    name("ScrollLeftButton", WindowLayout::tr("Scroll to the left"));
+    name("ScrollRightButton", WindowLayout::tr("Scroll to the right"));
+}
+
+} // namespace
+
 /// The panel of messages: it opens by itself with a new message and closes with the last one. A
 /// button in the status bar shows their number.
 class MessagesDock : public QObject {
@@ -52,8 +79,6 @@ private:
     QTimer m_later;     ///< delays it during a drag
     QStringList m_seen; ///< inputs
 };
-
-constexpr int dragged_ms = 200; ///< interval of checking for the end of a drag
 
 MessagesDock::MessagesDock(QDockWidget& dock, MessagesPanel& panel, QStatusBar& bar)
     : QObject(&dock), m_dock(dock), m_panel(panel), m_button(new QToolButton(&bar)) {
@@ -99,32 +124,6 @@ void MessagesDock::retranslate() {
     m_button->setToolTip(tr("Show or hide the messages"));
     m_button->setAccessibleName(m_button->text());
 }
-
-constexpr QSize usualWindow(1366, 768);
-constexpr QSize frameAllowance(8, 40);
-constexpr int verdictWidth = 310;
-constexpr int wideVerdictWidth = 450;  ///< in a wide window: no name of a requirement wraps
-constexpr int leastVerdictWidth = 292; ///< for smaller fonts: frames and gaps do not shrink
-constexpr int messagesHeight = 96;
-
-/// Names the buttons that Qt adds, which it names once in one language, or not at all.
-void nameQtButtons(const QWidget& window) {
-    const auto name = [&window](const char* object, const QString& text) {
-        for (auto* button : window.findChildren<QAbstractButton*>(QString::fromLatin1(object))) {
-            button->setAccessibleName(text);
-            button->setAccessibleDescription(text);
-            button->setToolTip(text);
-        }
-    };
-    name("qt_dockwidget_floatbutton", WindowLayout::tr("Detach or attach the panel"));
-    name("qt_dockwidget_closebutton", WindowLayout::tr("Close the panel"));
-    name("qt_toolbar_ext_button", WindowLayout::tr("More commands"));
-    name("qt_menubar_ext_button", WindowLayout::tr("More menus"));
-    name("ScrollLeftButton", WindowLayout::tr("Scroll to the left"));
-    name("ScrollRightButton", WindowLayout::tr("Scroll to the right"));
-}
-
-} // namespace
 
 WindowLayout::WindowLayout(QMainWindow& window, const Panels& panels, ViewTabs& tabs,
                            PlaybackBar& playback, Settings& settings)

@@ -9,7 +9,7 @@
 #include "ui/report/card/card_form.h"
 #include "ui/report/card/logo.h"
 #include "ui/report/card/sketch_sheet.h"
-#include "ui/report/format/form_head.h"
+#include "ui/report/format/report.h"
 #include "ui/report/parts/begun_report.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/example_texts.h"

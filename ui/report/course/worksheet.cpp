@@ -11,9 +11,7 @@
 #include "ui/report/course/paper_writer.h"
 #include "ui/report/course/step_key.h"
 #include "ui/report/course/student_view.h"
-#include "ui/report/course/work_title.h"
 #include "ui/report/handout/citations.h"
-#include "ui/report/handout/exercise_sheet.h"
 #include "ui/report/handout/exercises.h"
 #include "ui/report/handout/handout_task.h"
 #include "ui/report/handout/worked_step.h"
@@ -286,12 +284,11 @@ private:
         }
         if (m_isKey) {
             heading(tr("Answers to the questions"));
-            m_paper.add(
-                ExerciseSheet::answers(exercises, m_exam.outcome->result.project.operation));
+            m_paper.add(exerciseAnswers(exercises, m_exam.outcome->result.project.operation));
             return;
         }
         heading(tr("Questions"));
-        for (const Block& question : ExerciseSheet::questions(exercises)) {
+        for (const Block& question : exerciseQuestions(exercises)) {
             m_paper.add(question);
             m_paper.add(Blank{answerLines});
         }

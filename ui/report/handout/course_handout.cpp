@@ -7,15 +7,13 @@
 #include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/report/format/plot_figure.h"
 #include "ui/report/handout/citations.h"
-#include "ui/report/handout/exercise_sheet.h"
 #include "ui/report/handout/exercises.h"
 #include "ui/report/handout/handout_task.h"
 #include "ui/report/handout/worked_step.h"
 #include "ui/report/parts/begun_report.h"
-#include "ui/report/parts/course_figures.h"
-#include "ui/report/parts/feeds_figure.h"
 #include "ui/report/parts/operation_setup.h"
 #include "ui/report/parts/part_sketch.h"
+#include "ui/report/parts/run_figures.h"
 #include "ui/text/number_text.h"
 
 #include <QCoreApplication>
@@ -146,8 +144,8 @@ Table wrongStatesTable(const ExactAnswer& exact) {
 }
 
 /// The grid of dynamic programming in the hand-out: the rule, the grid, both answers, the way back
-/// state by state. A project without a search uses a usual one. In the window's thread; `breathe` is
-/// called during the proof, which is abandoned after some seconds.
+/// state by state. A project without a search uses a usual one. In the window's thread; `breathe`
+/// is called during the proof, which is abandoned after some seconds.
 std::vector<Block> stateGridBlocks(const OutcomePtr& outcome,
                                    const std::function<void()>& breathe) {
     Project project = outcome->result.project;
@@ -224,12 +222,12 @@ public:
         }
         if (!exercises.empty()) {
             heading(tr("Questions"));
-            add(ExerciseSheet::questions(exercises));
+            add(exerciseQuestions(exercises));
         }
         if (m_options.answers && !exercises.empty()) {
             add(PageBreak{});
             heading(tr("Answers"));
-            add(ExerciseSheet::answers(exercises, project.operation));
+            add(exerciseAnswers(exercises, project.operation));
         }
         return std::move(m_report);
     }
