@@ -3,7 +3,6 @@
 
 #include "app/cli_batch.h"
 #include "app/io/batch_watch.h"
-#include "app/io/cli_choice.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_surfaces.h"
 #include "app/io/stop_signals.h"

@@ -2,7 +2,6 @@
 #include "app/commands.h"
 
 #include "app/io/batch_watch.h"
-#include "app/io/cli_choice.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_report.h"
 #include "app/io/stop_signals.h"

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/manual/given.h"
+#include "core/field.h"
 #include "core/files/safe_file.h"
 #include "core/issue.h"
 #include "core/measured/cell_fault.h"
 #include "core/setup/setup.h"
 
+#include <cstddef>
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sparkout::cli {
@@ -76,5 +80,21 @@ std::vector<std::string> printUntrueRuns(const std::string& file, const Project&
 
 /// Whether writing to the file would overwrite a project by accident.
 [[nodiscard]] bool replacesProject(const std::string& file, const std::string& project);
+
+/// The choice that an option names by its key in files; empty if it is not given.
+template <class E>
+std::optional<E> choiceOf(const manual::Given& given, std::string_view option) {
+    const auto choices = choicesOf<E>();
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (given.text(option) == choices[i].key) {
+            if constexpr (detail::Kinds<E>) {
+                return E::ofIndex(i);
+            } else {
+                return static_cast<E>(i);
+            }
+        }
+    }
+    return std::nullopt;
+}
 
 } // namespace sparkout::cli

@@ -10,7 +10,7 @@
 #include "ui/kit/help_topic.h"
 #include "ui/part/add_surface_dialog.h"
 #include "ui/part/dressing_dialog.h"
-#include "ui/part/piece_time_text.h"
+#include "ui/part/part_text.h"
 #include "ui/session/part_runs.h"
 #include "ui/text/texts.h"
 

@@ -9,7 +9,7 @@
 #include "tests/ui/support/logo_samples.h"
 #include "tests/ui/support/report_reading.h"
 #include "ui/report/card/card_sheets.h"
-#include "ui/report/card/drawn_dimension.h"
+#include "ui/report/card/sketch_callout.h"
 #include "ui/report/card/operation_card_report.h"
 #include "ui/report/card/part_outline.h"
 #include "ui/report/card/sketch_sheet.h"

@@ -11,7 +11,6 @@
 #include "ui/report/course/paper_writer.h"
 #include "ui/report/course/step_key.h"
 #include "ui/report/course/student_view.h"
-#include "ui/report/handout/citations.h"
 #include "ui/report/handout/exercises.h"
 #include "ui/report/handout/handout_task.h"
 #include "ui/report/handout/worked_step.h"

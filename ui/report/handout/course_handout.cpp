@@ -6,7 +6,6 @@
 #include "ui/dynamic_programming/state_grid_plot.h"
 #include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/report/format/plot_figure.h"
-#include "ui/report/handout/citations.h"
 #include "ui/report/handout/exercises.h"
 #include "ui/report/handout/handout_task.h"
 #include "ui/report/handout/worked_step.h"

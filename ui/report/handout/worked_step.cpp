@@ -26,6 +26,7 @@
 #include "ui/text/formula_text.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
+#include "ui/text/source_names.h"
 
 #include <QLocale>
 
@@ -282,6 +283,23 @@ std::vector<FormulaSheet> limitSheets(const Project& project, double b, double s
 }
 
 } // namespace
+
+QString Citations::cite(const QString& key) {
+    if (!m_keys.contains(key)) {
+        m_keys << key;
+    }
+    return QStringLiteral("[%1]").arg(key);
+}
+
+Table Citations::table() const {
+    Table table;
+    table.head = {tr("Key"), tr("Source")};
+    table.texts = {true, true};
+    for (const QString& key : m_keys) {
+        table.rows.push_back({key, cell(sourceText(key.toStdString()))});
+    }
+    return table;
+}
 
 Facts WorkedStep::facts(const Outcome& outcome, const HandoutStep& step, bool results) {
     const auto [pass, visit, stock] = numbersOf(outcome, step);

@@ -46,4 +46,8 @@ private:
     QPushButton* m_go = nullptr;
 };
 
+/// The computed batch, sweep and search, marked if they are running, or do not belong to `now`.
+[[nodiscard]] std::vector<StudyOffer> studiesOffered(Studies& studies, const Project& now,
+                                                     const Document& document);
+
 } // namespace sparkout
