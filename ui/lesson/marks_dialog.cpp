@@ -82,6 +82,23 @@ ValueCell timeCell(const GradedWork& work) {
                          : ValueCell();
 }
 
+/// The remarks on a work, on one line.
+QString workRemarks(const GradedWork& work) {
+    QStringList texts;
+    for (const WorkFlag flag : work.flags) {
+        QString text = QCoreApplication::translate("Grading", flagText(flag));
+        if (flag == WorkFlag::copied && !work.copiedFrom.empty()) {
+            QStringList others;
+            for (const std::string& other : work.copiedFrom) {
+                others += QString::fromStdString(other);
+            }
+            text = MarksTable::tr("%1: %2").arg(text, others.join(QStringLiteral(", ")));
+        }
+        texts += text;
+    }
+    return texts.join(QStringLiteral("; "));
+}
+
 std::vector<ValueCell> cellsOf(const GradedWork& work, std::size_t steps) {
     std::vector<ValueCell> cells{
         {.text = QString::fromStdString(work.name.empty() ? work.file : work.name)},
@@ -98,23 +115,6 @@ std::vector<ValueCell> cellsOf(const GradedWork& work, std::size_t steps) {
     cells.push_back(timeCell(work));
     cells.push_back({.text = workRemarks(work)});
     return cells;
-}
-
-/// The remarks on a work, on one line.
-QString workRemarks(const GradedWork& work) {
-    QStringList texts;
-    for (const WorkFlag flag : work.flags) {
-        QString text = QCoreApplication::translate("Grading", flagText(flag));
-        if (flag == WorkFlag::copied && !work.copiedFrom.empty()) {
-            QStringList others;
-            for (const std::string& other : work.copiedFrom) {
-                others += QString::fromStdString(other);
-            }
-            text = MarksTable::tr("%1: %2").arg(text, others.join(QStringLiteral(", ")));
-        }
-        texts += text;
-    }
-    return texts.join(QStringLiteral("; "));
 }
 
 /// The marks of a class: a row for each work, the points by step, their sum and remarks.
