@@ -246,7 +246,7 @@ QPalette paletteOf(Theme theme) {
 }
 
 void applyTheme(Theme theme) {
-    if (!qobject_cast<const ThemeStyle*>(QApplication::style())) {
+    if (!dynamic_cast<const ThemeStyle*>(QApplication::style())) {
         QApplication::setStyle(new ThemeStyle);
     }
     const QPalette palette = paletteOf(theme);

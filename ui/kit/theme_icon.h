@@ -8,10 +8,10 @@
 
 #include <vector>
 
-/// Icons in the colours of the theme: each colour in an icon file represents a tone.
 class QToolButton;
 class QWidget;
 
+/// Icons in the colours of the theme: each colour in an icon file represents a tone.
 namespace sparkout {
 
 /// An icon of resources/icons by its name without suffix, drawn in the current size and colours, so

@@ -12,6 +12,9 @@ class QPushButton;
 
 namespace sparkout {
 
+class Document;
+struct Studies;
+
 /// A batch, sweep or search that a view shows.
 struct StudyOffer {
     Study study;
