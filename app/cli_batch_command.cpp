@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_batch_command.h"
+#include "app/commands.h"
 
 #include "app/cli_batch.h"
 #include "app/io/batch_watch.h"
-#include "app/io/cli_choice.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_surfaces.h"
 #include "app/io/stop_signals.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_dressing.h"
+#include "app/commands.h"
 
 #include "app/io/batch_watch.h"
-#include "app/io/cli_choice.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_report.h"
 #include "app/io/stop_signals.h"

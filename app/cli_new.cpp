@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_new.h"
+#include "app/commands.h"
 
-#include "app/io/cli_choice.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_report.h"
 #include "core/digits.h"

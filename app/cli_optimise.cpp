@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_optimise.h"
+#include "app/commands.h"
 
-#include "app/cli_optimise_report.h"
 #include "app/io/cli_io.h"
+#include "app/io/cli_report.h"
 #include "app/io/cli_surfaces.h"
-#include "app/io/exit_status.h"
 #include "app/io/stop_signals.h"
 #include "app/search_watch.h"
+#include "core/digits.h"
 #include "core/files/file_system.h"
 #include "core/optimisation/search_names.h"
 #include "core/printable.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
 #include "core/project/optimisation.h"
+#include "core/project/validate.h"
+#include "core/result.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/shared_members.h"
 #include "core/study/kept_search.h"
-#include "core/study/search_outputs.h"
+#include "core/study/search.h"
 #include "words/search_words.h"
 
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -25,6 +30,106 @@
 namespace sparkout::cli {
 
 namespace {
+
+/// "Stepless limit, min        1.552" in the unit of displayed texts; "-" without a value.
+std::string outputLine(const OutputRow& row, const OutputValue& value) {
+    constexpr std::size_t labelWidth = 54;
+    constexpr int digits = 4;
+    std::string line = row.label;
+    line += *row.unitShown() ? std::string(", ") + row.unitShown() : std::string();
+    line += std::string(line.size() < labelWidth ? labelWidth - line.size() : 1, ' ');
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+        return line + std::to_string(*whole) + '\n';
+    }
+    if (const auto* number = std::get_if<double>(&value)) {
+        const double shown = *number * row.shownFactor;
+        return line + fixed(shown, decimalsOf(shown, digits)) + '\n';
+    }
+    return line + "-\n";
+}
+
+/// A line for each displayed output; sparse outputs only if they have a value.
+template <class Owner>
+std::string outputLines(std::span<const Output<Owner>> rows, const Owner& owner) {
+    std::string text;
+    for (const Output<Owner>& row : rows) {
+        const OutputValue value = row.of(owner);
+        if (*row.label && !row.detail && (!row.stated || row.stated(owner))
+            && !(row.sparse && value.index() == 0)) {
+            text += outputLine(row, value);
+        }
+    }
+    return text;
+}
+
+std::string stageLine(const Operation& operation, const Stage& stage, std::size_t number) {
+    std::string feeds;
+    if (const auto steps = stage.sparkOutSteps()) {
+        feeds = "spark-out, " + std::to_string(*steps)
+                + (operation->countsStrokes ? " double strokes" : " revolutions");
+    } else if (stage.continuousFeed_mm_min() > 0) {
+        feeds = plainNumber(stage.continuousFeed_mm_min()) + " mm/min continuous";
+    } else {
+        const double radial = *(stage.*operation->radial().value);
+        feeds = operation->perMinute ? fixed(radial, 3) + " mm/min"
+                                     : fixed(radial, 4) + " mm per double stroke";
+    }
+    if (const StageFeed* axial = operation->axial()) {
+        feeds += ", " + fixed(*(stage.*axial->value), 0) + " mm/min axial";
+    }
+    return "  stage " + std::to_string(number) + ": " + feeds + "; stock "
+           + fixed(stage.stock_mm, 4) + " mm\n";
+}
+
+std::string machineLines(const SearchOutcome& outcome) {
+    std::string text;
+    for (const FreeSetting& each : freeSettings(outcome.project, outcome.answer()->machine)) {
+        const Field& row = *tableOf<Machine>().find(each.key);
+        text +=
+            std::string("  ") + row.label + ": " + plainNumber(each.value) + ' ' + row.unit + '\n';
+    }
+    return text;
+}
+
+/// The requirements that the file's own cycle violates.
+std::string givenLines(const GivenCycle& given) {
+    std::string names;
+    for (const ConstraintKind kind : given.fails) {
+        names += (names.empty() ? "The file's cycle breaks: " : ", ")
+                 + std::string(requirementOf(kind).key);
+    }
+    return given.isStopped ? "The result of the file's cycle is not known: stopped before.\n"
+           : !given.time_s ? "The file's cycle does not end by itself.\n"
+           : names.empty() ? ""
+                           : names + ".\n";
+}
+
+/// Time against margin: a line for each cycle.
+std::string frontLines(const SearchOutcome& outcome) {
+    const SearchWording words;
+    std::string text = words.front(outcome) + '\n';
+    for (const FoundCycle* each : outcome.front()) {
+        text += "  " + words.time(each->time_s) + ", margin "
+                + words.percent(each->leastRelativeMargin)
+                + " %, stages: " + std::to_string(each->cycle.stages.size()) + '\n';
+    }
+    return text;
+}
+
+/// The text of an outcome with an answer.
+std::string optimiseText(const SearchOutcome& outcome) {
+    std::string text;
+    for (const std::string& sentence : SearchWording().answer(outcome, outcome.given.time_s)) {
+        text += sentence + '\n';
+    }
+    text += givenLines(outcome.given);
+    const Cycle& cycle = outcome.answer()->cycle;
+    for (std::size_t z = 0; z < cycle.stages.size(); ++z) {
+        text += stageLine(outcome.project.operation, cycle.stages[z], z + 1);
+    }
+    text += machineLines(outcome) + outputLines(searchOutputs(), outcome);
+    return outcome.wishesFront ? text + frontLines(outcome) : text;
+}
 
 SearchWish wishOf(const manual::Given& given) {
     SearchWish wish;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_phases.h"
+#include "app/commands.h"
 
 #include "app/io/batch_watch.h"
 #include "app/io/cli_io.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/paper_command.h"
-
 #include "app/report_command.h"
+
 #include "app/window_io.h"
 #include "core/course/variant.h"
 #include "core/course/work.h"

@@ -3,7 +3,6 @@
 
 #include "app/io/batch_watch.h"
 #include "app/io/stop_signals.h"
-#include "app/paper_command.h"
 #include "app/window_io.h"
 #include "core/adequacy/prediction.h"
 #include "core/project/batch.h"

@@ -47,6 +47,11 @@ struct ManyReports {
 };
 [[nodiscard]] int writeReports(const ReportRequest& request, const ManyReports& many);
 
+/// `sparkout --report lab-report FILE -o OUT`, likewise for the worksheet, its key and the guide:
+/// writes a paper of the course from a student's work, the teacher's lesson or a project, depending
+/// on the paper, and returns the exit status.
+[[nodiscard]] int writePaper(const ReportRequest& request);
+
 /// The keys of the kinds and of the papers of the course, "card, passport".
 [[nodiscard]] QString reportKeys();
 

@@ -1028,7 +1028,11 @@
         </message>
     </context>
     <context>
-        <name>CourseFigure</name>
+        <name>RunFigures</name>
+        <message>
+            <source>Feeds by stage over the whole cycle</source>
+            <translation>Подачи по ступеням за весь цикл</translation>
+        </message>
         <message>
             <source>Cross-sections at the end of the cycle</source>
             <translation>Поперечные сечения в конце цикла</translation>
@@ -3411,13 +3415,6 @@ axial feed, mm/min</source>
         <message>
             <source>accumulated: programmed %1, actual %2 µm</source>
             <translation>накопленные: программная %1, фактическая %2 мкм</translation>
-        </message>
-    </context>
-    <context>
-        <name>FeedsFigure</name>
-        <message>
-            <source>Feeds by stage over the whole cycle</source>
-            <translation>Подачи по ступеням за весь цикл</translation>
         </message>
     </context>
     <context>

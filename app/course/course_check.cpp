@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/course/course_check.h"
+#include "app/course/course_commands.h"
 
 #include "app/io/cli_io.h"
-#include "app/io/cli_kept_runs.h"
 #include "core/course/grading.h"
 #include "core/course/work.h"
 #include "core/format/project_file.h"

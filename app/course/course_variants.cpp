@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/course/course_variants.h"
+#include "app/course/course_commands.h"
 
 #include "app/course/lesson_input.h"
 #include "app/io/batch_watch.h"

@@ -7,7 +7,9 @@
 #include "core/format/project_file.h"
 #include "core/printable.h"
 #include "core/setup/setup_file.h"
+#include "core/study/recalled_run.h"
 #include "words/issue_words.h"
+#include "words/lesson_words.h"
 
 #include <cerrno>
 #include <cstring>
@@ -77,6 +79,17 @@ void printFaults(const std::string& file, const CellFaults& faults) {
         at += fault.column > 0 ? ":" + std::to_string(fault.column) : "";
         print(stderr, at + ": " + issueSentence(fault.issue) + '\n');
     }
+}
+
+std::vector<std::string> printUntrueRuns(const std::string& file, const Project& project) {
+    std::vector<std::string> names;
+    for (const KeptRunCheck& check : untrueRuns(project)) {
+        print(stderr,
+              printable(file + ": kept run \"" + check.name + "\": " + keptRunSentence(check))
+                  + '\n');
+        names.push_back(check.name);
+    }
+    return names;
 }
 
 std::optional<std::string> readOrSay(const std::string& file, std::size_t most) {

@@ -1,17 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/io/exit_status.h"
+#include "app/manual/given.h"
+#include "core/field.h"
 #include "core/files/safe_file.h"
 #include "core/issue.h"
 #include "core/measured/number_table.h"
 #include "core/setup/setup.h"
 
+#include <cstddef>
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace sparkout::cli {
+
+/// Exit status of the program. `interrupted` plus the number of the signal is 130 or 143, as shells
+/// report Ctrl+C and SIGTERM, for a command that was ended without an answer, or with a part of it.
+/// `nothingFeasible` is an answer, for which every cycle was decided.
+enum Exit {
+    done = 0,
+    refused = 1,
+    usage = 2,
+    cannotReachSize = 3,
+    requirementFails = 4,
+    nothingFeasible = 5,
+    undecided = 6, ///< no cycle was found, but there may be one: the time was up, or the method
+                   ///< proves nothing
+    interrupted = 128
+};
 
 void print(std::FILE* stream, const std::string& text);
 
@@ -44,6 +63,10 @@ void printIssues(const std::string& file, const Issues& issues);
 /// Prints the faults of a table, each with its line and column.
 void printFaults(const std::string& file, const CellFaults& faults);
 
+/// Prints the kept runs of a project whose results differ from the engine's to stderr, one on a
+/// line; returns their names.
+std::vector<std::string> printUntrueRuns(const std::string& file, const Project& project);
+
 /// The bytes of a file; if it cannot be read, reports it and returns an empty value.
 [[nodiscard]] std::optional<std::string> readOrSay(const std::string& file, std::size_t most);
 
@@ -57,5 +80,21 @@ void printFaults(const std::string& file, const CellFaults& faults);
 
 /// Whether writing to the file would overwrite a project by accident.
 [[nodiscard]] bool replacesProject(const std::string& file, const std::string& project);
+
+/// The choice that an option names by its key in files; empty if it is not given.
+template <class E>
+std::optional<E> choiceOf(const manual::Given& given, std::string_view option) {
+    const auto choices = choicesOf<E>();
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (given.text(option) == choices[i].key) {
+            if constexpr (detail::Kinds<E>) {
+                return E::ofIndex(i);
+            } else {
+                return static_cast<E>(i);
+            }
+        }
+    }
+    return std::nullopt;
+}
 
 } // namespace sparkout::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/manual/completion.h"
+#include "app/manual/help_text.h"
 
 #include <algorithm>
 #include <string_view>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/manual/manual_page.h"
-
 #include "app/manual/help_text.h"
 
 #include <algorithm>

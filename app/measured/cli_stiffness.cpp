@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/measured/cli_stiffness.h"
+#include "app/measured/cli_measured.h"
 
 #include "app/io/cli_io.h"
 #include "app/io/cli_report.h"

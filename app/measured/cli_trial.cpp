@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/measured/cli_trial.h"
+#include "app/measured/cli_measured.h"
 
 #include "app/io/batch_watch.h"
 #include "app/io/cli_io.h"

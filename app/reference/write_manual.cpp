@@ -3,8 +3,7 @@
 // lines into a folder with the layout of share/: sparkout-manual FOLDER. With --options it prints a
 // line for each option instead: program, the words of the command, name.
 #include "app/manual/command_line.h"
-#include "app/manual/completion.h"
-#include "app/manual/manual_page.h"
+#include "app/manual/help_text.h"
 #include "core/files/safe_file.h"
 #include "core/version.h"
 

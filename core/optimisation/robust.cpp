@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/robust.h"
 
+#include "core/batch/batch_summary.h"
 #include "core/batch/scenario_source.h"
 #include "core/grace_stop.h"
 #include "core/optimisation/cycle_runner.h"

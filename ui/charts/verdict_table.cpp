@@ -3,8 +3,7 @@
 
 #include "core/quality/light.h"
 #include "ui/charts/margin_model.h"
-#include "ui/text/estimate_names.h"
-#include "ui/text/joined.h"
+#include "ui/text/calibration_text.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"

@@ -6,7 +6,6 @@
 #include "core/study/search_edits.h"
 #include "ui/dynamic_programming/grid_moment.h"
 #include "ui/dynamic_programming/state_grid_text.h"
-#include "ui/kit/flat_button.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"

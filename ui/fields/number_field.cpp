@@ -2,7 +2,6 @@
 #include "ui/fields/number_field.h"
 
 #include "ui/text/calculation.h"
-#include "ui/text/joined.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"

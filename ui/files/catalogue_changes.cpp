@@ -7,7 +7,6 @@
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/wheel.h"
-#include "ui/text/joined.h"
 #include "ui/text/number_text.h"
 #include "ui/text/source_names.h"
 #include "ui/text/texts.h"

@@ -2,17 +2,52 @@
 #pragma once
 
 #include "core/files/safe_file.h"
-#include "ui/files/recovery_file.h"
+#include "core/setup/setup.h"
 
+#include <QByteArray>
+#include <QDateTime>
 #include <QString>
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 class QLockFile;
 
 namespace sparkout {
+
+/// The data of a document besides its project.
+struct RecoveryHeader {
+    QString title;
+    QString path; ///< path of the user's file; empty: never saved
+    QDateTime when;
+    QByteArray diskHash; ///< hash of the user's file when last read or written; may be empty
+    bool readOnly = false;
+    bool modified = true;            ///< false: the edits had been undone again
+    std::vector<std::string> open{}; ///< missing inputs, for which the project has substitutes
+};
+
+struct RecoveryContent {
+    RecoveryHeader header;
+    std::optional<Setup> setup; ///< absent: the file is damaged
+};
+
+/// The header, and whether the text after it is undamaged.
+struct RecoveryGlance {
+    RecoveryHeader header;
+    bool whole = false;
+};
+
+/// The recovery file: one line of JSON about the contents, then the project text. The line has the
+/// SHA-256 of the text and of the names of open inputs, so that damage is detected.
+[[nodiscard]] std::string recoveryText(const RecoveryHeader& header, const Setup& setup);
+
+/// The readable part: for a damaged file perhaps the header, perhaps nothing.
+[[nodiscard]] RecoveryContent readRecovery(std::string_view text);
+/// Much quicker, without reading the project.
+[[nodiscard]] RecoveryGlance glanceAtRecovery(std::string_view text);
 
 /// A name in the recovery folder owned by a running session: during its lifetime no other instance
 /// takes the recovery file for one left by a crash.

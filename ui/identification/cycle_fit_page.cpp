@@ -2,17 +2,20 @@
 #include "ui/identification/cycle_fit_page.h"
 
 #include "core/identification/calibration.h"
+#include "core/identification/fit_data.h"
 #include "core/process/recipe_force.h"
 #include "core/project/measured.h"
-#include "ui/identification/data_choice.h"
 #include "ui/identification/fit_result.h"
 #include "ui/identification/fit_words.h"
 #include "ui/identification/parameter_choice.h"
 #include "ui/kit/metrics.h"
 #include "ui/text/names.h"
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDate>
+#include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -23,6 +26,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace sparkout {
 
@@ -43,6 +47,75 @@ QScrollArea* scrolledPart(QWidget* content, QWidget* parent) {
 }
 
 } // namespace
+
+/// The choice of measurements for a fit: traces, and the diameters of the parts.
+class DataChoice : public QGroupBox {
+    Q_DECLARE_TR_FUNCTIONS(sparkout::DataChoice)
+
+public:
+    explicit DataChoice(const Project& project, QWidget* parent = nullptr);
+
+    [[nodiscard]] std::vector<int> traces() const; ///< indices in the project
+    [[nodiscard]] bool withParts() const;
+
+private:
+    QCheckBox* add(const QString& text, const QString& name);
+
+    std::vector<QCheckBox*> m_traces;
+    std::vector<int> m_numbers;   ///< numbers of the traces
+    QCheckBox* m_parts = nullptr; ///< null: no part has a diameter
+};
+
+DataChoice::DataChoice(const Project& project, QWidget* parent) : QGroupBox(parent) {
+    setTitle(tr("Measurements"));
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(metrics::row);
+    if (!project.measured) {
+        return;
+    }
+    const std::vector<MeasuredTrace>& traces = project.measured->traces;
+    const FitData all = fitDataOf(project, {}, true);
+    for (std::size_t i = 0; i < traces.size(); ++i) {
+        const int number = static_cast<int>(i);
+        QCheckBox* const box = add(FitWords::trace(traces[i]), QStringLiteral("trace%1").arg(i));
+        const bool isUsable =
+            std::ranges::find(all.groups, number, &FitGroup::trace) != all.groups.end();
+        box->setEnabled(isUsable);
+        box->setChecked(isUsable);
+        if (std::ranges::find(all.withoutFactor, number) != all.withoutFactor.end()) {
+            box->setToolTip(tr("A current is used once its factor in kW per A is given."));
+        }
+        m_traces.push_back(box);
+        m_numbers.push_back(number);
+    }
+    const auto parts = std::ranges::find(all.groups, FitSource::parts, &FitGroup::source);
+    if (parts != all.groups.end()) {
+        m_parts =
+            add(tr("diameters of parts (n = %1)").arg(parts->measured), QStringLiteral("parts"));
+        m_parts->setChecked(all.groups.size() == 1); // their cycles may differ from that of a trace
+    }
+}
+
+QCheckBox* DataChoice::add(const QString& text, const QString& name) {
+    auto* box = new QCheckBox(text, this);
+    box->setObjectName(name);
+    layout()->addWidget(box);
+    return box;
+}
+
+std::vector<int> DataChoice::traces() const {
+    std::vector<int> chosen;
+    for (std::size_t i = 0; i < m_traces.size(); ++i) {
+        if (m_traces[i]->isChecked()) {
+            chosen.push_back(m_numbers[i]);
+        }
+    }
+    return chosen;
+}
+
+bool DataChoice::withParts() const {
+    return m_parts && m_parts->isChecked();
+}
 
 CycleFitPage::CycleFitPage(const Project& project, QWidget* parent)
     : QWidget(parent)
@@ -70,7 +143,9 @@ CycleFitPage::CycleFitPage(const Project& project, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->addLayout(row, 1);
     column->addWidget(buildButtons());
-    connect(m_data, &DataChoice::changed, this, &CycleFitPage::propose);
+    for (const QCheckBox* box : m_data->findChildren<QCheckBox*>()) {
+        connect(box, &QCheckBox::toggled, this, &CycleFitPage::propose);
+    }
     connect(m_parameters, &ParameterChoice::changed, this, &CycleFitPage::follow);
     connect(m_fit, &QPushButton::clicked, this, &CycleFitPage::start);
     connect(m_stop, &QPushButton::clicked, &m_job, &Job::stop);

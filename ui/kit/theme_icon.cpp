@@ -8,6 +8,7 @@
 #include <QImageReader>
 #include <QPainter>
 #include <QPixmapCache>
+#include <QToolButton>
 
 namespace sparkout {
 
@@ -120,6 +121,15 @@ const std::vector<IconColour>& iconColours() {
 
 QIcon themeIcon(QStringView name) {
     return QIcon(new ThemeIconEngine(name.toString()));
+}
+
+QToolButton* flatButton(QWidget* parent, const char* name, const char16_t* icon) {
+    auto* button = new QToolButton(parent);
+    button->setObjectName(QLatin1String(name));
+    button->setIcon(themeIcon(icon));
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    return button;
 }
 
 } // namespace sparkout

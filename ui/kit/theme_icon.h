@@ -8,6 +8,9 @@
 
 #include <vector>
 
+class QToolButton;
+class QWidget;
+
 /// Icons in the colours of the theme: each colour in an icon file represents a tone.
 namespace sparkout {
 
@@ -21,5 +24,8 @@ struct IconColour {
     Tone tone;
 };
 [[nodiscard]] const std::vector<IconColour>& iconColours();
+
+/// A button of a bar that shows its frame under the pointer and is reached by Tab.
+[[nodiscard]] QToolButton* flatButton(QWidget* parent, const char* name, const char16_t* icon);
 
 } // namespace sparkout

@@ -10,7 +10,6 @@
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/tool_row.h"
-#include "ui/measured/columns_delegate.h"
 #include "ui/measured/columns_model.h"
 #include "ui/measured/measured_text.h"
 #include "ui/measured/preview_table.h"
@@ -20,12 +19,14 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QLocale>
 #include <QProgressBar>
 #include <QRadioButton>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -36,6 +37,61 @@
 namespace sparkout {
 
 namespace {
+
+/// Boxes to choose in, for the cells of a ColumnsModel.
+class ColumnsDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override;
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override;
+    void setModelData(QWidget* editor, QAbstractItemModel* model,
+                      const QModelIndex& index) const override;
+
+protected:
+    bool eventFilter(QObject* editor, QEvent* event) override;
+};
+
+QWidget* ColumnsDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                                       const QModelIndex& index) const {
+    auto* box = new QComboBox(parent);
+    box->setObjectName(QStringLiteral("column-%1-%2").arg(index.row()).arg(index.column()));
+    box->setAccessibleName(index.data(Qt::AccessibleTextRole).toString());
+    auto* self = const_cast<ColumnsDelegate*>(this);
+    connect(box, &QComboBox::currentIndexChanged, self,
+            [self, box] { emit self->commitData(box); });
+    return box;
+}
+
+void ColumnsDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
+    auto* box = static_cast<QComboBox*>(editor);
+    const QSignalBlocker quiet(box);
+    box->clear();
+    for (const auto& [text, value] :
+         static_cast<const ColumnsModel*>(index.model())->choices(index)) {
+        box->addItem(text, value);
+    }
+    box->setCurrentIndex(box->findData(index.data(Qt::EditRole)));
+    box->setEnabled(box->count() > 1);
+}
+
+void ColumnsDelegate::setModelData(QWidget* editor, QAbstractItemModel* model,
+                                   const QModelIndex& index) const {
+    model->setData(index, static_cast<QComboBox*>(editor)->currentData(), Qt::EditRole);
+}
+
+/// A box passes each choice on at once. At Return the delegate would do so later, when the table
+/// may have been read again and the box deleted.
+bool ColumnsDelegate::eventFilter(QObject* editor, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            return false;
+        }
+    }
+    return QStyledItemDelegate::eventFilter(editor, event);
+}
 
 constexpr int importWidth = 780, importHeight = 640;
 constexpr int openedRows = 60; ///< columns with permanent boxes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/measured/measured_source.h"
+#include "ui/measured/measured_reader.h"
 
 #include <QObject>
 

@@ -2,14 +2,23 @@
 #pragma once
 
 #include "core/measured/measured_table.h"
-#include "ui/measured/measured_source.h"
+#include "core/tables/table_text.h"
 #include "ui/session/newest_job.h"
 
 #include <QObject>
+#include <QString>
 
 #include <memory>
 
 namespace sparkout {
+
+/// The text of a table of measurements, and its origin.
+struct MeasuredSource {
+    QString name; ///< name of the file; empty: pasted
+    TableText text;
+};
+
+using MeasuredSourcePtr = std::shared_ptr<const MeasuredSource>;
 
 using ReadMeasuredPtr = std::shared_ptr<const ReadMeasured>;
 

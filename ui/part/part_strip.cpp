@@ -6,7 +6,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/part/part_drawing.h"
-#include "ui/part/status_text.h"
+#include "ui/part/part_text.h"
 #include "ui/session/document.h"
 #include "ui/session/part_runs.h"
 #include "ui/session/surface_edits.h"

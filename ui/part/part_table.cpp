@@ -7,7 +7,7 @@
 #include "core/units.h"
 #include "ui/charts/light_icon.h"
 #include "ui/kit/metrics.h"
-#include "ui/part/status_text.h"
+#include "ui/part/part_text.h"
 #include "ui/session/surface_edits.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"

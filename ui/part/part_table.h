@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/session/part_runs.h"
 #include "ui/session/part_study.h"
 #include "ui/session/setup_state.h"
-#include "ui/session/surface_status.h"
 #include "ui/tables/value_table.h"
 
 #include <map>

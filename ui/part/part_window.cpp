@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/part/part_window.h"
 
+#include "core/study/run_comparison.h"
 #include "core/study/usual_search.h"
 #include "core/units.h"
+#include "ui/bars/bar_chart.h"
+#include "ui/bars/bar_plot.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/kit/font_size.h"
+#include "ui/kit/hatch.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
-#include "ui/part/piece_time_text.h"
-#include "ui/part/status_text.h"
-#include "ui/part/surface_bars.h"
+#include "ui/part/part_text.h"
+#include "ui/plot/legend_strip.h"
 #include "ui/session/document.h"
 #include "ui/session/part_runs.h"
 #include "ui/session/surface_edits.h"
+#include "ui/text/names.h"
 #include "ui/text/texts.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -25,9 +30,12 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <QWidget>
 
 #include <algorithm>
 #include <climits>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -36,9 +44,95 @@ namespace sparkout {
 
 namespace {
 
+constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
+constexpr int barDigits = 3;
 constexpr EditText takeFoundText{"Edit", QT_TRANSLATE_NOOP("Edit", "Apply the cycles found")};
 
 } // namespace
+
+/// The surfaces of a part side by side: the time of each cycle and its least margin, as bars. A bar
+/// leads to its surface.
+class SurfaceBars : public QWidget {
+    Q_DECLARE_TR_FUNCTIONS(sparkout::SurfaceBars)
+public:
+    /// `wanted` is called with the surface of a bar that was chosen.
+    SurfaceBars(std::function<void(std::size_t)> wanted, QWidget* parent);
+
+    void setPart(const SetupState& state, const std::vector<SurfaceStatus>& statuses);
+    void retranslate(); ///< only the names; setPart() follows
+
+    [[nodiscard]] static BarChart chartOf(const SetupState& state,
+                                          const std::vector<SurfaceStatus>& statuses);
+
+private:
+    void showLegend();
+
+    LegendStrip* m_legend;
+    BarPlot* m_plot;
+};
+
+SurfaceBars::SurfaceBars(std::function<void(std::size_t)> wanted, QWidget* parent)
+    : QWidget(parent), m_legend(new LegendStrip(this)), m_plot(new BarPlot(this)) {
+    m_plot->setObjectName(QStringLiteral("surfaceBars"));
+    m_plot->setLeads(true);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(metrics::tight);
+    column->addWidget(m_legend);
+    column->addWidget(m_plot);
+    connect(m_plot, &ViewPlot::contentChanged, this, &SurfaceBars::showLegend);
+    connect(m_plot, &BarPlot::entered, this,
+            [wanted = std::move(wanted)](std::size_t, std::size_t surface) { wanted(surface); });
+    connect(m_legend, &LegendStrip::toggled, m_plot, &BarPlot::toggleCurve);
+    connect(m_legend, &LegendStrip::onlyAsked, m_plot, &BarPlot::showOnly);
+}
+
+BarChart SurfaceBars::chartOf(const SetupState& state, const std::vector<SurfaceStatus>& statuses) {
+    BarChart chart;
+    chart.shape = BarChart::Shape::grouped;
+    chart.what = tr("Surface");
+    chart.axis = tr("Cycle time");
+    chart.secondAxis = tr("Margin");
+    chart.secondUnit = QStringLiteral("%");
+    chart.number = [](double value) { return Names::significant(value, barDigits); };
+    chart.secondNumber = [](double value) {
+        return Names::fixed(value, std::abs(value) < 10 ? 1 : 0);
+    };
+    chart.series = {{tr("cycle time"), barColour(style::Drawn::yourCycle), hatchAt(0), {}},
+                    {tr("minimum margin"),
+                     barColour(style::Drawn::everyRequirementHolds),
+                     hatchAt(1),
+                     {},
+                     true}};
+    for (std::size_t i = 0; i < statuses.size(); ++i) {
+        const SurfaceStatus& status = statuses[i];
+        chart.categories << printableText(SurfaceEdits::nameOf(state, i));
+        chart.series[0].values.push_back(status.ran() ? status.time_s : noNumber);
+        const auto least = leastMargin(status.requirements);
+        chart.series[1].values.push_back(least ? 100 * least->relativeMargin : noNumber);
+    }
+    chart.fitTimeUnit();
+    chart.remark = tr("Margin: that of the requirement nearest to its limit of those that are "
+                      "decided, below 0 where one fails.");
+    return chart;
+}
+
+void SurfaceBars::setPart(const SetupState& state, const std::vector<SurfaceStatus>& statuses) {
+    m_plot->setChart(chartOf(state, statuses));
+    m_plot->setAccessibleDescription(m_plot->chart().description());
+    m_plot->setMinimumHeight(BarDrawing::leastHeight(m_plot->chart(), m_plot->font()));
+    m_plot->setToolTip(m_plot->chart().remark);
+    showLegend();
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void SurfaceBars::showLegend() {
+    m_legend->setEntries(m_plot->legendEntries());
+}
+
+void SurfaceBars::retranslate() {
+    m_plot->setAccessibleName(tr("The surfaces compared, as bars"));
+}
 
 PartWindow::PartWindow(Document& document, const PartRuns& runs, std::function<SearchTicks()> ticks,
                        QWidget* parent)
@@ -53,7 +147,7 @@ PartWindow::PartWindow(Document& document, const PartRuns& runs, std::function<S
     , m_compared(new ValueModel(this))
     , m_table(new CopyTable(*m_model, this))
     , m_comparison(new CopyTable(*m_compared, this))
-    , m_bars(new SurfaceBars(this))
+    , m_bars(new SurfaceBars([this](std::size_t surface) { emit surfaceWanted(surface); }, this))
     , m_search(new QPushButton(this))
     , m_batch(new QPushButton(this))
     , m_take(new QPushButton(this))
@@ -64,7 +158,6 @@ PartWindow::PartWindow(Document& document, const PartRuns& runs, std::function<S
     build();
     connect(m_table, &CopyTable::rowChosen, this,
             [this](int row) { emit surfaceWanted(static_cast<std::size_t>(row)); });
-    connect(m_bars, &SurfaceBars::surfaceWanted, this, &PartWindow::surfaceWanted);
     connect(m_search, &QPushButton::clicked, this, &PartWindow::startSearches);
     connect(m_batch, &QPushButton::clicked, this, &PartWindow::startBatches);
     connect(m_take, &QPushButton::clicked, this, &PartWindow::takeOver);

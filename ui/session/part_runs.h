@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/judgement/judgement.h"
+#include "core/quality/constraints.h"
 #include "core/setup/setup.h"
 #include "core/setup/setup_run.h"
+#include "core/setup/wheel_wear.h"
 #include "ui/session/cycle_judge.h"
 #include "ui/session/document.h"
 #include "ui/session/newest_job.h"
-#include "ui/session/surface_status.h"
 
 #include <QObject>
 
@@ -15,6 +17,28 @@
 #include <vector>
 
 namespace sparkout {
+
+/// Status of the cycle of a surface of the set-up.
+struct SurfaceStatus {
+    enum class State {
+        notRun,  ///< not run yet, or an earlier surface cannot be run
+        refused, ///< its inputs are refused
+        ran
+    };
+    State state = State::notRun;
+    Judgement judgement;          ///< judgement of the cycle, if it was run
+    bool areStocksComing = false; ///< the stocks are being decided
+    double time_s = 0;
+    std::vector<ConstraintResult> requirements{}; ///< worst requirement of each kind
+    bool isRoughnessEstimate = false;             ///< Ra is not calibrated
+    RemovedMetal removed{};
+
+    [[nodiscard]] bool ran() const { return state == State::ran; }
+    [[nodiscard]] bool isCompleted() const { ///< whether the cycle ends by itself, at size
+        return ran() && judgement.status == RunStatus::completed;
+    }
+    [[nodiscard]] bool holds() const { return ran() && !isFailure(judgement.state); }
+};
 
 /// Runs all surfaces of a document after every edit, in another thread and in their order, each
 /// with the wheel in the state left by the earlier ones, and then decides on the stocks of each.

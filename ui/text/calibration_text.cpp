@@ -3,6 +3,7 @@
 
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/member.h"
+#include "core/quality/requirement.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
@@ -69,6 +70,21 @@ QString CalibrationText::date(const Calibration& calibration) {
     const QString written = QString::fromStdString(calibration.date);
     const QDate day = QDate::fromString(written.left(10), Qt::ISODate);
     return day.isValid() ? dateText(day) : printableText(written);
+}
+
+QString EstimateNames::inputs(const Project& project, ConstraintKind kind) {
+    QStringList names;
+    for (const Field* field : estimatesBehind(project, kind)) {
+        if (!isCalibrated(project, *field)) {
+            names += inputText(field->label).toLower();
+        }
+    }
+    return names.join(u", ");
+}
+
+QString EstimateNames::behind(const Project& project, ConstraintKind kind) {
+    const QString names = inputs(project, kind);
+    return names.isEmpty() ? QString() : tr("Rests on estimates, to be calibrated: %1.").arg(names);
 }
 
 } // namespace sparkout

@@ -3,6 +3,7 @@
 
 #include "core/project/measured.h"
 #include "core/project/project.h"
+#include "core/quality/constraints.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -25,6 +26,17 @@ public:
     static QString interval(const Calibration& calibration); ///< empty: not given
     static QString unit(const Project& project, const Calibration& calibration);
     static QString date(const Calibration& calibration); ///< in the format of the language
+};
+
+/// Marks the values that rest on estimates.
+class EstimateNames {
+    Q_DECLARE_TR_FUNCTIONS(EstimateNames)
+public:
+    /// "flow stress, dullness, compliance", those that are not calibrated in the project; empty for
+    /// a setting.
+    static QString inputs(const Project& project, ConstraintKind kind);
+    /// "Rests on estimates, to be calibrated: …"; empty if there are none.
+    static QString behind(const Project& project, ConstraintKind kind);
 };
 
 } // namespace sparkout

@@ -5,7 +5,6 @@
 #include "core/project/member.h"
 #include "core/project/part.h"
 #include "core/quality/roughness.h"
-#include "ui/text/joined.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 

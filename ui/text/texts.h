@@ -5,6 +5,7 @@
 #include "core/issue.h"
 
 #include <QString>
+#include <QStringList>
 
 /// The core's texts in the current language. The core marks them for translation.
 namespace sparkout {
@@ -41,5 +42,11 @@ namespace sparkout {
 
 /// Rich text with indices below the line: "S_ax" → "S<sub>ax</sub>"; the text is escaped first.
 [[nodiscard]] QString withIndices(const QString& text);
+
+/// Joins the non-empty texts.
+[[nodiscard]] inline QString joined(QStringList texts, const QString& between) {
+    texts.removeAll(QString());
+    return texts.join(between);
+}
 
 } // namespace sparkout

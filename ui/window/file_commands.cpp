@@ -7,7 +7,10 @@
 #include "ui/dialogs/file_questions.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/dialogs/watched_work.h"
+#include "ui/files/backup_history.h"
+#include "ui/kit/answer_buttons.h"
 #include "ui/kit/file_dialog.h"
+#include "ui/kit/help_topic.h"
 #include "ui/lesson/lesson_desk.h"
 #include "ui/packs/pack_commands.h"
 #include "ui/pdf/pdf_attachment.h"
@@ -15,22 +18,87 @@
 #include "ui/session/program_log.h"
 #include "ui/session/settings.h"
 #include "ui/text/file_error_text.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 #include "ui/window/dialogs/examples_dialog.h"
-#include "ui/window/dialogs/versions_dialog.h"
 #include "ui/window/recent_files_menu.h"
 
+#include <QCoreApplication>
+#include <QDialog>
 #include <QEvent>
 #include <QFile>
 #include <QFileInfo>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTreeWidget>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <stop_token>
 #include <utility>
+#include <vector>
 
 namespace sparkout {
 
 namespace {
+
+/// The earlier versions of a project. The chosen one is opened as a copy.
+class VersionsDialog : public QDialog {
+    Q_DECLARE_TR_FUNCTIONS(sparkout::VersionsDialog)
+
+public:
+    VersionsDialog(const QString& project, std::vector<EarlierVersion> versions,
+                   QWidget* parent = nullptr);
+
+    [[nodiscard]] QString chosenFile() const; ///< may be empty
+
+private:
+    std::vector<EarlierVersion> m_versions;
+    QTreeWidget* m_list;
+};
+
+VersionsDialog::VersionsDialog(const QString& project, std::vector<EarlierVersion> versions,
+                               QWidget* parent)
+    : QDialog(parent), m_versions(std::move(versions)), m_list(new QTreeWidget(this)) {
+    setWindowTitle(tr("Earlier versions"));
+    setHelpTopic(*this, QStringLiteral("files#versions"));
+    auto* head = new QLabel(m_versions.empty()
+                                ? tr("No earlier version of “%1” is kept yet.")
+                                      .arg(printableText(QFileInfo(project).fileName()))
+                                : tr("Versions of “%1” that a save has replaced. The chosen one is "
+                                     "opened as a copy; the file stays as it is.")
+                                      .arg(printableText(QFileInfo(project).fileName())),
+                            this);
+    head->setTextFormat(Qt::PlainText);
+    head->setWordWrap(true);
+    m_list->setAccessibleName(tr("Earlier versions"));
+    m_list->setRootIsDecorated(false);
+    m_list->setHeaderLabels({tr("Replaced at"), tr("Size"), tr("File")});
+    m_list->setTextElideMode(Qt::ElideMiddle);
+    for (const EarlierVersion& earlier : m_versions) {
+        auto* row =
+            new QTreeWidgetItem(m_list, {momentText(earlier.when.toLocalTime()),
+                                         sizeText(earlier.bytes), printableText(earlier.file)});
+        row->setToolTip(2, printableText(earlier.file));
+    }
+    for (const int column : {0, 1}) {
+        m_list->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    }
+    m_list->setCurrentItem(m_list->topLevelItem(0));
+    auto* buttons = new AnswerButtons(tr("&Open a copy"), tr("&Cancel"), this);
+    buttons->acceptButton()->setEnabled(!m_versions.empty());
+    connect(m_list, &QTreeWidget::itemActivated, this, &QDialog::accept);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(head);
+    layout->addWidget(m_list, 1);
+    layout->addWidget(buttons);
+    resize(720, 320);
+}
+
+QString VersionsDialog::chosenFile() const {
+    const int index = m_list->indexOfTopLevelItem(m_list->currentItem());
+    return index < 0 ? QString() : m_versions[std::size_t(index)].file;
+}
 
 /// An example is not locked until it is saved to.
 bool isExample(const QByteArray& hash) {

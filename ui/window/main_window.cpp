@@ -40,6 +40,7 @@
 #include "ui/views/verdict/verdict_panel.h"
 #include "ui/window/actions.h"
 #include "ui/window/dialogs/company_dialog.h"
+#include "ui/window/dialogs/export_dialog.h"
 #include "ui/window/dialogs/title_page_dialog.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
@@ -54,7 +55,6 @@
 #include "ui/window/reports/report_output.h"
 #include "ui/window/run_keeper.h"
 #include "ui/window/status_line.h"
-#include "ui/window/studies_shown.h"
 #include "ui/window/view_tabs.h"
 #include "ui/window/window_layout.h"
 

@@ -1,18 +1,148 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/part_commands.h"
 
+#include "core/setup/setup.h"
+#include "core/setup/wheel_wear.h"
 #include "core/units.h"
+#include "ui/form/struct_form.h"
+#include "ui/kit/answer_buttons.h"
+#include "ui/kit/font_size.h"
+#include "ui/kit/help_topic.h"
 #include "ui/part/add_surface_dialog.h"
 #include "ui/part/dressing_dialog.h"
-#include "ui/part/name_dialog.h"
-#include "ui/part/times_dialog.h"
+#include "ui/part/part_text.h"
 #include "ui/session/part_runs.h"
+#include "ui/text/texts.h"
 
+#include <QCoreApplication>
+#include <QDialog>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QStyle>
 #include <QTimer>
+#include <QVBoxLayout>
 
 #include <utility>
 
 namespace sparkout {
+
+namespace {
+
+/// The standard times of the set-up and how the wheel wears from surface to surface, with what
+/// they come to.
+class TimesDialog : public QDialog {
+    Q_DECLARE_TR_FUNCTIONS(sparkout::TimesDialog)
+
+public:
+    /// `cycles_min` is the time of all cycles together; empty: not all of them end at size.
+    TimesDialog(const SetupTimes& times, const WheelWear& wear, std::size_t surfaces,
+                std::optional<double> cycles_min, QWidget* parent = nullptr);
+
+    [[nodiscard]] const SetupTimes& times() const { return m_times; }
+    [[nodiscard]] const WheelWear& wear() const { return m_wear; }
+
+private:
+    void follow();
+
+    SetupTimes m_times;
+    WheelWear m_wear;
+    std::size_t m_surfaces;
+    std::optional<double> m_cycles_min;
+    QLabel* m_result;
+    QPushButton* m_apply = nullptr;
+};
+
+TimesDialog::TimesDialog(const SetupTimes& times, const WheelWear& wear, std::size_t surfaces,
+                         std::optional<double> cycles_min, QWidget* parent)
+    : QDialog(parent)
+    , m_times(times)
+    , m_wear(wear)
+    , m_surfaces(surfaces)
+    , m_cycles_min(cycles_min)
+    , m_result(new QLabel(this)) {
+    setWindowTitle(tr("Standard times and wheel wear"));
+    setHelpTopic(*this, QStringLiteral("surfaces#times"));
+    m_result->setObjectName(QStringLiteral("pieceTime"));
+    m_result->setTextFormat(Qt::RichText);
+    m_result->setWordWrap(true);
+    auto* page = new QWidget(this);
+    auto* column = new QVBoxLayout(page);
+    const auto addBox = [&]<class T>(T& value) {
+        auto* box = new QGroupBox(structText(tableOf<T>().name), page);
+        auto* form = StructForm::over(value, box);
+        (new QVBoxLayout(box))->addWidget(form);
+        column->addWidget(box);
+        connect(form, &StructForm::edited, this, &TimesDialog::follow);
+    };
+    addBox(m_times);
+    addBox(m_wear);
+    auto* area = new QScrollArea(this);
+    area->setWidget(page);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    auto* buttons = new AnswerButtons(tr("&Apply"), tr("&Cancel"), this);
+    m_apply = buttons->acceptButton();
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(area, 1);
+    layout->addWidget(m_result);
+    layout->addWidget(buttons);
+    area->setMinimumWidth(page->minimumSizeHint().width()
+                          + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    resize(atFontSize(520), atFontSize(600));
+    follow();
+}
+
+void TimesDialog::follow() {
+    m_result->setText(withIndices(pieceTimeText(m_times, m_surfaces, m_cycles_min))
+                          .replace(u'\n', QStringLiteral("<br>")));
+    m_apply->setEnabled(StructForm::refusals(*this).empty());
+}
+
+/// Asks for a unique name of a surface.
+class NameDialog : public QDialog {
+    Q_DECLARE_TR_FUNCTIONS(sparkout::NameDialog)
+
+public:
+    NameDialog(const QString& name, std::function<bool(const QString&)> isFree,
+               QWidget* parent = nullptr);
+
+    [[nodiscard]] QString name() const;
+
+private:
+    QLineEdit* m_name;
+};
+
+NameDialog::NameDialog(const QString& name, std::function<bool(const QString&)> isFree,
+                       QWidget* parent)
+    : QDialog(parent), m_name(new QLineEdit(name, this)) {
+    setWindowTitle(tr("Rename the surface"));
+    setHelpTopic(*this, QStringLiteral("surfaces"));
+    m_name->setObjectName(QStringLiteral("surfaceName"));
+    m_name->setAccessibleName(tr("Name"));
+    m_name->selectAll();
+    setTextMinimumWidth(*m_name, 260);
+    auto* buttons = new AnswerButtons(tr("&Rename"), tr("&Cancel"), this);
+    auto* take = buttons->acceptButton();
+    connect(m_name, &QLineEdit::textChanged, take,
+            [take, isFree = std::move(isFree)](const QString& text) {
+                take->setEnabled(isFree(text));
+                take->setToolTip(take->isEnabled() ? QString()
+                                                   : tr("Each surface has a name of its own."));
+            });
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("Name"), m_name);
+    form->addRow(buttons);
+}
+
+QString NameDialog::name() const {
+    return m_name->text().simplified();
+}
+
+} // namespace
 
 PartCommands::PartCommands(Document& document, const PartRuns& runs, std::function<bool()> mayLeave,
                            QWidget* window)

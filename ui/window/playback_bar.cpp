@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/playback_bar.h"
 
-#include "ui/kit/flat_button.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"

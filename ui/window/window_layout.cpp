@@ -8,18 +8,22 @@
 #include "ui/kit/theme_icon.h"
 #include "ui/plot/view.h"
 #include "ui/session/settings.h"
-#include "ui/window/messages_dock.h"
 #include "ui/window/panel_widths.h"
 #include "ui/window/playback_bar.h"
 #include "ui/window/view_tabs.h"
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QMainWindow>
 #include <QScreen>
 #include <QStatusBar>
+#include <QStringList>
+#include <QTimer>
+#include <QToolButton>
 
 #include <algorithm>
 #include <utility>
@@ -28,6 +32,7 @@ namespace sparkout {
 
 namespace {
 
+constexpr int dragged_ms = 200; ///< interval of checking for the end of a drag
 constexpr QSize usualWindow(1366, 768);
 constexpr QSize frameAllowance(8, 40);
 constexpr int verdictWidth = 310;
@@ -53,6 +58,72 @@ void nameQtButtons(const QWidget& window) {
 }
 
 } // namespace
+
+/// The panel of messages: it opens by itself with a new message and closes with the last one. A
+/// button in the status bar shows their number.
+class MessagesDock : public QObject {
+    Q_DECLARE_TR_FUNCTIONS(sparkout::MessagesDock)
+
+public:
+    MessagesDock(QDockWidget& dock, MessagesPanel& panel, QStatusBar& bar);
+
+    void showOrHide(); ///< according to the current messages
+    void retranslate();
+
+private:
+    void follow(); ///< the messages are others
+
+    QDockWidget& m_dock;
+    MessagesPanel& m_panel;
+    QToolButton* m_button;
+    QTimer m_later;     ///< delays it during a drag
+    QStringList m_seen; ///< inputs
+};
+
+MessagesDock::MessagesDock(QDockWidget& dock, MessagesPanel& panel, QStatusBar& bar)
+    : QObject(&dock), m_dock(dock), m_panel(panel), m_button(new QToolButton(&bar)) {
+    m_button->setObjectName(QStringLiteral("messagesButton"));
+    m_button->setAutoRaise(true);
+    m_button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar.addPermanentWidget(m_button);
+    connect(m_button, &QToolButton::clicked, this,
+            [this] { m_dock.setVisible(!m_dock.isVisible()); });
+    m_later.setSingleShot(true);
+    connect(&m_later, &QTimer::timeout, this, &MessagesDock::follow);
+    connect(&m_panel, &MessagesPanel::messagesChanged, this, [this] {
+        retranslate();
+        m_later.start(0);
+    });
+}
+
+/// The views do not resize while a slider is dragged.
+void MessagesDock::follow() {
+    if (QGuiApplication::mouseButtons() != Qt::NoButton) {
+        m_later.start(dragged_ms);
+        return;
+    }
+    const QStringList paths = m_panel.paths();
+    const bool isNew =
+        std::ranges::any_of(paths, [this](const QString& path) { return !m_seen.contains(path); });
+    if (isNew || (paths.isEmpty() && !m_seen.isEmpty())) {
+        m_dock.setVisible(isNew);
+    }
+    m_seen = paths;
+}
+
+void MessagesDock::showOrHide() {
+    m_later.stop();
+    m_seen = m_panel.paths();
+    m_dock.setVisible(!m_seen.isEmpty());
+}
+
+void MessagesDock::retranslate() {
+    const auto count = static_cast<int>(m_panel.paths().size());
+    m_button->setText(count == 0 ? tr("No messages") : tr("%n message(s)", nullptr, count));
+    m_button->setIcon(markIcon(m_panel.worst()));
+    m_button->setToolTip(tr("Show or hide the messages"));
+    m_button->setAccessibleName(m_button->text());
+}
 
 WindowLayout::WindowLayout(QMainWindow& window, const Panels& panels, ViewTabs& tabs,
                            PlaybackBar& playback, Settings& settings)

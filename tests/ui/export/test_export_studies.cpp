@@ -19,7 +19,7 @@
 #include "ui/views/batch/part_rows.h"
 #include "ui/views/optimise/found_table.h"
 #include "ui/views/optimise/optimise_text.h"
-#include "ui/window/studies_shown.h"
+#include "ui/window/dialogs/export_dialog.h"
 #include "words/judgement_json.h"
 
 #include <QComboBox>

@@ -10,7 +10,6 @@
 #include "ui/kit/font_size.h"
 #include "ui/session/remedy_finder.h"
 #include "ui/views/verdict/remedy_section.h"
-#include "ui/views/verdict/remedy_text.h"
 
 #include <QAction>
 #include <QLabel>

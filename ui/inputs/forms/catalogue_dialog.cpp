@@ -14,7 +14,6 @@
 #include "ui/kit/sealed_state.h"
 #include "ui/session/document.h"
 #include "ui/session/settings.h"
-#include "ui/text/joined.h"
 #include "ui/text/search_text.h"
 #include "ui/text/texts.h"
 

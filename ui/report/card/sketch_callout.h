@@ -13,6 +13,16 @@
 
 namespace sparkout::report {
 
+/// A diameter as on a drawing: ⌀30h6 and its deviations in millimetres, one above the other at half
+/// height. A deviation of 0 is not written.
+struct DrawnDimension {
+    QString nominal; ///< "⌀30h6"
+    QString upper, lower;
+    bool isSymmetric = false; ///< "±0.008", in full height, for both
+
+    [[nodiscard]] static DrawnDimension of(const Part& part);
+};
+
 /// The annotations of one ground surface: its number in a circle, the size with deviations, the
 /// roughness sign and the frames of its tolerances, one below the other.
 class SketchCallout {

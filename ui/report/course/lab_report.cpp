@@ -7,8 +7,6 @@
 #include "ui/report/course/paper_writer.h"
 #include "ui/report/course/step_results.h"
 #include "ui/report/course/student_view.h"
-#include "ui/report/course/work_title.h"
-#include "ui/report/handout/citations.h"
 #include "ui/report/handout/worked_step.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/part_sketch.h"

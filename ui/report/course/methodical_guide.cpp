@@ -7,7 +7,6 @@
 #include "ui/report/course/paper_writer.h"
 #include "ui/report/course/step_key.h"
 #include "ui/report/course/student_view.h"
-#include "ui/report/course/work_title.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 

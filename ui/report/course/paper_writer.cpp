@@ -7,6 +7,7 @@
 
 #include <QFileInfo>
 #include <QLocale>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <iterator>
@@ -76,6 +77,22 @@ void PaperWriter::lines(const std::string& text) {
             say(plain);
         }
     }
+}
+
+WorkTitle::WorkTitle(const Bilingual& title)
+    : m_full(LessonMarkup::inOneLine(PaperWriter::text(title))) {
+    static const QRegularExpression numbered(
+        QStringLiteral(
+            "^(?:(?:Лабораторная )?работа|(?:Laboratory )?work)\\s+(?:№|No\\.)?\\s*(\\d+)"
+            "[.:]?\\s*(.+)$"),
+        QRegularExpression::CaseInsensitiveOption);
+    const auto match = numbered.match(m_full);
+    number = match.captured(1);
+    name = match.hasMatch() ? match.captured(2) : m_full;
+}
+
+QString WorkTitle::inFull() const {
+    return m_full;
 }
 
 } // namespace sparkout::report

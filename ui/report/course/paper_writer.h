@@ -48,4 +48,16 @@ private:
     int m_sections = 0, m_subsections = 0, m_tables = 0, m_figures = 0, m_formulas = 0;
 };
 
+/// The title of a lesson, "Work 2. Programmed and actual feed", split into number and name.
+struct WorkTitle {
+    explicit WorkTitle(const Bilingual& title); ///< translated
+
+    QString number; ///< "2"; empty: the title has none
+    QString name;
+
+    [[nodiscard]] QString inFull() const; ///< unchanged
+private:
+    QString m_full;
+};
+
 } // namespace sparkout::report

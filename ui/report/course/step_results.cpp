@@ -14,9 +14,8 @@
 #include "ui/report/course/lesson_markup.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/parts/cell_text.h"
-#include "ui/report/parts/course_figures.h"
-#include "ui/report/parts/feeds_figure.h"
 #include "ui/report/parts/operation_setup.h"
+#include "ui/report/parts/run_figures.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 

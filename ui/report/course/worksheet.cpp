@@ -3,13 +3,14 @@
 
 #include "core/project/leaves.h"
 #include "core/setup/worn_project.h"
-#include "ui/report/course/answer_fields.h"
+#include "core/study/outcome.h"
+#include "ui/charts/run_table.h"
+#include "ui/report/course/curve_figure.h"
+#include "ui/report/course/goal_words.h"
+#include "ui/report/course/lesson_markup.h"
 #include "ui/report/course/paper_writer.h"
 #include "ui/report/course/step_key.h"
 #include "ui/report/course/student_view.h"
-#include "ui/report/course/work_title.h"
-#include "ui/report/handout/citations.h"
-#include "ui/report/handout/exercise_sheet.h"
 #include "ui/report/handout/exercises.h"
 #include "ui/report/handout/handout_task.h"
 #include "ui/report/handout/worked_step.h"
@@ -17,17 +18,113 @@
 #include "ui/report/parts/operation_setup.h"
 #include "ui/report/parts/part_sketch.h"
 #include "ui/text/example_texts.h"
+#include "ui/text/names.h"
 #include "ui/text/number_text.h"
 
 #include <QCoreApplication>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
+#include <variant>
 
 namespace sparkout::report {
 
 namespace {
+
+struct AnswerFields {
+    Q_DECLARE_TR_FUNCTIONS(AnswerFields)
+};
+
+constexpr int textLines = 6, notesLines = 3;
+constexpr std::size_t mostRows = 16; ///< number of inputs whose values are to be written
+
+QString toWrite() {
+    return QString(10, u'_');
+}
+
+const Project& projectOf(const StudentView& view, std::size_t step, Setup& setup) {
+    setup = setupOf(view.lesson(), step);
+    return setup.surfaces[static_cast<std::size_t>(view.lesson().steps[step].surface) - 1].project;
+}
+
+Table freeInputsTable(const StudentView& view, std::size_t step) {
+    Setup setup;
+    const Project& project = projectOf(view, step, setup);
+    Table table;
+    table.head = {AnswerFields::tr("Input"), AnswerFields::tr("Unit"), AnswerFields::tr("Given"),
+                  AnswerFields::tr("Set")};
+    table.texts = {true, true};
+    for (const auto& row : inputTable(project).rows) {
+        const std::string path = std::get<QString>(row.back()).toStdString();
+        if (accessTo(view.lesson().steps[step], path) == Access::free && !view.hides(path)) {
+            table.rows.push_back({StudentView::cellOf(row[0]), StudentView::cellOf(row[2]),
+                                  StudentView::cellOf(row[3]), toWrite()});
+        }
+    }
+    if (table.rows.size() > mostRows) {
+        table.rows.clear(); // a whole cycle or more: lines are given instead
+    }
+    return table;
+}
+
+/// Places on paper for the answer to a step of a lesson.
+void writeAnswerFields(PaperWriter& paper, const StudentView& view, std::size_t step) {
+    Setup setup;
+    const Project& project = projectOf(view, step, setup);
+    const Goal& goal = view.lesson().steps[step].goal;
+    paper.say(GoalWords::asked(goal, project));
+    Table table;
+    switch (goal.kind()) {
+    case GoalKind::choice:
+        for (const ChoiceOption& option : goal.choice->options) {
+            paper.say(QStringLiteral("☐ ")
+                      + LessonMarkup::inOneLine(PaperWriter::text(option.text)));
+        }
+        return;
+    case GoalKind::text: paper.add(Blank{textLines}); return;
+    case GoalKind::prediction:
+        table.head = {AnswerFields::tr("Quantity"), AnswerFields::tr("Predicted"),
+                      AnswerFields::tr("By the engine"), AnswerFields::tr("Difference")};
+        table.texts = {true};
+        table.rows.push_back(
+            {GoalWords::withUnit(GoalWords::quantity(goal.prediction->figure, project),
+                                 goal.prediction->figure),
+             toWrite(), toWrite(), toWrite()});
+        break;
+    case GoalKind::curve:
+        table.head = {GoalWords::along(*goal.curve, project), AnswerFields::tr("Predicted"),
+                      AnswerFields::tr("By the engine"), AnswerFields::tr("Difference")};
+        table.texts = {true};
+        for (const double at : goal.curve->at) {
+            table.rows.push_back(
+                {GoalWords::alongAt(*goal.curve, at, project), toWrite(), toWrite(), toWrite()});
+        }
+        break;
+    case GoalKind::order:
+        table.head = {AnswerFields::tr("Place in the order, the largest first"),
+                      AnswerFields::tr("Predicted"), AnswerFields::tr("By the engine")};
+        table.texts = {true, true, true};
+        for (int i = 0; i < placeCount(project); ++i) {
+            table.rows.push_back({QString::number(i + 1), toWrite(), toWrite()});
+        }
+        break;
+    default: table = freeInputsTable(view, step); break;
+    }
+    if (isMetBySetting(goal.kind()) && table.rows.empty()) {
+        paper.add(Blank{notesLines});
+    }
+    paper.table(std::move(table), AnswerFields::tr("Answer to step %1").arg(step + 1));
+    if (goal.curve) {
+        paper.figure(CurveFigure::blank(*goal.curve, project));
+    }
+    if (isMetBySetting(goal.kind())) {
+        paper.say(AnswerFields::tr("Result:"));
+        paper.add(Blank{2});
+    }
+}
 
 constexpr int answerLines = 3;
 constexpr auto compliancePath = "/machine/compliance_mm_per_n";
@@ -101,7 +198,7 @@ private:
             if (m_isKey) {
                 StepKey::write(m_paper, lesson, i);
             } else {
-                AnswerFields::write(m_paper, *m_view, i);
+                writeAnswerFields(m_paper, *m_view, i);
             }
         }
     }
@@ -186,12 +283,11 @@ private:
         }
         if (m_isKey) {
             heading(tr("Answers to the questions"));
-            m_paper.add(
-                ExerciseSheet::answers(exercises, m_exam.outcome->result.project.operation));
+            m_paper.add(exerciseAnswers(exercises, m_exam.outcome->result.project.operation));
             return;
         }
         heading(tr("Questions"));
-        for (const Block& question : ExerciseSheet::questions(exercises)) {
+        for (const Block& question : exerciseQuestions(exercises)) {
             m_paper.add(question);
             m_paper.add(Blank{answerLines});
         }

@@ -4,7 +4,7 @@
 #include "core/units.h"
 #include "ui/charts/shop_table.h"
 #include "ui/report/parts/cell_text.h"
-#include "ui/text/estimate_names.h"
+#include "ui/text/calibration_text.h"
 #include "ui/text/names.h"
 
 #include <algorithm>

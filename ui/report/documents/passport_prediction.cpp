@@ -6,7 +6,6 @@
 #include "core/project/batch.h"
 #include "ui/charts/verdict_table.h"
 #include "ui/report/parts/cell_text.h"
-#include "ui/report/parts/requirement_cells.h"
 #include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/format/form_head.h"
 #include "ui/report/format/odt_xml.h"
+#include "ui/report/format/report.h"
 
 #include <QByteArray>
 #include <QString>

@@ -1,25 +1,188 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/handout/course_handout.h"
 
-#include "ui/report/handout/citations.h"
-#include "ui/report/handout/exercise_sheet.h"
+#include "core/study/search_edits.h"
+#include "ui/dynamic_programming/state_grid_outcome.h"
+#include "ui/dynamic_programming/state_grid_plot.h"
+#include "ui/dynamic_programming/state_grid_text.h"
+#include "ui/report/format/plot_figure.h"
 #include "ui/report/handout/exercises.h"
-#include "ui/report/handout/handout_figures.h"
 #include "ui/report/handout/handout_task.h"
-#include "ui/report/handout/state_grid_sheet.h"
 #include "ui/report/handout/worked_step.h"
 #include "ui/report/parts/begun_report.h"
 #include "ui/report/parts/operation_setup.h"
 #include "ui/report/parts/part_sketch.h"
+#include "ui/report/parts/run_figures.h"
+#include "ui/text/number_text.h"
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <utility>
 
 namespace sparkout::report {
 
 namespace {
+
+struct HandoutFigures {
+    Q_DECLARE_TR_FUNCTIONS(HandoutFigures)
+};
+
+constexpr int revolutionsAround = 3; ///< number of steps shown on each side of a plunge's step
+
+/// The double stroke of the step, or the revolutions around it.
+std::optional<Figure> feedsAround(const OutcomePtr& outcome, const HandoutStep& step) {
+    const Pass& pass = outcome->trajectory.passes[step.pass];
+    const FeedSeries& feeds = outcome->feeds;
+    const bool strokes = feeds.operation->countsStrokes;
+    const int around = strokes ? 0 : revolutionsAround;
+    const int first = std::max(1, pass.place.cycleCount - around);
+    const int last = std::min(feeds.strokeCount(), pass.place.cycleCount + around);
+    const double start_s = feeds.strokeStart_s.at(static_cast<std::size_t>(first - 1));
+    const double moment_s =
+        pass.start_s + pass.duration_s * (step.radius + 1) / std::max(1, outcome->trajectory.radii);
+    const QString caption =
+        strokes ? HandoutFigures::tr("Feeds in double stroke %1; the line marks the step")
+                      .arg(pass.place.cycleCount)
+                : HandoutFigures::tr("Feeds around revolution %1; the line marks the step")
+                      .arg(pass.place.cycleCount);
+    return feedsFigure(outcome, start_s, feeds.strokeEnd_s(last), moment_s, caption);
+}
+
+/// The figures of the hand-out, drawn in the window's thread.
+std::vector<Block> handoutFigures(const OutcomePtr& outcome, const std::optional<HandoutStep>& step,
+                                  const std::set<HandoutView>& views,
+                                  const std::function<void()>& breathe) {
+    std::vector<Block> blocks;
+    const auto add = [&](std::optional<Figure> figure) {
+        breathe();
+        if (figure) {
+            blocks.emplace_back(std::move(*figure));
+        }
+    };
+    if (views.contains(HandoutView::feeds) && step) {
+        add(feedsAround(outcome, *step));
+    }
+    if (views.contains(HandoutView::cycle)) {
+        add(feedsFigure(outcome));
+    }
+    if (views.contains(HandoutView::profiles)) {
+        add(profilesFigure(outcome));
+    }
+    if (views.contains(HandoutView::limits) && step) {
+        add(limitsFigure(outcome, outcome->trajectory.passes[step->pass].place));
+    }
+    return blocks;
+}
+
+struct StateGridSheet {
+    Q_DECLARE_TR_FUNCTIONS(StateGridSheet)
+};
+
+constexpr int gridHeight = 470;
+constexpr qint64 longestProof_ms = 10'000;
+constexpr int sheetDigits = 4;
+
+QString orDash(const QString& text) {
+    return text.isEmpty() ? QStringLiteral("–") : text;
+}
+
+StateGridOutcomePtr filledGrid(const Project& project, const std::function<void()>& breathe) {
+    auto outcome = std::make_shared<StateGridOutcome>();
+    outcome->project = project;
+    auto grid = fillStateGrid(project, usualStateGrid(project), {}, [&breathe](int) { breathe(); });
+    outcome->grid = std::move(*grid); // not stopped
+    std::stop_source stop;
+    QElapsedTimer timer;
+    timer.start();
+    outcome->exact = exactAnswer(outcome->grid, stop.get_token(), [&](const SearchProgress&) {
+        breathe();
+        if (timer.hasExpired(longestProof_ms)) {
+            stop.request_stop();
+        }
+    });
+    return outcome;
+}
+
+Table wayBackTable(const StateGrid& grid) {
+    Table table;
+    const TimeUnit unit = StateGridText::unit(grid);
+    table.head = QStringList{StateGridSheet::tr("State"), StateGridSheet::tr("Stock left, mm"),
+                             StateGridSheet::tr("Feed"),  unit.titled(QStringLiteral("T")),
+                             QStringLiteral("m*"),        StateGridSheet::tr("Moves struck out")};
+    table.texts = {true, false, false, false, false, true};
+    for (int n = grid.size.levels; n >= 1; --n) {
+        const std::size_t feed = grid.path[static_cast<std::size_t>(n - 1)];
+        const GridState& state = grid.state(n, feed);
+        const QString out = StateGridText::struckOut(state);
+        table.rows.push_back(
+            {StateGridText::state(n, feed),
+             printedNumber(grid.stock_mm[static_cast<std::size_t>(n)], sheetDigits),
+             StateGridText::feed(grid.feeds[feed], grid.project.operation),
+             StateGridText::amount(*state.time_s, unit),
+             orDash(n > 1 ? QString::number(state.from + 1) : QString()), orDash(out)});
+    }
+    return table;
+}
+
+Table wrongStatesTable(const ExactAnswer& exact) {
+    Table table;
+    table.head =
+        QStringList{StateGridSheet::tr("State"), StateGridSheet::tr("Where the rule is wrong")};
+    table.texts = {true, true};
+    for (const StateFault& fault : exact.faults) {
+        table.rows.push_back(
+            {StateGridText::state(fault.level, fault.feed), StateGridText::wrong(fault)});
+    }
+    return table;
+}
+
+/// The grid of dynamic programming in the hand-out: the rule, the grid, both answers, the way back
+/// state by state. A project without a search uses a usual one. In the window's thread; `breathe`
+/// is called during the proof, which is abandoned after some seconds.
+std::vector<Block> stateGridBlocks(const OutcomePtr& outcome,
+                                   const std::function<void()>& breathe) {
+    Project project = outcome->result.project;
+    if (!project.optimisation) {
+        project = withUsualSearch(std::move(project));
+    }
+    project = withSearchFor(std::move(project));
+    const QString fault = StateGridText::fault(stateGridFault(project));
+    if (!fault.isEmpty()) {
+        return {Paragraph{fault}};
+    }
+    const StateGridOutcomePtr filled = filledGrid(project, breathe);
+    const StateGrid& grid = filled->grid;
+    std::vector<Block> blocks{Paragraph{StateGridSheet::tr(
+        "A cell [n, m] holds the minimum time T[n,m] in which n levels of stock are removed, the "
+        "last with feed m, and m*, the feed before it: T[n,m] = min over m' of (T[n−1,m'] + τ), "
+        "T[0,0] = 0, over the moves that break no requirement. The minimum time of the last level "
+        "is that of the cycle; its feeds are read back along m*.")}};
+    StateGridPlot plot;
+    setUpForPaper(plot, gridHeight);
+    plot.setGrid(filled);
+    plot.restyle();
+    plot.fit();
+    const QString caption = StateGridSheet::tr("The grid of dynamic programming: T, %1, and m*")
+                                .arg(StateGridText::unit(grid).text());
+    blocks.emplace_back(plotFigure(plot, plot.legendEntries(), caption,
+                                   StateGridText::answer(grid, filled->exact)));
+    for (const QString& line : StateGridText::answer(grid, filled->exact).split(u'\n')) {
+        blocks.emplace_back(Paragraph{line});
+    }
+    if (!grid.path.empty()) {
+        blocks.emplace_back(wayBackTable(grid));
+    }
+    if (!filled->exact->faults.empty()) {
+        blocks.emplace_back(wrongStatesTable(*filled->exact));
+    }
+    return blocks;
+}
 
 class HandoutWriter {
     Q_DECLARE_TR_FUNCTIONS(CourseHandout)
@@ -54,16 +217,16 @@ public:
         addFigures(step);
         if (m_options.views.contains(HandoutView::grid)) {
             heading(tr("Dynamic programming"));
-            add(StateGridSheet::blocks(m_outcome, m_breathe));
+            add(stateGridBlocks(m_outcome, m_breathe));
         }
         if (!exercises.empty()) {
             heading(tr("Questions"));
-            add(ExerciseSheet::questions(exercises));
+            add(exerciseQuestions(exercises));
         }
         if (m_options.answers && !exercises.empty()) {
             add(PageBreak{});
             heading(tr("Answers"));
-            add(ExerciseSheet::answers(exercises, project.operation));
+            add(exerciseAnswers(exercises, project.operation));
         }
         return std::move(m_report);
     }
@@ -90,7 +253,7 @@ private:
     }
 
     void addFigures(const std::optional<HandoutStep>& step) {
-        auto figures = HandoutFigures::figures(m_outcome, step, m_options.views, m_breathe);
+        auto figures = handoutFigures(m_outcome, step, m_options.views, m_breathe);
         if (!figures.empty()) {
             heading(tr("Charts"));
             add(std::move(figures));

@@ -225,6 +225,26 @@ QString questionOf(const ChangeWords& words, const ExerciseRun& run, const Outco
                   : question;
 }
 
+struct ExerciseSheet {
+    Q_DECLARE_TR_FUNCTIONS(ExerciseSheet)
+};
+
+constexpr int percent = 100;
+
+/// The change in per cent, as far as the printed numbers determine it.
+QString change(const ExerciseAnswer& answer) {
+    const QString before = askedNumber(answer.asked, answer.before);
+    if (before == askedNumber(answer.asked, answer.after)) {
+        return QStringLiteral("0");
+    }
+    if (before == askedNumber(answer.asked, 0)) {
+        return QStringLiteral("–");
+    }
+    const double percents = percent * (answer.after - answer.before) / std::abs(answer.before);
+    return (percents > 0 ? QStringLiteral("+") : QString())
+           + Names::significant(percents).replace(u'-', QChar(0x2212));
+}
+
 } // namespace
 
 QString askedQuantity(Asked asked, Operation operation) {
@@ -276,6 +296,37 @@ std::vector<Exercise> makeExercises(const Outcome& outcome, const std::optional<
         exercises.push_back(std::move(exercise));
     }
     return exercises;
+}
+
+std::vector<Block> exerciseQuestions(const std::vector<Exercise>& exercises) {
+    std::vector<Block> blocks;
+    for (std::size_t i = 0; i < exercises.size(); ++i) {
+        blocks.emplace_back(
+            Paragraph{QStringLiteral("%1. %2").arg(QString::number(i + 1), exercises[i].question)});
+    }
+    return blocks;
+}
+
+std::vector<Block> exerciseAnswers(const std::vector<Exercise>& exercises, Operation operation) {
+    std::vector<Block> blocks;
+    blocks.emplace_back(Paragraph{ExerciseSheet::tr(
+        "Computed by the engine, which ran the whole cycle with only that input changed.")});
+    for (std::size_t i = 0; i < exercises.size(); ++i) {
+        const Exercise& exercise = exercises[i];
+        blocks.emplace_back(
+            Paragraph{QStringLiteral("%1. %2").arg(QString::number(i + 1), exercise.reason)});
+        Table table;
+        table.head = {ExerciseSheet::tr("Asked for"), ExerciseSheet::tr("Before"),
+                      ExerciseSheet::tr("Changed"), ExerciseSheet::tr("Difference, %")};
+        table.texts = {true};
+        for (const ExerciseAnswer& answer : exercise.answers) {
+            table.rows.push_back({askedName(answer.asked, operation),
+                                  askedNumber(answer.asked, answer.before),
+                                  askedNumber(answer.asked, answer.after), change(answer)});
+        }
+        blocks.emplace_back(table);
+    }
+    return blocks;
 }
 
 } // namespace sparkout::report

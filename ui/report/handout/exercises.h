@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/study/exercises.h"
+#include "ui/report/format/report.h"
 
 #include <QString>
 
@@ -27,5 +28,10 @@ struct Exercise : ExerciseRun {
 [[nodiscard]] QString askedNumber(Asked asked, double value);
 /// "Machining time rises".
 [[nodiscard]] QString movedText(Asked asked, Operation operation, bool rises);
+
+/// The exercises on paper: the questions, and the key.
+[[nodiscard]] std::vector<Block> exerciseQuestions(const std::vector<Exercise>& exercises);
+[[nodiscard]] std::vector<Block> exerciseAnswers(const std::vector<Exercise>& exercises,
+                                                 Operation operation);
 
 } // namespace sparkout::report

@@ -6,6 +6,7 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/simulation/progress.h"
+#include "ui/report/handout/worked_step.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/input_fact.h"
 #include "ui/report/parts/operation_setup.h"

@@ -3,7 +3,6 @@
 
 #include "core/study/outcome.h"
 #include "ui/report/format/report.h"
-#include "ui/report/handout/citations.h"
 #include "ui/report/handout/handout_step.h"
 
 #include <QCoreApplication>
@@ -14,6 +13,8 @@
 #include <string_view>
 
 namespace sparkout::report {
+
+class Citations;
 
 /// The task of the hand-out, and the inputs for it.
 class HandoutTask {

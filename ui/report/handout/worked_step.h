@@ -4,15 +4,34 @@
 #include "core/study/outcome.h"
 #include "ui/report/format/report.h"
 #include "ui/report/handout/handout_step.h"
-#include "ui/report/handout/step_formulas.h"
 
 #include <QCoreApplication>
 #include <QSet>
 #include <QString>
+#include <QStringList>
 
 #include <optional>
+#include <set>
+#include <vector>
 
 namespace sparkout::report {
+
+/// Gathers the keys of core/SOURCES.md that are cited, in their order.
+class Citations {
+    Q_DECLARE_TR_FUNCTIONS(Citations)
+public:
+    QString cite(const QString& key);  ///< "[MODEL-3]"
+    [[nodiscard]] Table table() const; ///< the keys with their sources
+
+private:
+    QStringList m_keys;
+};
+
+/// The formulas of a step, and their symbols.
+struct StepBlocks {
+    std::vector<Block> blocks;
+    std::set<QString> symbols;
+};
 
 /// The step that the hand-out works out: its place, its formulas and its limits.
 class WorkedStep {

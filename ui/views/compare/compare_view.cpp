@@ -11,8 +11,8 @@
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_cursors.h"
-#include "ui/text/joined.h"
 #include "ui/text/names.h"
+#include "ui/text/texts.h"
 #include "ui/views/compare/runs_panel.h"
 #include "ui/views/compare/second_axis_menu.h"
 

@@ -11,7 +11,7 @@
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_cursors.h"
-#include "ui/text/estimate_names.h"
+#include "ui/text/calibration_text.h"
 #include "ui/text/formula_text.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"

@@ -3,6 +3,7 @@
 
 #include "core/remedies/remedies.h"
 #include "core/study/outcome.h"
+#include "words/remedy_words.h"
 
 #include <QWidget>
 
@@ -52,6 +53,16 @@ private:
     OutcomePtr m_outcome;
     std::shared_ptr<const RemedyResult> m_result;
     bool m_running = false;
+};
+
+/// Remedies in the current language, with the window's number format and names.
+class RemedyText : public RemedyWording {
+protected:
+    [[nodiscard]] std::string translated(const char* text) const override;
+    [[nodiscard]] std::string number(double value) const override;
+    [[nodiscard]] std::string unit(const char* unit) const override;
+    [[nodiscard]] std::string input(const char* label, const char* symbol) const override;
+    [[nodiscard]] std::string requirement(ConstraintKind kind) const override;
 };
 
 } // namespace sparkout

@@ -5,8 +5,11 @@
 #include "ui/kit/copyable_label.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
+#include "ui/session/document.h"
+#include "ui/session/studies.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
@@ -21,6 +24,19 @@ namespace {
 
 constexpr int exportDialogWidth = 460;
 constexpr int noteLines = 3;
+
+struct StudiesShown {
+    Q_DECLARE_TR_FUNCTIONS(StudiesShown)
+};
+
+/// The reason why it cannot be exported; empty if it can. `view` is the class of its view.
+QString hindrance(bool isRunning, bool isStale, const char* view, const char* title) {
+    return isRunning ? StudiesShown::tr("It is being run: wait for it, or stop it.")
+           : isStale ? StudiesShown::tr("These results are for the inputs before the last edit. "
+                                        "Compute them for the current inputs in the view “%1”.")
+                           .arg(QCoreApplication::translate(view, title))
+                     : QString();
+}
 
 } // namespace
 
@@ -150,6 +166,31 @@ void ExportDialog::judge() {
     const QString obstacle = exportObstacle(m_outcome, chosen);
     m_note->setText(obstacle.isEmpty() ? note(chosen) : obstacle);
     m_go->setEnabled(obstacle.isEmpty());
+}
+
+std::vector<StudyOffer> studiesOffered(Studies& studies, const Project& now,
+                                       const Document& document) {
+    std::vector<StudyOffer> offers;
+    if (const BatchOutcomePtr& batch = studies.batch.result()) {
+        offers.push_back({{.batch = batch, .indices = studies.indices()},
+                          hindrance(studies.batch.running() || studies.indexJob().running(),
+                                    !studies.batch.isOf(now), "sparkout::BatchView", "Batch")});
+    }
+    if (const SweepResultPtr& sweep = studies.sweep.result()) {
+        offers.push_back({{.sweep = sweep},
+                          hindrance(studies.sweep.running(), !studies.sweep.isOf(now),
+                                    "sparkout::SweepView", "Sweep")});
+    }
+    if (const SearchOutcomePtr& search = studies.search.result()) {
+        const bool wearsOtherwise =
+            search->wear
+            && !sameWear(SurfaceWear(document.setup(), document.surface()), *search->wear);
+        offers.push_back(
+            {{.search = search, .before_s = search->given.time_s},
+             hindrance(studies.search.running(), !studies.search.isOf(now) || wearsOtherwise,
+                       "sparkout::OptimiseView", "Optimise")});
+    }
+    return offers;
 }
 
 } // namespace sparkout

@@ -12,6 +12,9 @@ class QPushButton;
 
 namespace sparkout {
 
+class Document;
+struct Studies;
+
 /// A batch, sweep or search that a view shows.
 struct StudyOffer {
     Study study;
@@ -45,5 +48,9 @@ private:
     QLabel* m_note;
     QPushButton* m_go = nullptr;
 };
+
+/// The computed batch, sweep and search, marked if they are running, or do not belong to `now`.
+[[nodiscard]] std::vector<StudyOffer> studiesOffered(Studies& studies, const Project& now,
+                                                     const Document& document);
 
 } // namespace sparkout

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/part/piece_time_text.h"
+#include "ui/part/part_text.h"
 
+#include "core/quality/light.h"
+#include "ui/charts/light_icon.h"
+#include "ui/kit/theme.h"
+#include "ui/text/judgement_text.h"
+#include "ui/text/names.h"
 #include "ui/text/number_text.h"
+#include "ui/text/texts.h"
 
 #include <QCoreApplication>
+#include <QGuiApplication>
+#include <QPainter>
 #include <QStringList>
 
 namespace sparkout {
@@ -33,6 +41,10 @@ QString auxiliaryLine(const SetupTimes& times, std::size_t surfaces, const Piece
         .arg(shownTime(times.positioning_s), shownTime(times.handling_s),
              shownTime(piece.auxiliary_min));
 }
+
+struct StatusText {
+    Q_DECLARE_TR_FUNCTIONS(StatusText)
+};
 
 } // namespace
 
@@ -68,6 +80,51 @@ QString pieceTimeText(const SetupTimes& times, std::size_t surfaces,
                      .arg(shownTime(piece.calculation_min));
     }
     return lines.join(u'\n');
+}
+
+QString statusText(const SurfaceStatus& status) {
+    switch (status.state) {
+    case SurfaceStatus::State::notRun: return StatusText::tr("not run");
+    case SurfaceStatus::State::refused: return StatusText::tr("inputs refused");
+    case SurfaceStatus::State::ran: break;
+    }
+    return JudgementText::headline(status.judgement);
+}
+
+QString worstText(const SurfaceStatus& status) {
+    const std::optional<ConstraintResult>& worst = status.judgement.worst;
+    if (!status.ran() || !worst) {
+        return {};
+    }
+    const char* const unit = requirementOf(worst->kind).unit;
+    const QString margin = Names::margin(*worst);
+    return QStringLiteral("%1 %2").arg(
+        Names::constraintBrief(worst->kind),
+        *unit && !Names::isRange(worst->kind) && marginKnown(*worst) != MarginKnown::no
+            ? QStringLiteral("%1\u00a0%2").arg(margin, unitText(unit))
+            : margin);
+}
+
+QPixmap statusPixmap(const SurfaceStatus& status, int size, qreal ratio) {
+    if (status.ran()) {
+        return judgedPixmap(status.judgement.state, size, ratio, status.areStocksComing);
+    }
+    QPixmap pixmap(QSize(size, size) * ratio);
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPalette palette = QGuiApplication::palette();
+    const QRectF box(2, 2, size - 4, size - 4);
+    if (status.state == SurfaceStatus::State::refused) {
+        painter.setPen(QPen(tone(Tone::error, palette), 2));
+        painter.drawLine(box.topLeft(), box.bottomRight());
+        painter.drawLine(box.topRight(), box.bottomLeft());
+    } else {
+        painter.setPen(QPen(palette.color(QPalette::PlaceholderText), 1));
+        painter.drawEllipse(box);
+    }
+    return pixmap;
 }
 
 } // namespace sparkout

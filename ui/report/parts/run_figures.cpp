@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures of the hand-out that the cycle card has not.
-#include "ui/report/parts/course_figures.h"
+#include "ui/report/parts/run_figures.h"
 
+#include "core/process/system_compliance.h"
 #include "core/quality/limit_series.h"
 #include "core/simulation/feed_series.h"
 #include "ui/report/format/plot_figure.h"
 #include "ui/text/names.h"
 #include "ui/views/constraints/constraints_plot.h"
+#include "ui/views/feeds/feeds_plot.h"
 #include "ui/views/profiles/profiles_plot.h"
 #include "ui/views/profiles/profiles_text.h"
 
@@ -16,13 +17,35 @@ namespace sparkout::report {
 
 namespace {
 
-constexpr int profilesHeight = 400, limitsHeight = 380;
+constexpr int feedsHeight = 420, profilesHeight = 400, limitsHeight = 380;
 
-struct CourseFigure {
-    Q_DECLARE_TR_FUNCTIONS(CourseFigure)
+struct RunFigures {
+    Q_DECLARE_TR_FUNCTIONS(RunFigures)
 };
 
 } // namespace
+
+std::optional<Figure> feedsFigure(const OutcomePtr& outcome) {
+    return feedsFigure(outcome, 0, outcome->feeds.end_s, {},
+                       RunFigures::tr("Feeds by stage over the whole cycle"));
+}
+
+std::optional<Figure> feedsFigure(const OutcomePtr& outcome, double from_s, double to_s,
+                                  std::optional<double> moment_s, const QString& caption) {
+    if (outcome->trajectory.passes.empty()) {
+        return {};
+    }
+    const Project& project = outcome->result.project;
+    const auto count = static_cast<int>(outcome->feeds.columns.size());
+    FeedsPlot plot;
+    setUpForPaper(plot, feedsHeight);
+    plot.setRun(outcome,
+                shownSections(count, project.operation->hasZones ? 0 : gaugeSection(project)));
+    plot.restyle();
+    plot.setMoment(moment_s);
+    plot.showTimes(from_s, to_s);
+    return plotFigure(plot, plot.legendEntries(), caption, caption);
+}
 
 Figure profilesFigure(const OutcomePtr& outcome) {
     const SimulationResult& result = outcome->result;
@@ -36,7 +59,7 @@ Figure profilesFigure(const OutcomePtr& outcome) {
     plot.fit();
     using enum ProfileLine;
     return plotFigure(plot, plot.entriesOf({profile, target, leastSquares, field}),
-                      CourseFigure::tr("Cross-sections at the end of the cycle"),
+                      RunFigures::tr("Cross-sections at the end of the cycle"),
                       ProfilesText::summary(plot.series(), plot.shown()));
 }
 
@@ -53,9 +76,8 @@ std::optional<Figure> limitsFigure(const OutcomePtr& outcome, const Place& at) {
     if (plot.limits().cuts()->cuts.empty()) {
         return {};
     }
-    const QString caption =
-        CourseFigure::tr("%1: actual feed over the stock left, under its limits")
-            .arg(Names::zoneFull(at.zone, at.section));
+    const QString caption = RunFigures::tr("%1: actual feed over the stock left, under its limits")
+                                .arg(Names::zoneFull(at.zone, at.section));
     return plotFigure(plot, plot.legendEntries(), caption, caption);
 }
 

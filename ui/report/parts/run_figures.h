@@ -15,4 +15,11 @@ namespace sparkout::report {
                                                 double to_s, std::optional<double> moment_s,
                                                 const QString& caption);
 
+/// The cross-sections at the end of the cycle, magnified.
+[[nodiscard]] Figure profilesFigure(const OutcomePtr& outcome);
+
+/// The actual feed over the stock left below its limits, at a place of the cycle; empty without
+/// cuts.
+[[nodiscard]] std::optional<Figure> limitsFigure(const OutcomePtr& outcome, const Place& at);
+
 } // namespace sparkout::report

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/surface_status.h"
+#include "core/setup/setup.h"
+#include "ui/session/part_runs.h"
 
 #include <QIcon>
 #include <QString>
 
+#include <optional>
+
 namespace sparkout {
+
+/// The times of a part with their formulas and numbers, one per line.
+[[nodiscard]] QString pieceTimeText(const SetupTimes& times, std::size_t surfaces,
+                                    std::optional<double> cycles_min);
 
 /// The headline of its judgement; "inputs refused", "not run".
 [[nodiscard]] QString statusText(const SurfaceStatus& status);
