@@ -13220,21 +13220,8 @@ With another name both versions stay as they are.</source>
     <context>
         <name>sparkout::FeedsPlot</name>
         <message>
-            <source>%1: %2</source>
-            <translation>%1: %2</translation>
-        </message>
-        <message>
-            <source>stage %1</source>
-            <translation>ступень %1</translation>
-        </message>
-        <message>
             <source>spread over the radii</source>
             <translation>разброс по радиусам</translation>
-        </message>
-        <message>
-            <source>st. %1</source>
-            <comment>stage, short</comment>
-            <translation>ст. %1</translation>
         </message>
     </context>
     <context>
@@ -17840,9 +17827,6 @@ target, µm</source>
             <source>%1: maximum</source>
             <translation>%1: наибольшее</translation>
         </message>
-    </context>
-    <context>
-        <name>FeedsGrid</name>
         <message>
             <source>Feed, µm
 per revolution</source>
@@ -17926,6 +17910,19 @@ mm/min</source>
         <message>
             <source>N</source>
             <translation>Н</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>stage %1</source>
+            <translation>ступень %1</translation>
+        </message>
+        <message>
+            <source>st. %1</source>
+            <comment>stage, short</comment>
+            <translation>ст. %1</translation>
         </message>
     </context>
     <context>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/chart_plot.h"
 
+#include "ui/plot/band_layer.h"
+#include "ui/plot/chart_matrix.h"
 #include "ui/plot/number_ticker.h"
 #include "ui/plot/painted_layer.h"
 
@@ -16,6 +18,7 @@ namespace {
 
 constexpr int lastNumberRoom = 20; ///< space beside a lying chart, for half of the last number
 constexpr int chartTick = 5;       ///< [px]
+constexpr double logarithmicFloor = 1e-12; ///< lower end of bars on a logarithmic axis
 
 QCPScatterStyle markOfSeries(const ChartSeries& series, const QColor& colour) {
     using enum ChartSeries::Mark;
@@ -44,9 +47,10 @@ QCPGraph::LineStyle lineOfSeries(const ChartSeries& series) {
 
 void setUpChartAxis(QCPAxis& axis, const ChartAxis& of) {
     axis.setLabel(of.label);
-    axis.grid()->setVisible(!of.names);
+    axis.grid()->setVisible(of.hasGrid && !of.names);
     axis.setTickLength(of.names ? 0 : chartTick);
     const int ticks = axis.ticker()->tickCount(); // as many as have room
+    style::setLogarithmic(axis, of.isLogarithmic);
     if (of.names) {
         const QSharedPointer<QCPAxisTickerText> names(new QCPAxisTickerText);
         for (qsizetype i = 0; i < of.names->size(); ++i) {
@@ -55,9 +59,8 @@ void setUpChartAxis(QCPAxis& axis, const ChartAxis& of) {
         axis.setTicker(names);
     } else if (of.ticker) {
         axis.setTicker(of.ticker);
-    } else {
-        axis.setTicker(of.isCounted ? QSharedPointer<QCPAxisTicker>(new WholeTicker)
-                                    : QSharedPointer<QCPAxisTicker>(new NumberTicker));
+    } else if (of.isCounted) {
+        axis.setTicker(QSharedPointer<QCPAxisTicker>(new WholeTicker));
     }
     axis.ticker()->setTickCount(ticks);
 }
@@ -115,9 +118,14 @@ private:
     QColor m_area, m_edge;
 };
 
-ChartPlot::ChartPlot(QWidget* parent, int row) : ViewPlot(parent), m_rect(addRect(row)) {
+ChartPlot::ChartPlot(QWidget* parent, int row) : ViewPlot(parent) {
+    m_cells.push_back({addRect(row)});
     connect(this, &QCustomPlot::afterLayout, this, [this] {
-        if (style::fitValueAxes(*m_rect, font())) {
+        bool isChanged = false;
+        for (std::size_t i = 0; !m_matrix && i < cellCount(); ++i) {
+            isChanged = style::fitValueAxes(cell(i), font()) || isChanged;
+        }
+        if (isChanged) {
             replot(rpQueuedReplot);
         }
     });
@@ -142,20 +150,39 @@ ChartPlot::ChartPlot(QWidget* parent, int row) : ViewPlot(parent), m_rect(addRec
 
 ChartPlot::~ChartPlot() = default;
 
-QCPAxis& ChartPlot::across() const {
-    return *m_rect->axis(m_chart.isLying ? QCPAxis::atLeft : QCPAxis::atBottom);
+QCPTextElement* ChartPlot::heading(std::size_t cell) const {
+    return m_cells[cell].heading;
 }
 
-QCPAxis& ChartPlot::up() const {
-    return *m_rect->axis(m_chart.isLying ? QCPAxis::atBottom : QCPAxis::atLeft);
+BandLayer* ChartPlot::bands(std::size_t cell) const {
+    return m_cells[cell].bands.get();
 }
 
-QCPAxis& ChartPlot::second() const {
-    return *m_rect->axis(m_chart.isLying ? QCPAxis::atTop : QCPAxis::atRight);
+QCPAxis& ChartPlot::across(std::size_t cell) const {
+    return *m_cells[cell].rect->axis(chart(cell).isLying ? QCPAxis::atLeft : QCPAxis::atBottom);
+}
+
+QCPAxis& ChartPlot::up(std::size_t cell) const {
+    return *m_cells[cell].rect->axis(chart(cell).isLying ? QCPAxis::atBottom : QCPAxis::atLeft);
+}
+
+QCPAxis& ChartPlot::second(std::size_t cell) const {
+    return *m_cells[cell].rect->axis(chart(cell).isLying ? QCPAxis::atTop : QCPAxis::atRight);
 }
 
 void ChartPlot::setChart(Maker make) {
+    m_make = [make = std::move(make)] {
+        ChartGrid grid;
+        grid.cells.push_back(make());
+        return grid;
+    };
+    remake();
+    fit();
+}
+
+void ChartPlot::setGrid(GridMaker make) {
     m_make = std::move(make);
+    m_builtColumns = 0;
     remake();
     fit();
 }
@@ -166,21 +193,147 @@ void ChartPlot::remake() {
 }
 
 void ChartPlot::setTexts() {
-    if (m_make) {
-        m_chart = m_make();
-        setUpAxes();
-        draw();
+    takeCharts();
+    followValues();
+}
+
+void ChartPlot::takeCharts() {
+    if (!m_make) {
+        return;
     }
+    m_grid = m_make();
+    if (m_cells.size() != m_grid.cells.size() || m_builtColumns != m_grid.columns) {
+        build();
+    }
+    for (std::size_t i = 0; i < cellCount(); ++i) {
+        setUpAxes(i);
+    }
+    if (m_caption) {
+        m_caption->setText(m_grid.caption);
+    }
+    if (m_matrix) {
+        m_matrix->setUp();
+    }
+    draw();
 }
 
 void ChartPlot::fit() {
-    fitChartAxis(across(), m_chart.across, m_chart.places());
-    fitChartAxis(second(), m_chart.second, m_chart.values(true));
+    fitPlaces();
     fitValues();
 }
 
+void ChartPlot::fitPlaces() {
+    for (std::size_t i = 0; i < cellCount(); ++i) {
+        fitChartAxis(across(i), chart(i).across, chart(i).places());
+        m_fittedPlaces = across().range();
+    }
+}
+
 void ChartPlot::fitValues() {
-    fitChartAxis(up(), m_chart.up, m_chart.values());
+    m_isFitting = true;
+    for (std::size_t i = 0; i < cellCount(); ++i) {
+        fitChartAxis(second(i), chart(i).second, chart(i).values(true));
+        fitChartAxis(up(i), chart(i).up, chart(i).values());
+        m_fittedValues = up().range();
+    }
+    m_isFitting = false;
+    followValues();
+}
+
+void ChartPlot::refit() {
+    if (cellCount() > 0 && m_fittedPlaces.value_or(across().range()) == across().range()) {
+        fitPlaces();
+    }
+    if (cellCount() > 0 && m_fittedValues.value_or(up().range()) == up().range()) {
+        fitValues();
+    }
+}
+
+// --- the cells ----------------------------------------------------------------------------------
+
+void ChartPlot::build() {
+    clearPlottables();
+    clearItems();
+    m_zones.clear();
+    m_cells.clear();
+    m_matrix.reset();
+    plotLayout()->clear();
+    auto* const layout = new QCPLayoutGrid;
+    layout->setRowSpacing(0);
+    plotLayout()->setRowSpacing(0);
+    plotLayout()->addElement(0, 0, layout);
+    std::vector<QCPAxisRect*> rects;
+    std::vector<LineChart>& charts = m_grid.cells;
+    for (std::size_t first = 0; first < charts.size(); first += m_grid.columns) {
+        const std::size_t end = std::min(first + m_grid.columns, charts.size());
+        std::vector<QCPAxisRect*> ofRow;
+        const int row = layout->elementCount() > 0 ? layout->rowCount() : 0;
+        const bool isHeaded = !charts[first].heading.isEmpty();
+        for (std::size_t i = first; i < end; ++i) {
+            const int column = static_cast<int>(i - first);
+            Cell cell{addRect(isHeaded ? row + 1 : row, column, layout)};
+            if (isHeaded) {
+                cell.heading = new QCPTextElement(this);
+                layout->addElement(row, column, cell.heading);
+                layout->setRowStretchFactor(row, 0.001);
+            }
+            ofRow.push_back(cell.rect);
+            m_cells.push_back(std::move(cell));
+        }
+        if (m_grid.sharesValues) {
+            for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight}) {
+                tie(ofRow, side);
+                const QCPAxisRect* outer = side == QCPAxis::atLeft ? ofRow.front() : ofRow.back();
+                connect(outer->axis(side), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged),
+                        this, &ChartPlot::followValues);
+            }
+        }
+        rects.insert(rects.end(), ofRow.begin(), ofRow.end());
+    }
+    tie(rects, QCPAxis::atBottom);
+    m_caption = m_grid.caption.isEmpty() ? nullptr : new QCPTextElement(this);
+    if (m_caption) {
+        plotLayout()->addElement(1, 0, m_caption);
+        plotLayout()->setRowStretchFactor(1, 0.001);
+    }
+    m_builtColumns = m_grid.columns;
+    m_fittedPlaces.reset();
+    m_fittedValues.reset();
+    if (m_grid.sharesValues && !m_cells.empty()) {
+        m_matrix = std::make_unique<ChartMatrix>(*this);
+    }
+    ViewPlot::restyle();
+    styleTexts();
+    cellsBuilt();
+}
+
+void ChartPlot::styleTexts() {
+    const auto look = [this](QCPTextElement* text) {
+        if (text) {
+            text->setFont(font());
+            text->setTextColor(palette().color(QPalette::Text));
+        }
+    };
+    look(m_caption);
+    for (const Cell& cell : m_cells) {
+        look(cell.heading);
+    }
+}
+
+/// Makes room for the numbers of the outer axes.
+void ChartPlot::followValues() {
+    if (m_matrix && !m_isFitting) {
+        m_matrix->fit();
+    }
+}
+
+void ChartPlot::resizeEvent(QResizeEvent* event) {
+    followValues();
+    ViewPlot::resizeEvent(event);
+}
+
+QSize ChartPlot::minimumSizeHint() const {
+    return m_matrix ? m_matrix->leastSize() : ViewPlot::minimumSizeHint();
 }
 
 // --- drawing ------------------------------------------------------------------------------------
@@ -201,21 +354,26 @@ QPen ChartPlot::penOf(QPen pen, const ChartColour& colour) const {
     return pen;
 }
 
-void ChartPlot::setUpAxes() {
-    setUpChartAxis(across(), m_chart.across);
-    setUpChartAxis(up(), m_chart.up);
-    setUpChartAxis(second(), m_chart.second);
-    second().grid()->setVisible(false);
-    across().setRangeReversed(m_chart.isLying);
-    if (m_chart.isLying) {
-        m_rect->setMinimumMargins(QMargins(0, 0, lastNumberRoom, 0));
+void ChartPlot::setUpAxes(std::size_t cell) {
+    const LineChart& of = chart(cell);
+    QCPAxisRect& rect = *m_cells[cell].rect;
+    setUpChartAxis(across(cell), of.across);
+    setUpChartAxis(up(cell), of.up);
+    setUpChartAxis(second(cell), of.second);
+    second(cell).grid()->setVisible(false);
+    across(cell).setRangeReversed(of.isLying);
+    if (of.isLying) {
+        rect.setMinimumMargins(QMargins(0, 0, lastNumberRoom, 0));
     }
     for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) {
-        QCPAxis& axis = *m_rect->axis(side);
-        const bool isSecond = &axis == &second() && !m_chart.second.label.isEmpty();
-        axis.setVisible(isSecond || m_chart.isFramed);
+        QCPAxis& axis = *rect.axis(side);
+        const bool isSecond = &axis == &second(cell) && !of.second.label.isEmpty();
+        axis.setVisible(isSecond || of.isFramed);
         axis.setTicks(isSecond);
         axis.setTickLabels(isSecond);
+    }
+    if (QCPTextElement* const text = heading(cell)) {
+        text->setText(of.heading);
     }
 }
 
@@ -223,58 +381,77 @@ void ChartPlot::draw() {
     clearPlottables();
     clearItems();
     m_zones.clear();
-    m_stacked = nullptr;
-    for (const ChartZone& zone : m_chart.zones) {
+    for (std::size_t i = 0; i < cellCount(); ++i) {
+        m_stacked = nullptr;
+        drawCell(i);
+    }
+}
+
+void ChartPlot::drawCell(std::size_t cell) {
+    const LineChart& of = chart(cell);
+    std::unique_ptr<BandLayer>& bands = m_cells[cell].bands;
+    if (!bands && !of.bands.empty()) {
+        bands = std::make_unique<BandLayer>(m_cells[cell].rect, of.namesBands);
+    }
+    if (bands) {
+        bands->setBands(of.bands);
+    }
+    for (const ChartZone& zone : of.zones) {
         if (shows(zone.key)) {
             m_zones.push_back(std::make_unique<ZoneLayer>(
-                *m_rect, zone, areaOf(zone.colour, zone.alpha), colourOf(zone.colour)));
+                *m_cells[cell].rect, zone, areaOf(zone.colour, zone.alpha), colourOf(zone.colour)));
         }
     }
-    const auto order = [](const ChartSeries& of) { return of.isArea() ? 0 : of.isLine() ? 1 : 2; };
+    const auto order = [](const ChartSeries& series) {
+        return series.isArea() ? 0 : series.isLine() ? 1 : 2;
+    };
     for (const int at : {0, 1, 2}) {
-        for (const ChartSeries& series : m_chart.series) {
+        for (const ChartSeries& series : of.series) {
             if (shows(series.key) && order(series) == at) {
-                drawSeries(series);
+                drawSeries(cell, series);
             }
         }
     }
-    for (const ChartRule& rule : m_chart.rules) {
+    for (const ChartRule& rule : of.rules) {
         if (shows(rule.key)) {
-            addRule(*m_rect, rule.at, rule.isUpright)->setPen(penOf(rule.pen, rule.colour));
+            addRule(*m_cells[cell].rect, rule.at, rule.isUpright)
+                ->setPen(penOf(rule.pen, rule.colour));
         }
     }
 }
 
-void ChartPlot::drawSeries(const ChartSeries& series) {
+void ChartPlot::drawSeries(std::size_t cell, const ChartSeries& series) {
     if (series.kind == ChartSeries::Kind::bars) {
-        drawBars(series);
+        drawBars(cell, series);
     } else if (series.isArea()) {
-        drawArea(series);
+        drawArea(cell, series);
     } else {
-        QCPGraph* const graph = addGraphOf(series, series.points);
+        QCPGraph* const graph = addGraphOf(cell, series, series.points);
         graph->setLineStyle(lineOfSeries(series));
         graph->setScatterStyle(markOfSeries(series, colourOf(series.colour)));
     }
 }
 
-void ChartPlot::drawBars(const ChartSeries& series) {
-    auto* const bars = new QCPBars(&across(), &up());
+void ChartPlot::drawBars(std::size_t cell, const ChartSeries& series) {
+    auto* const bars = new QCPBars(&across(cell), &up(cell));
     bars->setWidth(series.barWidth);
+    const bool isLogarithmic = chart(cell).up.isLogarithmic;
+    bars->setBaseValue(isLogarithmic ? logarithmicFloor : 0);
     bars->setPen(Qt::NoPen);
     bars->setBrush(areaOf(series.colour, series.alpha));
     for (const XY& point : series.points) {
-        bars->addData(point.x, point.y);
+        bars->addData(point.x, isLogarithmic ? std::max(point.y, logarithmicFloor) : point.y);
     }
 }
 
-void ChartPlot::drawArea(const ChartSeries& series) {
+void ChartPlot::drawArea(std::size_t cell, const ChartSeries& series) {
     const bool isBand = series.kind == ChartSeries::Kind::band;
     std::vector<XY> edge = series.points;
     for (std::size_t i = 0; !isBand && m_stacked && i < edge.size(); ++i) {
         edge[i].y += m_stacked->data()->at(static_cast<int>(i))->value;
     }
-    QCPGraph* const below = isBand ? addGraphOf(series, series.lower) : m_stacked;
-    QCPGraph* const upper = addGraphOf(series, edge);
+    QCPGraph* const below = isBand ? addGraphOf(cell, series, series.lower) : m_stacked;
+    QCPGraph* const upper = addGraphOf(cell, series, edge);
     upper->setBrush(areaOf(series.colour, series.alpha));
     upper->setChannelFillGraph(below);
     if (isBand) {
@@ -285,9 +462,11 @@ void ChartPlot::drawArea(const ChartSeries& series) {
     }
 }
 
-QCPGraph* ChartPlot::addGraphOf(const ChartSeries& series, const std::vector<XY>& points) {
-    QCPGraph* const graph = addGraph(&across(), series.onSecond ? &second() : &up());
-    graph->setAdaptiveSampling(false);
+QCPGraph* ChartPlot::addGraphOf(std::size_t cell, const ChartSeries& series,
+                                const std::vector<XY>& points) {
+    QCPGraph* const graph = addGraph(&across(cell), series.onSecond ? &second(cell) : &up(cell));
+    // Of many points on one pixel only the extremes are drawn.
+    graph->setAdaptiveSampling(series.isLine() || series.kind == ChartSeries::Kind::band);
     graph->setPen(penOf(series.pen, series.colour));
     QVector<QCPGraphData> drawn;
     for (const XY& point : points) {
@@ -299,7 +478,11 @@ QCPGraph* ChartPlot::addGraphOf(const ChartSeries& series, const std::vector<XY>
 
 void ChartPlot::restyle() {
     ViewPlot::restyle();
+    styleTexts();
     draw();
+    if (m_matrix) {
+        m_matrix->restyle();
+    }
 }
 
 void ChartPlot::showChoice() {
@@ -316,24 +499,27 @@ LegendEntries ChartPlot::legendEntries() const {
             entries.push_back(entry);
         }
     };
-    for (const ChartSeries& of : m_chart.series) {
-        add(of.isLine() ? lineEntry(of.key, penOf(of.pen, of.colour), of.name)
-                        : areaEntry(of.key, colourOf(of.colour), of.name));
-    }
-    for (const ChartZone& of : m_chart.zones) {
-        LegendEntry entry = areaEntry(of.key, areaOf(of.colour, of.alpha), of.name);
-        entry.hatch = of.hatch;
-        entry.hatchLine = colourOf(of.colour);
-        add(entry);
-    }
-    for (const ChartRule& of : m_chart.rules) {
-        add(lineEntry(of.key, penOf(of.pen, of.colour), of.name));
+    for (const LineChart& chart : m_grid.cells) {
+        for (const ChartSeries& of : chart.series) {
+            add(of.isLine() ? lineEntry(of.key, penOf(of.pen, of.colour), of.name)
+                            : areaEntry(of.key, colourOf(of.colour), of.name));
+        }
+        for (const ChartZone& of : chart.zones) {
+            LegendEntry entry = areaEntry(of.key, areaOf(of.colour, of.alpha), of.name);
+            entry.hatch = of.hatch;
+            entry.hatchLine = colourOf(of.colour);
+            add(entry);
+        }
+        for (const ChartRule& of : chart.rules) {
+            add(lineEntry(of.key, penOf(of.pen, of.colour), of.name));
+        }
     }
     return entries;
 }
 
 CsvTable ChartPlot::table() const {
-    ChartTable whole = m_chart.table ? m_chart.table() : ChartTable();
+    const bool isKnown = !m_grid.cells.empty() && chart().table;
+    ChartTable whole = isKnown ? chart().table() : ChartTable();
     CsvTable& cells = whole.cells;
     const auto meets = [](const QCPRange& seen, const ChartSpan& at) {
         return at.empty() || (at.high >= seen.lower && at.low <= seen.upper);
@@ -353,37 +539,49 @@ CsvTable ChartPlot::table() const {
 
 ReadCurves ChartPlot::readCurves() const {
     ReadCurves curves;
-    for (const ChartReading& reading : m_chart.readings) {
-        if (shows(reading.key)) {
-            curves.push_back(reading.curve);
+    for (const LineChart& chart : m_grid.cells) {
+        for (const ChartReading& reading : chart.readings) {
+            if (shows(reading.key)) {
+                curves.push_back(reading.curve);
+            }
         }
     }
     return curves;
 }
 
 QCPRange ChartPlot::readSpan() const {
-    return m_chart.readSpan.empty() ? QCPRange()
-                                    : QCPRange(m_chart.readSpan.low, m_chart.readSpan.high);
+    const ChartSpan& span = chart().readSpan;
+    return span.empty() ? QCPRange() : QCPRange(span.low, span.high);
 }
 
 // --- the mouse ----------------------------------------------------------------------------------
 
 QPointF ChartPlot::pixelOf(const XY& point) const {
     const double place = across().coordToPixel(point.x), value = up().coordToPixel(point.y);
-    return m_chart.isLying ? QPointF(value, place) : QPointF(place, value);
+    return chart().isLying ? QPointF(value, place) : QPointF(place, value);
+}
+
+std::optional<std::size_t> ChartPlot::cellAt(const QPointF& at) const {
+    const auto found = std::ranges::find_if(
+        m_cells, [&at](const Cell& cell) { return cell.rect->rect().contains(at.toPoint()); });
+    return found == m_cells.end() ? std::nullopt
+                                  : std::optional<std::size_t>(found - m_cells.begin());
 }
 
 std::optional<double> ChartPlot::placeAt(const QPointF& at) const {
-    return m_rect->rect().contains(at.toPoint())
-               ? std::optional(across().pixelToCoord(m_chart.isLying ? at.y() : at.x()))
-               : std::nullopt;
+    const auto cell = cellAt(at);
+    return cell ? std::optional(across(*cell).pixelToCoord(chart(*cell).isLying ? at.y() : at.x()))
+                : std::nullopt;
 }
 
 std::optional<ChartPlot::Point> ChartPlot::pointAt(const QPointF& at) const {
     std::optional<Point> found;
-    double nearest = m_chart.reach;
-    for (std::size_t of = 0; of < std::min(m_chart.pointed, m_chart.series.size()); ++of) {
-        const ChartSeries& series = m_chart.series[of];
+    if (m_cells.empty()) {
+        return found;
+    }
+    double nearest = chart().reach;
+    for (std::size_t of = 0; of < std::min(chart().pointed, chart().series.size()); ++of) {
+        const ChartSeries& series = chart().series[of];
         for (std::size_t i = 0; shows(series.key) && i < series.points.size(); ++i) {
             const double away = QLineF(pixelOf(series.points[i]), at).length();
             if (away < nearest) {
@@ -396,12 +594,12 @@ std::optional<ChartPlot::Point> ChartPlot::pointAt(const QPointF& at) const {
 }
 
 QString ChartPlot::valuesAt(const QPointF& at) const {
-    if (m_chart.pointText) {
+    if (!m_cells.empty() && chart().pointText) {
         const auto found = pointAt(at);
-        return found ? m_chart.pointText(found->series, found->point) : QString();
+        return found ? chart().pointText(found->series, found->point) : QString();
     }
-    const auto place = placeAt(at);
-    return m_chart.placeText && place ? m_chart.placeText(*place) : QString();
+    const auto cell = cellAt(at);
+    return cell && chart(*cell).placeText ? chart(*cell).placeText(*placeAt(at)) : QString();
 }
 
 } // namespace sparkout
