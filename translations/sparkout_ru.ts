@@ -16252,7 +16252,7 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::SpectrumPlot</name>
+        <name>SpectrumCharts</name>
         <message>
             <source>Undulations per revolution</source>
             <translation>Волн на оборот</translation>
