@@ -244,9 +244,13 @@ void ChartPlot::refit() {
     if (cellCount() > 0 && m_fittedPlaces.value_or(across().range()) == across().range()) {
         fitPlaces();
     }
-    if (cellCount() > 0 && m_fittedValues.value_or(up().range()) == up().range()) {
+    if (hasFittedValues()) {
         fitValues();
     }
+}
+
+bool ChartPlot::hasFittedValues() const {
+    return cellCount() > 0 && m_fittedValues.value_or(up().range()) == up().range();
 }
 
 // --- the cells ----------------------------------------------------------------------------------
@@ -267,7 +271,7 @@ void ChartPlot::build() {
     for (std::size_t first = 0; first < charts.size(); first += m_grid.columns) {
         const std::size_t end = std::min(first + m_grid.columns, charts.size());
         std::vector<QCPAxisRect*> ofRow;
-        const int row = layout->elementCount() > 0 ? layout->rowCount() : 0;
+        const int row = layout->rowCount();
         const bool isHeaded = !charts[first].heading.isEmpty();
         for (std::size_t i = first; i < end; ++i) {
             const int column = static_cast<int>(i - first);

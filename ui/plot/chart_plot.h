@@ -40,8 +40,8 @@ public:
     using ViewPlot::shows;
 
     void fit() override;
-    virtual void fitValues(); ///< fits only the axes of the values
-    void refit();             ///< fits the axes that were not moved since they were fitted
+    void fitValues(); ///< fits only the axes of the values
+    void refit();     ///< fits the axes that were not moved since they were fitted
     void restyle() override;
     [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] CsvTable table() const override;
@@ -58,8 +58,9 @@ protected:
     void showChoice() override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     void resizeEvent(QResizeEvent* event) override;
-    void takeCharts();           ///< makes and draws the charts; fitValues() follows
-    virtual void cellsBuilt() {} ///< all axes were replaced
+    [[nodiscard]] bool hasFittedValues() const; ///< not moved since they were fitted
+    void takeCharts();                          ///< makes and draws the charts; fitValues() follows
+    virtual void cellsBuilt() {}                ///< all axes were replaced
     [[nodiscard]] std::optional<std::size_t> cellAt(const QPointF& at) const;
     [[nodiscard]] std::optional<double> placeAt(const QPointF& at) const; ///< within a cell
 

@@ -38,15 +38,15 @@ void CyclePlot::setMoment(std::optional<double> time_s) {
 void CyclePlot::follow() {
     m_isFollowing = true;
     takeCharts();
-    if (timeLabel() != m_label) { // another unit
-        m_label = timeLabel();
-        m_hairLine->setAt({});
-    }
     if (const CycleTimes& of = times(); cellCount() > 0 && of.to_s > of.from_s) {
         style::setSafeRange(across(), of.scale.at(of.from_s), of.scale.at(of.to_s));
     }
     fitValues();
     m_isFollowing = false;
+    if (timeLabel() != m_label) { // another unit
+        m_label = timeLabel();
+        m_hairLine->setAt({});
+    }
     setMoment(m_moment_s);
 }
 
