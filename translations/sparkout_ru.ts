@@ -13141,21 +13141,8 @@ With another name both versions stay as they are.</source>
     <context>
         <name>sparkout::FeedsPlot</name>
         <message>
-            <source>%1: %2</source>
-            <translation>%1: %2</translation>
-        </message>
-        <message>
-            <source>stage %1</source>
-            <translation>ступень %1</translation>
-        </message>
-        <message>
             <source>spread over the radii</source>
             <translation>разброс по радиусам</translation>
-        </message>
-        <message>
-            <source>st. %1</source>
-            <comment>stage, short</comment>
-            <translation>ст. %1</translation>
         </message>
     </context>
     <context>
@@ -16205,7 +16192,7 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::SpectrumPlot</name>
+        <name>SpectrumCharts</name>
         <message>
             <source>Undulations per revolution</source>
             <translation>Волн на оборот</translation>
@@ -17845,9 +17832,6 @@ target, µm</source>
             <source>%1: maximum</source>
             <translation>%1: наибольшее</translation>
         </message>
-    </context>
-    <context>
-        <name>FeedsGrid</name>
         <message>
             <source>Feed, µm
 per revolution</source>
@@ -17931,6 +17915,19 @@ mm/min</source>
         <message>
             <source>N</source>
             <translation>Н</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>stage %1</source>
+            <translation>ступень %1</translation>
+        </message>
+        <message>
+            <source>st. %1</source>
+            <comment>stage, short</comment>
+            <translation>ст. %1</translation>
         </message>
     </context>
     <context>

@@ -2,20 +2,12 @@
 #pragma once
 
 #include "core/simulation/result.h"
+#include "ui/plot/line_chart.h"
 #include "ui/plot/painted_layer.h"
 
 #include <vector>
 
 namespace sparkout {
-
-/// A coloured interval of the horizontal axis with its name.
-struct Band {
-    double from = 0, to = 0; ///< in the unit of the axis
-    QColor colour;
-    QString name;    ///< "stage 1", drawn above the axis rect
-    QString brief;   ///< "st. 1", used if names are too long; may be empty
-    QString meaning; ///< "E1: plunge-in", for tooltips
-};
 
 /// A zone or section, from end to end, in the colour of its kind.
 [[nodiscard]] Band zoneBand(Zone zone, int section, double from, double to, const QPalette& palette,

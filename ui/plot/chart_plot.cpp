@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/chart_plot.h"
 
+#include "ui/plot/chart_matrix.h"
 #include "ui/plot/number_ticker.h"
 #include "ui/plot/painted_layer.h"
 
@@ -20,6 +21,7 @@ constexpr int lastNumberRoom = 20; ///< space beside a lying chart, for half of 
 constexpr int chartTick = 5;       ///< [px]
 constexpr int scaleWidth = 14;     ///< [px]
 constexpr double outlineWidth = 1; ///< on either side of a line [px]
+constexpr double logarithmicFloor = 1e-12; ///< lower end of bars on a logarithmic axis
 
 QCPScatterStyle markOfSeries(const ChartSeries& series, const QColor& colour, const QColor& edge) {
     using enum ChartSeries::Mark;
@@ -136,16 +138,18 @@ private:
     QColor m_area, m_edge;
 };
 
-ChartPlot::ChartPlot(QWidget* parent, int row) : ViewPlot(parent), m_rect(addRect(row)) {
+ChartPlot::ChartPlot(QWidget* parent, int row) : ViewPlot(parent) {
+    m_cells.push_back({addRect(row)});
     connect(this, &QCustomPlot::afterLayout, this, [this] {
-        if (style::fitValueAxes(*m_rect, font())) {
+        bool isChanged = false;
+        for (std::size_t i = 0; !m_matrix && i < cellCount(); ++i) {
+            isChanged = style::fitValueAxes(cell(i), font()) || isChanged;
+        }
+        if (isChanged) {
             replot(rpQueuedReplot);
         }
     });
-    for (const auto side : {QCPAxis::atLeft, QCPAxis::atBottom}) {
-        connect(m_rect->axis(side), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
-                &ChartPlot::followValues);
-    }
+    follow(cell());
     const auto clickPlace = [this](const QPointF& at) {
         if (const auto place = placeAt(at)) {
             emit placeClicked(place->x, place->y);
@@ -167,20 +171,39 @@ ChartPlot::ChartPlot(QWidget* parent, int row) : ViewPlot(parent), m_rect(addRec
 
 ChartPlot::~ChartPlot() = default;
 
-QCPAxis& ChartPlot::across() const {
-    return *m_rect->axis(m_chart.isLying ? QCPAxis::atLeft : QCPAxis::atBottom);
+QCPTextElement* ChartPlot::heading(std::size_t cell) const {
+    return m_cells[cell].heading;
 }
 
-QCPAxis& ChartPlot::up() const {
-    return *m_rect->axis(m_chart.isLying ? QCPAxis::atBottom : QCPAxis::atLeft);
+BandLayer* ChartPlot::bands(std::size_t cell) const {
+    return m_cells[cell].bands.get();
 }
 
-QCPAxis& ChartPlot::second() const {
-    return *m_rect->axis(m_chart.isLying ? QCPAxis::atTop : QCPAxis::atRight);
+QCPAxis& ChartPlot::across(std::size_t cell) const {
+    return *m_cells[cell].rect->axis(chart(cell).isLying ? QCPAxis::atLeft : QCPAxis::atBottom);
+}
+
+QCPAxis& ChartPlot::up(std::size_t cell) const {
+    return *m_cells[cell].rect->axis(chart(cell).isLying ? QCPAxis::atBottom : QCPAxis::atLeft);
+}
+
+QCPAxis& ChartPlot::second(std::size_t cell) const {
+    return *m_cells[cell].rect->axis(chart(cell).isLying ? QCPAxis::atTop : QCPAxis::atRight);
 }
 
 void ChartPlot::setChart(Maker make) {
+    m_make = [make = std::move(make)] {
+        ChartGrid grid;
+        grid.cells.push_back(make());
+        return grid;
+    };
+    remake();
+    fit();
+}
+
+void ChartPlot::setGrid(GridMaker make) {
     m_make = std::move(make);
+    m_builtColumns = 0;
     remake();
     fit();
 }
@@ -191,21 +214,161 @@ void ChartPlot::remake() {
 }
 
 void ChartPlot::setTexts() {
-    if (m_make) {
-        m_chart = m_make();
-        setUpAxes();
-        drawChart();
+    takeCharts();
+    followValues();
+}
+
+void ChartPlot::takeCharts() {
+    if (!m_make) {
+        return;
     }
+    m_grid = m_make();
+    if (m_cells.size() != m_grid.cells.size() || m_builtColumns != m_grid.columns) {
+        build();
+    }
+    for (std::size_t i = 0; i < cellCount(); ++i) {
+        setUpAxes(i);
+    }
+    if (m_caption) {
+        m_caption->setText(m_grid.caption);
+    }
+    if (m_matrix) {
+        m_matrix->setUp();
+    }
+    tieSecond();
+    drawCharts();
 }
 
 void ChartPlot::fit() {
-    fitChartAxis(across(), m_chart.across, m_chart.places());
-    fitChartAxis(second(), m_chart.second, m_chart.values(true));
+    fitPlaces();
     fitValues();
 }
 
+void ChartPlot::fitPlaces() {
+    for (std::size_t i = 0; i < cellCount(); ++i) {
+        fitChartAxis(across(i), chart(i).across, chart(i).places());
+        m_fittedPlaces = across().range();
+    }
+}
+
 void ChartPlot::fitValues() {
-    fitChartAxis(up(), m_chart.up, m_chart.values());
+    m_isFitting = true;
+    for (std::size_t i = 0; i < cellCount(); ++i) {
+        fitChartAxis(second(i), chart(i).second, chart(i).values(true));
+        fitChartAxis(up(i), chart(i).up, chart(i).values());
+        m_fittedValues = up().range();
+    }
+    m_isFitting = false;
+    followValues();
+}
+
+void ChartPlot::refit() {
+    if (cellCount() > 0 && m_fittedPlaces.value_or(across().range()) == across().range()) {
+        fitPlaces();
+    }
+    if (hasFittedValues()) {
+        fitValues();
+    }
+}
+
+bool ChartPlot::hasFittedValues() const {
+    return cellCount() > 0 && m_fittedValues.value_or(up().range()) == up().range();
+}
+
+// --- the cells ----------------------------------------------------------------------------------
+
+void ChartPlot::build() {
+    clearPlottables();
+    clearItems();
+    m_zones.clear();
+    m_cells.clear();
+    m_matrix.reset();
+    m_scale = nullptr;
+    plotLayout()->clear();
+    auto* const layout = new QCPLayoutGrid;
+    layout->setRowSpacing(0);
+    plotLayout()->setRowSpacing(0);
+    plotLayout()->addElement(0, 0, layout);
+    std::vector<QCPAxisRect*> rects;
+    std::vector<LineChart>& charts = m_grid.cells;
+    for (std::size_t first = 0; first < charts.size(); first += m_grid.columns) {
+        const std::size_t end = std::min(first + m_grid.columns, charts.size());
+        std::vector<QCPAxisRect*> ofRow;
+        const int row = layout->rowCount();
+        const bool isHeaded = !charts[first].heading.isEmpty();
+        for (std::size_t i = first; i < end; ++i) {
+            const int column = static_cast<int>(i - first);
+            Cell cell{addRect(isHeaded ? row + 1 : row, column, layout)};
+            if (isHeaded) {
+                cell.heading = new QCPTextElement(this);
+                layout->addElement(row, column, cell.heading);
+                layout->setRowStretchFactor(row, 0.001);
+            }
+            follow(*cell.rect);
+            ofRow.push_back(cell.rect);
+            m_cells.push_back(std::move(cell));
+        }
+        if (m_grid.sharesValues) {
+            for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight}) {
+                tie(ofRow, side);
+                const QCPAxisRect* outer = side == QCPAxis::atLeft ? ofRow.front() : ofRow.back();
+                connect(outer->axis(side), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged),
+                        this, &ChartPlot::followValues);
+            }
+        }
+        rects.insert(rects.end(), ofRow.begin(), ofRow.end());
+    }
+    tie(rects, QCPAxis::atBottom);
+    m_caption = m_grid.caption.isEmpty() ? nullptr : new QCPTextElement(this);
+    if (m_caption) {
+        plotLayout()->addElement(1, 0, m_caption);
+        plotLayout()->setRowStretchFactor(1, 0.001);
+    }
+    m_builtColumns = m_grid.columns;
+    m_fittedPlaces.reset();
+    m_fittedValues.reset();
+    if (m_grid.sharesValues && !m_cells.empty()) {
+        m_matrix = std::make_unique<ChartMatrix>(*this);
+    }
+    ViewPlot::restyle();
+    styleTexts();
+    cellsBuilt();
+}
+
+void ChartPlot::follow(const QCPAxisRect& rect) {
+    for (const auto side : {QCPAxis::atLeft, QCPAxis::atBottom}) {
+        connect(rect.axis(side), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
+                &ChartPlot::tieSecond);
+    }
+}
+
+void ChartPlot::styleTexts() {
+    const auto look = [this](QCPTextElement* text) {
+        if (text) {
+            text->setFont(font());
+            text->setTextColor(palette().color(QPalette::Text));
+        }
+    };
+    look(m_caption);
+    for (const Cell& cell : m_cells) {
+        look(cell.heading);
+    }
+}
+
+/// Makes room for the numbers of the outer axes.
+void ChartPlot::followValues() {
+    if (m_matrix && !m_isFitting) {
+        m_matrix->fit();
+    }
+}
+
+void ChartPlot::resizeEvent(QResizeEvent* event) {
+    followValues();
+    ViewPlot::resizeEvent(event);
+}
+
+QSize ChartPlot::minimumSizeHint() const {
+    return m_matrix ? m_matrix->leastSize() : ViewPlot::minimumSizeHint();
 }
 
 // --- drawing ------------------------------------------------------------------------------------
@@ -240,95 +403,118 @@ QPen ChartPlot::penOf(QPen pen, const ChartColour& colour) const {
     return pen;
 }
 
-void ChartPlot::setUpAxes() {
-    setUpChartAxis(across(), m_chart.across);
-    setUpChartAxis(up(), m_chart.up);
-    setUpChartAxis(second(), m_chart.second);
-    second().grid()->setVisible(false);
-    across().setRangeReversed(m_chart.isLying != m_chart.across.isReversed);
-    if (m_chart.isLying) {
-        m_rect->setMinimumMargins(QMargins(0, 0, lastNumberRoom, 0));
+void ChartPlot::setUpAxes(std::size_t cell) {
+    const LineChart& of = chart(cell);
+    QCPAxisRect& rect = *m_cells[cell].rect;
+    setUpChartAxis(across(cell), of.across);
+    setUpChartAxis(up(cell), of.up);
+    setUpChartAxis(second(cell), of.second);
+    second(cell).grid()->setVisible(false);
+    across(cell).setRangeReversed(of.isLying != of.across.isReversed);
+    if (of.isLying) {
+        rect.setMinimumMargins(QMargins(0, 0, lastNumberRoom, 0));
     }
     for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) {
-        QCPAxis& axis = *m_rect->axis(side);
-        const bool isSecond = &axis == &second() && !m_chart.second.label.isEmpty();
-        axis.setVisible(isSecond || m_chart.isFramed);
+        QCPAxis& axis = *rect.axis(side);
+        const bool isSecond = &axis == &second(cell) && !of.second.label.isEmpty();
+        axis.setVisible(isSecond || of.isFramed);
         axis.setTicks(isSecond);
         axis.setTickLabels(isSecond);
     }
-    followValues();
-}
-
-void ChartPlot::followValues() {
-    if (m_chart.perValue > 0) {
-        second().setRange(up().range() * m_chart.perValue);
+    if (QCPTextElement* const text = heading(cell)) {
+        text->setText(of.heading);
     }
 }
 
-void ChartPlot::drawChart() {
+void ChartPlot::tieSecond() {
+    for (std::size_t i = 0; i < cellCount(); ++i) {
+        if (chart(i).perValue > 0) {
+            second(i).setRange(up(i).range() * chart(i).perValue);
+        }
+    }
+}
+
+void ChartPlot::drawCharts() {
     clearPlottables();
     clearItems();
     m_zones.clear();
-    m_stacked = nullptr;
-    for (const ChartZone& zone : m_chart.zones) {
+    for (std::size_t i = 0; i < cellCount(); ++i) {
+        m_stacked = nullptr;
+        drawCell(i);
+    }
+}
+
+void ChartPlot::drawCell(std::size_t cell) {
+    const LineChart& of = chart(cell);
+    std::unique_ptr<BandLayer>& bands = m_cells[cell].bands;
+    if (!bands && !of.bands.empty()) {
+        bands = std::make_unique<BandLayer>(m_cells[cell].rect, of.namesBands);
+    }
+    if (bands) {
+        bands->setBands(of.bands);
+    }
+    for (const ChartZone& zone : of.zones) {
         if (shows(zone.key)) {
             m_zones.push_back(std::make_unique<ZoneLayer>(
-                *m_rect, zone, areaOf(zone.colour, zone.alpha), colourOf(zone.colour)));
+                *m_cells[cell].rect, zone, areaOf(zone.colour, zone.alpha), colourOf(zone.colour)));
         }
     }
-    if (m_chart.map) {
-        drawMap(*m_chart.map);
+    if (of.map) {
+        drawMap(cell, *of.map);
     }
     using enum ChartSeries::Kind;
-    const auto order = [](const ChartSeries& of) {
-        return of.isArea() ? 0 : of.kind == line || of.kind == steps ? 1 : 2;
+    const auto order = [](const ChartSeries& series) {
+        return series.isArea() ? 0 : series.kind == line || series.kind == steps ? 1 : 2;
     };
     for (const int at : {0, 1, 2}) {
-        for (const ChartSeries& series : m_chart.series) {
+        for (const ChartSeries& series : of.series) {
             if (shows(series.key) && order(series) == at) {
-                drawSeries(series);
+                drawSeries(cell, series);
             }
         }
     }
-    for (const ChartRule& rule : m_chart.rules) {
+    for (const ChartRule& rule : of.rules) {
         if (shows(rule.key)) {
-            addRule(*m_rect, rule.at, rule.isUpright)->setPen(penOf(rule.pen, rule.colour));
+            addRule(*m_cells[cell].rect, rule.at, rule.isUpright)
+                ->setPen(penOf(rule.pen, rule.colour));
         }
     }
 }
 
-void ChartPlot::drawSeries(const ChartSeries& series) {
+void ChartPlot::drawSeries(std::size_t cell, const ChartSeries& series) {
     if (series.kind == ChartSeries::Kind::bars) {
-        drawBars(series);
+        drawBars(cell, series);
     } else if (series.isArea()) {
-        drawArea(series);
+        drawArea(cell, series);
     } else if (series.kind == ChartSeries::Kind::path || series.kind == ChartSeries::Kind::ribbon) {
-        drawPath(series);
+        drawPath(cell, series);
     } else {
-        QCPGraph* const graph = addGraphOf(series, series.points);
+        QCPGraph* const graph = addGraphOf(cell, series, series.points);
         graph->setLineStyle(lineOfSeries(series));
         graph->setScatterStyle(markOf(series));
     }
 }
 
-void ChartPlot::drawBars(const ChartSeries& series) {
-    auto* const bars = new QCPBars(&across(), &up());
+void ChartPlot::drawBars(std::size_t cell, const ChartSeries& series) {
+    auto* const bars = new QCPBars(&across(cell), &up(cell));
     bars->setWidth(series.barWidth);
+    const bool isLogarithmic = chart(cell).up.isLogarithmic;
+    bars->setBaseValue(isLogarithmic ? logarithmicFloor : 0);
     bars->setPen(Qt::NoPen);
     bars->setBrush(areaOf(series.colour, series.alpha));
     for (const XY& point : series.points) {
-        bars->addData(point.x, point.y);
+        bars->addData(point.x, isLogarithmic ? std::max(point.y, logarithmicFloor) : point.y);
     }
 }
 
-void ChartPlot::drawArea(const ChartSeries& series) {
+void ChartPlot::drawArea(std::size_t cell, const ChartSeries& series) {
     const bool isBand = series.kind == ChartSeries::Kind::band;
     std::vector<XY> edge = series.points;
     for (std::size_t i = 0; !isBand && m_stacked && i < edge.size(); ++i) {
         edge[i].y += m_stacked->data()->at(static_cast<int>(i))->value;
     }
-    QCPGraph* const below = isBand ? addGraphOf(series, series.lower) : m_stacked;
-    QCPGraph* const upper = addGraphOf(series, edge);
+    QCPGraph* const below = isBand ? addGraphOf(cell, series, series.lower) : m_stacked;
+    QCPGraph* const upper = addGraphOf(cell, series, edge);
     upper->setBrush(areaOf(series.colour, series.alpha));
     upper->setChannelFillGraph(below);
     if (isBand) {
@@ -339,9 +525,11 @@ void ChartPlot::drawArea(const ChartSeries& series) {
     }
 }
 
-QCPGraph* ChartPlot::addGraphOf(const ChartSeries& series, const std::vector<XY>& points) {
-    QCPGraph* const graph = addGraph(&across(), series.onSecond ? &second() : &up());
-    graph->setAdaptiveSampling(false);
+QCPGraph* ChartPlot::addGraphOf(std::size_t cell, const ChartSeries& series,
+                                const std::vector<XY>& points) {
+    QCPGraph* const graph = addGraph(&across(cell), series.onSecond ? &second(cell) : &up(cell));
+    // Of many points on one pixel only the extremes are drawn.
+    graph->setAdaptiveSampling(series.isLine() || series.kind == ChartSeries::Kind::band);
     graph->setPen(penOf(series.pen, series.colour));
     QVector<QCPGraphData> drawn;
     for (const XY& point : points) {
@@ -351,9 +539,9 @@ QCPGraph* ChartPlot::addGraphOf(const ChartSeries& series, const std::vector<XY>
     return graph;
 }
 
-void ChartPlot::drawPath(const ChartSeries& series) {
+void ChartPlot::drawPath(std::size_t cell, const ChartSeries& series) {
     const auto add = [&](const QPen& pen) {
-        auto* const path = new QCPCurve(&across(), &up());
+        auto* const path = new QCPCurve(&across(cell), &up(cell));
         QVector<QCPCurveData> drawn;
         for (const XY& point : series.points) {
             drawn.emplace_back(static_cast<double>(drawn.size()), point.x, point.y);
@@ -376,7 +564,7 @@ void ChartPlot::drawPath(const ChartSeries& series) {
     add(pen)->setScatterStyle(markOf(series));
 }
 
-void ChartPlot::addScale() {
+void ChartPlot::addScale(std::size_t cell) {
     m_scale = new QCPColorScale(this);
     plotLayout()->addElement(0, 1, m_scale);
     m_scale->setType(QCPAxis::atRight);
@@ -386,19 +574,19 @@ void ChartPlot::addScale() {
     m_scale->setRangeDrag(false);
     m_scale->setRangeZoom(false);
     auto* const together = new QCPMarginGroup(this);
-    m_rect->setMarginGroup(QCP::msBottom | QCP::msTop, together);
+    m_cells[cell].rect->setMarginGroup(QCP::msBottom | QCP::msTop, together);
     m_scale->setMarginGroup(QCP::msBottom | QCP::msTop, together);
 }
 
-void ChartPlot::drawMap(const ChartMap& map) {
+void ChartPlot::drawMap(std::size_t cell, const ChartMap& map) {
     if (!m_scale) {
-        addScale();
+        addScale(cell);
     }
     style::applyPalette(*m_scale->axis(), palette());
     m_scale->axis()->setTickLabelFont(font());
     m_scale->axis()->setLabelFont(font());
     m_scale->setLabel(map.label);
-    auto* const drawn = new QCPColorMap(&across(), &up());
+    auto* const drawn = new QCPColorMap(&across(cell), &up(cell));
     drawn->setInterpolate(false);
     drawn->setTightBoundary(false);
     const int columns = static_cast<int>(map.columns);
@@ -425,11 +613,15 @@ void ChartPlot::drawMap(const ChartMap& map) {
 
 void ChartPlot::restyle() {
     ViewPlot::restyle();
-    drawChart();
+    styleTexts();
+    drawCharts();
+    if (m_matrix) {
+        m_matrix->restyle();
+    }
 }
 
 void ChartPlot::showChoice() {
-    drawChart();
+    drawCharts();
 }
 
 // --- what is shown ------------------------------------------------------------------------------
@@ -442,30 +634,33 @@ LegendEntries ChartPlot::legendEntries() const {
             entries.push_back(entry);
         }
     };
-    for (const ChartSeries& of : m_chart.series) {
-        const QColor colour = of.kind == ChartSeries::Kind::ribbon ? ribbonOf(of)
-                              : of.outline.isValid()               ? ink()
-                                                                   : colourOf(of.colour);
-        LegendEntry entry = of.isLine() ? lineEntry(of.key, penOf(of.pen, of.colour), of.name)
-                                        : areaEntry(of.key, colour, of.name);
-        entry.swatch = of.swatch;
-        entry.halo = of.isLine() && of.outline.isValid() ? outlineOf(of) : QColor();
-        add(entry);
-    }
-    for (const ChartZone& of : m_chart.zones) {
-        LegendEntry entry = areaEntry(of.key, areaOf(of.colour, of.alpha), of.name);
-        entry.hatch = of.hatch;
-        entry.hatchLine = colourOf(of.colour);
-        add(entry);
-    }
-    for (const ChartRule& of : m_chart.rules) {
-        add(lineEntry(of.key, penOf(of.pen, of.colour), of.name));
+    for (const LineChart& chart : m_grid.cells) {
+        for (const ChartSeries& of : chart.series) {
+            const QColor colour = of.kind == ChartSeries::Kind::ribbon ? ribbonOf(of)
+                                  : of.outline.isValid()               ? ink()
+                                                                       : colourOf(of.colour);
+            LegendEntry entry = of.isLine() ? lineEntry(of.key, penOf(of.pen, of.colour), of.name)
+                                            : areaEntry(of.key, colour, of.name);
+            entry.swatch = of.swatch;
+            entry.halo = of.isLine() && of.outline.isValid() ? outlineOf(of) : QColor();
+            add(entry);
+        }
+        for (const ChartZone& of : chart.zones) {
+            LegendEntry entry = areaEntry(of.key, areaOf(of.colour, of.alpha), of.name);
+            entry.hatch = of.hatch;
+            entry.hatchLine = colourOf(of.colour);
+            add(entry);
+        }
+        for (const ChartRule& of : chart.rules) {
+            add(lineEntry(of.key, penOf(of.pen, of.colour), of.name));
+        }
     }
     return entries;
 }
 
 CsvTable ChartPlot::table() const {
-    ChartTable whole = m_chart.table ? m_chart.table() : ChartTable();
+    const bool isKnown = !m_grid.cells.empty() && chart().table;
+    ChartTable whole = isKnown ? chart().table() : ChartTable();
     CsvTable& cells = whole.cells;
     const auto meets = [](const QCPRange& seen, const ChartSpan& at) {
         return at.empty() || (at.high >= seen.lower && at.low <= seen.upper);
@@ -485,41 +680,52 @@ CsvTable ChartPlot::table() const {
 
 ReadCurves ChartPlot::readCurves() const {
     ReadCurves curves;
-    for (const ChartReading& reading : m_chart.readings) {
-        if (shows(reading.key)) {
-            curves.push_back(reading.curve);
+    for (const LineChart& chart : m_grid.cells) {
+        for (const ChartReading& reading : chart.readings) {
+            if (shows(reading.key)) {
+                curves.push_back(reading.curve);
+            }
         }
     }
     return curves;
 }
 
 QCPRange ChartPlot::readSpan() const {
-    return m_chart.readSpan.empty() ? QCPRange()
-                                    : QCPRange(m_chart.readSpan.low, m_chart.readSpan.high);
+    const ChartSpan& span = chart().readSpan;
+    return span.empty() ? QCPRange() : QCPRange(span.low, span.high);
 }
 
 // --- the mouse ----------------------------------------------------------------------------------
 
 QPointF ChartPlot::pixelOf(const XY& point) const {
     const double place = across().coordToPixel(point.x), value = up().coordToPixel(point.y);
-    return m_chart.isLying ? QPointF(value, place) : QPointF(place, value);
+    return chart().isLying ? QPointF(value, place) : QPointF(place, value);
+}
+
+std::optional<std::size_t> ChartPlot::cellAt(const QPointF& at) const {
+    const auto found = std::ranges::find_if(
+        m_cells, [&at](const Cell& cell) { return cell.rect->rect().contains(at.toPoint()); });
+    return found == m_cells.end() ? std::nullopt
+                                  : std::optional<std::size_t>(found - m_cells.begin());
 }
 
 std::optional<XY> ChartPlot::placeAt(const QPointF& at) const {
-    const QPointF along = m_chart.isLying ? at.transposed() : at;
-    return m_rect->rect().contains(at.toPoint())
-               ? std::optional(XY{across().pixelToCoord(along.x()), up().pixelToCoord(along.y())})
-               : std::nullopt;
+    const auto cell = cellAt(at);
+    if (!cell) {
+        return std::nullopt;
+    }
+    const QPointF along = chart(*cell).isLying ? at.transposed() : at;
+    return XY{across(*cell).pixelToCoord(along.x()), up(*cell).pixelToCoord(along.y())};
 }
 
 std::optional<ChartPlot::Point> ChartPlot::pointAt(const QPointF& at) const {
     std::optional<Point> found;
-    if (!m_rect->rect().contains(at.toPoint())) {
+    if (cellAt(at) != 0U) {
         return found;
     }
-    double nearest = m_chart.reach;
-    for (std::size_t of = 0; of < std::min(m_chart.pointed, m_chart.series.size()); ++of) {
-        const ChartSeries& series = m_chart.series[of];
+    double nearest = chart().reach;
+    for (std::size_t of = 0; of < std::min(chart().pointed, chart().series.size()); ++of) {
+        const ChartSeries& series = chart().series[of];
         for (std::size_t i = 0; shows(series.key) && i < series.points.size(); ++i) {
             const double away = QLineF(pixelOf(series.points[i]), at).length();
             if (away < nearest) {
@@ -532,15 +738,19 @@ std::optional<ChartPlot::Point> ChartPlot::pointAt(const QPointF& at) const {
 }
 
 QString ChartPlot::valuesAt(const QPointF& at) const {
-    if (m_chart.pointText) {
+    if (!m_cells.empty() && chart().pointText) {
         const auto found = pointAt(at);
-        return found ? m_chart.pointText(found->series, found->point) : QString();
+        return found ? chart().pointText(found->series, found->point) : QString();
     }
-    const auto place = placeAt(at);
-    if (place && m_chart.map) {
-        return m_chart.map->text(place->x, place->y);
+    const auto cell = cellAt(at);
+    if (!cell) {
+        return {};
     }
-    return m_chart.placeText && place ? m_chart.placeText(place->x) : QString();
+    const XY place = *placeAt(at);
+    const LineChart& of = chart(*cell);
+    return of.map         ? of.map->text(place.x, place.y)
+           : of.placeText ? of.placeText(place.x)
+                          : QString();
 }
 
 } // namespace sparkout

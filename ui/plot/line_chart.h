@@ -56,13 +56,14 @@ struct ChartAxis {
     QString label = {};   ///< with the unit
     ChartSpan range = {}; ///< empty: the range of the drawn data
     double room = 0.05, leastRoom = 0;
-    bool isSymmetric = false;                  ///< symmetric about 0
-    bool isCounted = false;                    ///< only whole numbers
+    bool isSymmetric = false;   ///< symmetric about 0
+    bool isCounted = false;     ///< only whole numbers
+    bool isLogarithmic = false; ///< of values above 0
+    bool hasGrid = true;
+    QStringList shorter = {};                  ///< labels for less room, the last is the unit
     std::optional<QStringList> names = {};     ///< replace the numbers 0, 1, …
     QSharedPointer<QCPAxisTicker> ticker = {}; ///< replaces the usual ticker
-    bool isLogarithmic = false;
-    bool isReversed = false; ///< falls in the usual direction
-    bool hasGrid = true;
+    bool isReversed = false;                   ///< falls in the usual direction
 };
 
 /// Points in the order of their places, except for separate points; a NaN value is a gap.
@@ -125,6 +126,15 @@ struct ChartZone {
     InSight sight = InSight::never;
 };
 
+/// A coloured interval of the horizontal axis with its name.
+struct Band {
+    double from = 0, to = 0; ///< in the unit of the axis
+    QColor colour;
+    QString name;    ///< "stage 1", drawn above the axis rect
+    QString brief;   ///< "st. 1", used if names are too long; may be empty
+    QString meaning; ///< "E1: plunge-in", for tooltips
+};
+
 /// A curve that the cursors can read while its key is shown.
 struct ChartReading {
     int key = -1;
@@ -156,6 +166,9 @@ struct LineChart {
     ChartAxis across = {}, up = {}, second = {};
     bool isLying = false;  ///< places downwards, values to the right, the second axis at the top
     bool isFramed = false; ///< also lines at the top and on the right
+    QString heading = {}, briefHeading = {}; ///< above the cell
+    std::vector<Band> bands = {};            ///< behind everything
+    bool namesBands = false;                 ///< above the cell, if it has bands
     std::vector<ChartSeries> series = {};
     std::vector<ChartZone> zones = {}; ///< drawn behind the series, listed after them in the legend
     std::vector<ChartRule> rules = {}; ///< last in the legend
@@ -176,6 +189,15 @@ struct LineChart {
     [[nodiscard]] const ChartSeries* find(int key) const;
     [[nodiscard]] ChartSpan places() const; ///< range of the places when all is shown
     [[nodiscard]] ChartSpan values(bool onSecond = false) const;
+};
+
+/// Charts in cells, row by row, that share the range of their places. One legend and one set of
+/// cursors are for all; the first chart has the table of all.
+struct ChartGrid {
+    std::vector<LineChart> cells = {};
+    std::size_t columns = 1;
+    QString caption = {};      ///< below all cells
+    bool sharesValues = false; ///< a row shares its values, and only outer axes have numbers
 };
 
 } // namespace sparkout

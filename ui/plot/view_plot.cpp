@@ -81,9 +81,9 @@ QColor ViewPlot::ink() const {
 
 // --- parts --------------------------------------------------------------------------------------
 
-QCPAxisRect* ViewPlot::addRect(int row, int column) {
+QCPAxisRect* ViewPlot::addRect(int row, int column, QCPLayoutGrid* into) {
     auto* const rect = new QCPAxisRect(this, true);
-    plotLayout()->addElement(row, column, rect);
+    (into ? into : plotLayout())->addElement(row, column, rect);
     for (QCPAxis* axis : style::axesOf(*rect)) {
         style::setUpAxis(*axis);
     }

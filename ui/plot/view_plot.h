@@ -102,8 +102,8 @@ protected:
 
     [[nodiscard]] bool shows(int key) const { return m_choice.shows(key); } ///< in the legend
     [[nodiscard]] const CurveChoice& choice() const { return m_choice; }
-    /// Adds an axis rect in a cell of the layout.
-    QCPAxisRect* addRect(int row = 0, int column = 0);
+    /// Adds an axis rect in a cell of the layout, or of another one.
+    QCPAxisRect* addRect(int row = 0, int column = 0, QCPLayoutGrid* into = nullptr);
     /// Adds an axis rect in a row, framed by axes without numbers at the top and right.
     QCPAxisRect* addCell(int row = 0);
     /// Ties the axes on one side of all these rects to one range.

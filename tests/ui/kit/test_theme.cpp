@@ -4,6 +4,7 @@
 #include "tests/registry.h"
 #include "tests/ui/support/typing.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/ui/views/feeds/feeds_bench.h"
 #include "ui/charts/light_icon.h"
 #include "ui/fields/mark.h"
 #include "ui/fields/number_field.h"
@@ -12,7 +13,6 @@
 #include "ui/plot/plot_style.h"
 #include "ui/plot/view.h"
 #include "ui/plot/view_plot.h"
-#include "ui/views/feeds/feeds_plot.h"
 #include "ui/window/view_tabs.h"
 
 #include <QAction>
@@ -162,7 +162,7 @@ private slots:
             const QColor ground = palette.color(QPalette::Base);
             std::vector<QColor> bands;
             for (const Step step : {Step::e1, Step::e2, Step::e3, Step::e4, Step::e5}) {
-                bands.push_back(over(FeedsPlot::stepColour(Zone::rz1, step, palette), ground));
+                bands.push_back(over(FeedsChart::stepColour(Zone::rz1, step, palette), ground));
             }
             for (std::size_t i = 0; i < bands.size(); ++i) {
                 for (std::size_t k = 0; k < i; ++k) {
@@ -221,7 +221,9 @@ private slots:
         const LegendEntries entries = plot->legendEntries();
         for (const Quantity quantity : {Quantity::programmed, Quantity::actual, Quantity::came,
                                         Quantity::left, Quantity::axialFeed, Quantity::force}) {
-            const QPen pen = plot->curve(0, quantity, Edge::mean)->pen();
+            const ChartSeries& series = *feeds_bench::curve(*plot, 0, quantity);
+            QPen pen = series.pen;
+            pen.setColor(chartColour(series.colour, plot->palette()));
             QCOMPARE(std::ranges::count_if(entries,
                                            [&pen](const LegendEntry& e) {
                                                return e.colour == pen.color()

@@ -48,6 +48,16 @@ LineChart sample() {
     return chart;
 }
 
+/// Two rows of cells.
+ChartGrid grid(std::size_t columns) {
+    ChartGrid grid{.columns = columns, .caption = QStringLiteral("Time, s"), .sharesValues = true};
+    for (std::size_t i = 0; i < 2 * columns; ++i) {
+        grid.cells.push_back(sample());
+        grid.cells.back().heading = i < columns ? QString::number(i) : QString();
+    }
+    return grid;
+}
+
 class TestChartPlot : public QObject {
     Q_OBJECT
 
@@ -249,6 +259,28 @@ private slots:
         QVERIFY(plot.pixelOf({0, 1}).x() < plot.pixelOf({0, 2}).x());
         QCOMPARE(plot.cell().axis(QCPAxis::atTop)->range().upper, 100.0);
         QVERIFY(plot.across().tickVectorLabels().contains(QStringLiteral("b")));
+    }
+
+    void cellsShareTimesLegendAndTheValuesOfTheirRow() {
+        ChartPlot plot;
+        plot.resize(600, 400);
+        std::size_t columns = 2;
+        plot.setGrid([&columns] { return grid(columns); });
+        QCOMPARE(plot.cellCount(), std::size_t{4});
+        QCOMPARE(plot.legendEntries().size(), std::size_t{5});
+        QCOMPARE(plot.readCurves().size(), std::size_t{4});
+        QCOMPARE(plot.table().rows.size(), std::size_t{3});
+        plot.across(3).setRange(0, 1);
+        plot.up(1).setRange(0, 2);
+        QCOMPARE(plot.across(0).range().upper, 1.0);
+        QCOMPARE(plot.up(0).range().upper, 2.0);
+        QCOMPARE(plot.up(2).range().upper, 6.0);
+        QVERIFY(plot.up(0).tickLabels() && !plot.up(1).tickLabels());
+        QVERIFY(!plot.across(0).tickLabels() && plot.across(2).tickLabels());
+        columns = 3;
+        plot.remake();
+        QCOMPARE(plot.cellCount(), std::size_t{6});
+        QCOMPARE(plot.axisRectCount(), 6);
     }
 };
 

@@ -4,6 +4,7 @@
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/plot/plot_export_bench.h"
+#include "tests/ui/views/feeds/feeds_bench.h"
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -60,9 +61,9 @@ private slots:
         QVERIFY(compared > 1000);
         // And the curve on the screen is this one: the last actual feed of the last zone.
         const auto column = table.header.indexOf(QStringLiteral("actual feed, µm"));
-        const QCPGraph* graph = m_view->plot()->curve(2, Quantity::actual, Edge::mean);
+        const auto& points = feeds_bench::curve(*m_view->plot(), 2, Quantity::actual)->points;
         QString last = cells(lines.back(), separator)[column];
-        QCOMPARE(last.replace(u',', u'.').toDouble(), (graph->data()->constEnd() - 1)->value);
+        QCOMPARE(last.replace(u',', u'.').toDouble(), points.back().y);
     }
 
     void csvHoldsTheVisibleRangeOnly() {

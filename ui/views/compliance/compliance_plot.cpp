@@ -131,17 +131,12 @@ void CompliancePlot::fit() {
     m_fitting = true;
 }
 
-void CompliancePlot::fitValues() {
-    ChartPlot::fitValues();
-    m_fitted = up().range();
-}
-
 void CompliancePlot::refitValues() {
     const QCPRange axis = up().range();
     const ChartSpan drawn = chart().values();
     constexpr double smallShare = 0.4;
     const bool inside = drawn.low >= axis.lower && drawn.high <= axis.upper;
-    if (axis == m_fitted && (!inside || drawn.size() < smallShare * axis.size())) {
+    if (hasFittedValues() && (!inside || drawn.size() < smallShare * axis.size())) {
         fitValues();
     }
 }

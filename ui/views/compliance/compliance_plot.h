@@ -35,7 +35,6 @@ public:
     void setGauge(GaugePlacementPtr placement, OutcomePtr outcome); ///< no replot
     void setCoupling(CouplingPtr comparison);                       ///< no replot
     void fit() override;
-    void fitValues() override;
     /// Fits the values again if the curves exceed the range or fill little of it, unless the user
     /// has zoomed.
     void refitValues();
@@ -63,7 +62,6 @@ private:
     GaugeCurves m_gauge;
     CouplingCurves m_coupling;
     ComplianceContent m_content = ComplianceContent::compliance;
-    QCPRange m_fitted;      ///< range of the lower axis in the last fit
     QCPRange m_fittedAlong; ///< range of the axis along the part in the last fit
     bool m_fitting = false; ///< whether the next layout fits
 };

@@ -3,7 +3,7 @@
 
 #include "core/simulation/stroke_step.h"
 #include "ui/text/names.h"
-#include "ui/views/feeds/feeds_plot.h"
+#include "ui/views/feeds/feeds_chart.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -77,7 +77,7 @@ void FeedsNote::paintSteps() {
             QPalette colours;
             colours.setColor(QPalette::Window,
                              isGround(zones[column], steps[row])
-                                 ? FeedsPlot::stepColour(zones[column], steps[row], palette())
+                                 ? FeedsChart::stepColour(zones[column], steps[row], palette())
                                  : QColor(Qt::transparent));
             label->setPalette(colours);
         }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/feeds/feeds_overview.h"
 
-#include "ui/plot/band_layer.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/views/feeds/feeds_plot.h"
 
@@ -80,7 +79,7 @@ void FeedsOverview::drawCurves() {
         return;
     }
     QPainter painter(&m_curves);
-    for (const Band& band : m_plot.stageBands()) {
+    for (const Band& band : m_plot.feeds().stageBands(palette())) {
         painter.fillRect(QRectF(band.from / whole * width(), 0,
                                 (band.to - band.from) / whole * width(), height()),
                          band.colour);

@@ -132,7 +132,6 @@ void FeedsView::connectPlot() {
     connect(m_plot, &FeedsPlot::timesChanged, m_overview, &FeedsOverview::followPlot);
     connect(m_plot, &FeedsPlot::timeClicked, this,
             [this](double time_s) { cycle().toTime(time_s); });
-    connect(m_plot, &FeedsPlot::pointedBand, m_plot, &QWidget::setToolTip);
     connect(m_overview, &FeedsOverview::timesAsked, this, [this](double from_s, double to_s) {
         m_plot->showTimes(from_s, to_s);
         m_plot->replot(QCustomPlot::rpQueuedReplot);
@@ -155,7 +154,6 @@ void FeedsView::buildTraces() {
     m_plot->readBeside([this] { return m_traces->readCurves(); });
     connect(m_comparer, &TraceComparer::compared, this,
             [this](const TraceComparisonsPtr& traces, const OutcomePtr& of) {
-                m_traces->setEnd(m_plot->series().end_s);
                 m_traces->setTraces(traces, of->result.project);
                 showTraceTimes();
                 showState();
@@ -212,9 +210,7 @@ bool FeedsView::busy() const {
 /// Shows the visible times of the feeds in the traces below them.
 void FeedsView::showTraceTimes() {
     if (!m_traces->isEmpty()) {
-        m_traces->setEnd(m_plot->series().end_s);
-        m_traces->showTimes(m_plot->scale(), m_plot->visibleFrom_s(), m_plot->visibleTo_s(),
-                            m_plot->timeLabel());
+        m_traces->showTimes(m_plot->times(), m_plot->timeLabel());
         m_traces->replot(QCustomPlot::rpQueuedReplot);
     }
 }
@@ -464,8 +460,8 @@ void FeedsView::showStage(int stage) {
 /// Shows the whole cycle; the values' axes are scaled anew.
 void FeedsView::fitAll() {
     m_what = Span::whole;
-    m_plot->fitValues();
-    applySpan();
+    m_plot->fit();
+    showSpan();
 }
 
 void FeedsView::readSpan() {

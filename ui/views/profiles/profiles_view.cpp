@@ -6,6 +6,7 @@
 #include "core/simulation/feed_series.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/kit/tool_row.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_cursors.h"
@@ -14,7 +15,7 @@
 #include "ui/views/profiles/longitudinal_plot.h"
 #include "ui/views/profiles/profiles_plot.h"
 #include "ui/views/profiles/profiles_text.h"
-#include "ui/views/profiles/spectrum_plot.h"
+#include "ui/views/profiles/spectrum_charts.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -44,7 +45,7 @@ ProfilesView::ProfilesView(QWidget* parent, Settings* settings)
     , m_splitter(new QSplitter(Qt::Vertical, this))
     , m_across(new ProfilesPlot(this))
     , m_along(new LongitudinalPlot(this))
-    , m_spectrum(new SpectrumPlot(this)) {
+    , m_spectrum(new ChartPlot(this)) {
     buildPlots();
     QWidget* bar = buildToolBar();
     QWidget* strokeBar = buildStrokeBar();
@@ -70,11 +71,13 @@ void ProfilesView::buildPlots() {
     along.icon = u"export_length";
     along.heading = [this] { return headingOf(tr("along the axis")); };
     spectrum.heading = [this] { return headingOf(tr("spectra of the cross-sections")); };
+    hideInSpectrum();
+    m_spectrum->setGrid([this] { return spectra(); });
     addPlot(*m_across, std::move(across));
     addPlot(*m_along, std::move(along));
     addPlot(*m_spectrum, std::move(spectrum));
     addCursors(*m_along);
-    for (ProfilePlot* plot : std::initializer_list<ProfilePlot*>{m_across, m_along, m_spectrum}) {
+    for (ProfilePlot* plot : std::initializer_list<ProfilePlot*>{m_across, m_along}) {
         plot->setHidden(m_hidden);
         plot->keepLegible();
     }
@@ -203,8 +206,9 @@ void ProfilesView::connectTools() {
         replotAll();
     });
     connectCircles();
-    connect(m_logarithmic, &QCheckBox::toggled, this, [this](bool on) {
-        m_spectrum->setLogarithmic(on);
+    connect(m_logarithmic, &QCheckBox::toggled, this, [this] {
+        m_spectrum->remake();
+        m_spectrum->fit();
         m_spectrum->replot();
         m_spectrum->tools()->navigation().forgetViews(); // they are ranges of the other scale
     });
@@ -311,7 +315,24 @@ void ProfilesView::showSeries() {
 /// Shows the spectra of the profiles in the cross-sections; nothing is computed while it is hidden.
 void ProfilesView::showSpectrum() {
     if (good() && showsSpectrum()) {
-        m_spectrum->setSeries(m_across->series(), m_across->shown());
+        m_spectrum->remake();
+        m_spectrum->refit();
+    }
+}
+
+ChartGrid ProfilesView::spectra() const {
+    if (!good() || !showsSpectrum()) {
+        return {};
+    }
+    return SpectrumCharts::of(m_across->series(), m_across->shown(), m_logarithmic->isChecked(),
+                              [this](ProfileLine line) { return !m_hidden.contains(line); });
+}
+
+void ProfilesView::hideInSpectrum() {
+    for (const ProfileLine line : SpectrumCharts::lines) {
+        if (m_spectrum->shows(static_cast<int>(line)) == m_hidden.contains(line)) {
+            m_spectrum->toggleCurve(static_cast<int>(line));
+        }
     }
 }
 
@@ -519,7 +540,7 @@ void ProfilesView::showHidden() {
     m_blank->setChecked(!m_hidden.contains(ProfileLine::blank));
     m_across->setHidden(m_hidden);
     m_along->setHidden(m_hidden);
-    m_spectrum->setHidden(m_hidden);
+    hideInSpectrum();
     fillMagnifications();
     showLegend();
     replotAll();
@@ -534,7 +555,7 @@ std::vector<ProfileLine> ProfilesView::legendLines() const {
     case Parts::sections:
     case Parts::sectionsAndSpectrum: return m_across->lines();
     case Parts::length: return m_along->lines();
-    case Parts::spectrum: return m_spectrum->lines();
+    case Parts::spectrum: return {profile, blank};
     case Parts::sectionsAndLength:
         lines = m_across->lines();
         lines.insert(lines.begin() + 1, spread);

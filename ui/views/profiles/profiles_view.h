@@ -19,9 +19,10 @@ class QToolButton;
 
 namespace sparkout {
 
+class ChartPlot;
 class LongitudinalPlot;
 class ProfilesPlot;
-class SpectrumPlot;
+struct ChartGrid;
 
 /// The view "Zone profiles": cross-sections with magnified deviations above, the part along its
 /// axis or the spectra of the cross-sections below, all after any double stroke or revolution of
@@ -33,7 +34,7 @@ public:
 
     [[nodiscard]] ProfilesPlot* across() const { return m_across; }
     [[nodiscard]] LongitudinalPlot* along() const { return m_along; }
-    [[nodiscard]] SpectrumPlot* spectrum() const { return m_spectrum; }
+    [[nodiscard]] ChartPlot* spectrum() const { return m_spectrum; }
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool showsMoment() const override { return true; }
@@ -77,6 +78,8 @@ private:
     void nameCircles();
     void showSeries();
     void showSpectrum();
+    void hideInSpectrum();
+    [[nodiscard]] ChartGrid spectra() const;
     void showStroke();
     void showParts();
     void showDescription();
@@ -95,7 +98,7 @@ private:
     QSplitter* m_splitter;
     ProfilesPlot* m_across;
     LongitudinalPlot* m_along;
-    SpectrumPlot* m_spectrum;
+    ChartPlot* m_spectrum;
     QWidget* m_cursorsButton = nullptr;
     QWidget* m_acrossExport = nullptr;
     QWidget* m_alongExport = nullptr;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/ui/support/view_fixtures.h"
+#include "ui/plot/feed_text.h"
 #include "ui/views/feeds/feeds_plot.h"
 #include "ui/views/feeds/feeds_view.h"
 
@@ -27,6 +28,22 @@ struct ShownFeeds : FeedsView {
 
 inline QCPRange xRange(const FeedsView& view, int column, int row) {
     return view.plot()->cell(column, row)->axis(QCPAxis::atBottom)->range();
+}
+
+/// A curve of a column as a value; null if there is none.
+inline const ChartSeries* curve(const FeedsPlot& plot, int column, Quantity quantity) {
+    for (int row = 0; row < FeedsPlot::rowCount; ++row) {
+        for (const ChartSeries& series : plot.chart(plot.at(column, row)).series) {
+            if (series.name == quantityName(quantity)) {
+                return &series;
+            }
+        }
+    }
+    return nullptr;
+}
+
+inline bool isShown(const FeedsPlot& plot, Quantity quantity) {
+    return plot.shows(FeedsChart::keyOf(quantity));
 }
 
 /// A test of the view on a traverse and on a plunge of twenty sections.

@@ -98,10 +98,9 @@ private slots:
         QCOMPARE(view.plot()->visibleTo_s(), series.strokeEnd_s(27));
         QCOMPARE(view.plot()->detail(), FeedsPlot::Detail::radius);
         for (int column = 0; column < view.plot()->columnCount(); ++column) {
-            const auto sums = view.plot()->curve(column, Quantity::actualSum, Edge::mean)->data();
-            QVERIFY(sums->size() > 2);
-            QVERIFY(std::is_sorted(sums->constBegin(), sums->constEnd(),
-                                   [](const auto& a, const auto& b) { return a.value < b.value; }));
+            const auto& sums = curve(*view.plot(), column, Quantity::actualSum)->points;
+            QVERIFY(sums.size() > 2);
+            QVERIFY(std::ranges::is_sorted(sums, {}, &XY::y));
         }
     }
 

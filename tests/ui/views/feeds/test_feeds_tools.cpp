@@ -46,25 +46,23 @@ private slots:
         const QPoint at = entryOf(*legend, name);
         QVERIFY(!at.isNull());
         const double before = axisTop(view, 2, QCPAxis::atRight);
+        const int drawn = view.plot()->graphCount();
         QTest::mouseClick(legend, Qt::LeftButton, {}, at);
-        for (int column = 0; column < 3; ++column) {
-            for (Edge edge : {Edge::low, Edge::mean, Edge::high}) {
-                QVERIFY(!view.plot()->curve(column, Quantity::force, edge)->visible());
-            }
-        }
+        QVERIFY(!isShown(*view.plot(), Quantity::force));
+        QCOMPARE(view.plot()->graphCount(), drawn - 9);       // with its spread, in three columns
         QVERIFY(axisTop(view, 2, QCPAxis::atRight) < before); // nothing to scale to
         QVERIFY(!view.plot()->table().header.contains(QStringLiteral("normal force, N")));
         QVERIFY(legend->accessibleDescription().contains(QStringLiteral("normal force (hidden)")));
         // The sum goes with its feed.
         QTest::mouseClick(legend, Qt::LeftButton, {},
                           entryOf(*legend, QStringLiteral("actual feed")));
-        QVERIFY(!view.plot()->curve(1, Quantity::actual, Edge::mean)->visible());
-        QVERIFY(!view.plot()->curve(1, Quantity::actualSum, Edge::mean)->visible());
+        QVERIFY(!isShown(*view.plot(), Quantity::actual));
+        QCOMPARE(view.plot()->graphCount(), drawn - 27);
         // What is hidden stays hidden with a new result.
         show(view, m_traverse);
-        QVERIFY(!view.plot()->curve(0, Quantity::force, Edge::mean)->visible());
+        QVERIFY(!isShown(*view.plot(), Quantity::force));
         QTest::mouseClick(legend, Qt::LeftButton, {}, entryOf(*legend, name));
-        QVERIFY(view.plot()->curve(0, Quantity::force, Edge::mean)->visible());
+        QVERIFY(isShown(*view.plot(), Quantity::force));
         QCOMPARE(axisTop(view, 2, QCPAxis::atRight), before);
     }
 
@@ -83,8 +81,8 @@ private slots:
         const QString name = QStringLiteral("radius after the pass");
         QTest::mouseClick(legend, Qt::LeftButton, Qt::ControlModifier, entryOf(*legend, name));
         QCOMPARE(visible(), 1);
-        QVERIFY(view.plot()->curve(0, Quantity::left, Edge::mean)->visible());
-        QVERIFY(!view.plot()->curve(0, Quantity::actual, Edge::mean)->visible());
+        QVERIFY(isShown(*view.plot(), Quantity::left));
+        QVERIFY(!isShown(*view.plot(), Quantity::actual));
         QTest::mouseClick(legend, Qt::LeftButton, Qt::ControlModifier, entryOf(*legend, name));
         QCOMPARE(visible(), all);
     }
@@ -97,13 +95,13 @@ private slots:
         QTest::keyClick(legend, Qt::Key_Right);
         QVERIFY(legend->accessibleDescription().startsWith(QStringLiteral("chosen: actual feed")));
         QTest::keyClick(legend, Qt::Key_Space);
-        QVERIFY(!view.plot()->curve(0, Quantity::actual, Edge::mean)->visible());
+        QVERIFY(!isShown(*view.plot(), Quantity::actual));
         QTest::keyClick(legend, Qt::Key_Space);
-        QVERIFY(view.plot()->curve(0, Quantity::actual, Edge::mean)->visible());
+        QVERIFY(isShown(*view.plot(), Quantity::actual));
         QTest::keyClick(legend, Qt::Key_Left);
         QTest::keyClick(legend, Qt::Key_Space, Qt::ControlModifier);
-        QVERIFY(view.plot()->curve(0, Quantity::programmed, Edge::mean)->visible());
-        QVERIFY(!view.plot()->curve(0, Quantity::actual, Edge::mean)->visible());
+        QVERIFY(isShown(*view.plot(), Quantity::programmed));
+        QVERIFY(!isShown(*view.plot(), Quantity::actual));
     }
 
     void theHairLineStandsAtOneTimeInAllColumns() {
@@ -146,13 +144,12 @@ private slots:
 
     void forceAndAxialFeedShareTheThirdRow() {
         ShownFeeds view(m_traverse);
-        const QCPGraph* force = view.plot()->curve(1, Quantity::force, Edge::mean);
-        const QCPGraph* axial = view.plot()->curve(1, Quantity::axialFeed, Edge::mean);
-        QCOMPARE(force->valueAxis(), view.plot()->cell(1, 2)->axis(QCPAxis::atRight));
-        QCOMPARE(axial->valueAxis(), view.plot()->cell(1, 2)->axis(QCPAxis::atLeft));
+        QVERIFY(curve(*view.plot(), 1, Quantity::force)->onSecond);
+        QVERIFY(!curve(*view.plot(), 1, Quantity::axialFeed)->onSecond);
         // The axis holds the largest force of the run.
-        QVERIFY(force->valueAxis()->range().upper >= m_traverse->result.peakNormalForce_n);
-        QVERIFY(force->valueAxis()->range().upper <= 1.2 * m_traverse->result.peakNormalForce_n);
+        const double top = axisTop(view, 2, QCPAxis::atRight);
+        QVERIFY(top >= m_traverse->result.peakNormalForce_n);
+        QVERIFY(top <= 1.2 * m_traverse->result.peakNormalForce_n);
         hover(view.plot(), view.plot()->cell(1, 2)->rect().center());
         const QString text = view.findChild<QLabel*>(QStringLiteral("feedsValues"))->text();
         QVERIFY(text.contains(QStringLiteral("force"))
@@ -244,17 +241,15 @@ private slots:
             // Every number of the table is a point of the curve of its zone.
             std::size_t row = 0;
             for (int column = 0; column < 3; ++column) {
-                const QCPGraph* graph = view.plot()->curve(column, Quantity::actual, Edge::mean);
+                const auto& points = curve(*view.plot(), column, Quantity::actual)->points;
                 const QString zone = std::get<QString>(table.rows[row][0]);
                 for (; row < table.rows.size() && std::get<QString>(table.rows[row][0]) == zone;
                      ++row) {
                     const double x = std::get<double>(table.rows[row][std::size_t(to)]);
                     const double y = std::get<double>(table.rows[row][std::size_t(actual)]);
-                    const bool found =
-                        std::ranges::any_of(*graph->data(), [&](const QCPGraphData& d) {
-                            return std::abs(d.key - x) < 1e-9 && d.value == y;
-                        });
-                    QVERIFY(found);
+                    QVERIFY(std::ranges::any_of(points, [&](const XY& point) {
+                        return std::abs(point.x - x) < 1e-9 && point.y == y;
+                    }));
                 }
             }
             QCOMPARE(row, table.rows.size());

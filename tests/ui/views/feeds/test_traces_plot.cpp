@@ -71,20 +71,21 @@ private slots:
         TracesPlot& traces = shown.traces();
         QVERIFY(traces.isVisible());
         QCOMPARE(traces.cellCount(), std::size_t{2});
-        QVERIFY2(traces.heading(0).contains(QStringLiteral("size at the gauge: RMS "))
-                     && traces.heading(0).endsWith(QStringLiteral("µm")),
-                 qPrintable(traces.heading(0)));
-        QVERIFY2(traces.heading(1).endsWith(QStringLiteral("kW")), qPrintable(traces.heading(1)));
+        QVERIFY2(traces.chart(0).heading.contains(QStringLiteral("size at the gauge: RMS "))
+                     && traces.chart(0).heading.endsWith(QStringLiteral("µm")),
+                 qPrintable(traces.chart(0).heading));
+        QVERIFY2(traces.chart(1).heading.endsWith(QStringLiteral("kW")),
+                 qPrintable(traces.chart(1).heading));
         for (const auto key :
              {TracesPlot::measuredKey, TracesPlot::simulatedKey, TracesPlot::differenceKey}) {
             QVERIFY(hasEntry(*shown.view, key));
-            QVERIFY(traces.curve(0, key)->dataCount() > 50);
+            QVERIFY(traces.chart(0).find(key)->points.size() > 50);
         }
         // Aligned: the trace's beginning before the cycle is not drawn.
-        QVERIFY(traces.curve(0, TracesPlot::measuredKey)->data()->constBegin()->key >= 0);
+        const auto& measured = traces.chart(0).find(TracesPlot::measuredKey)->points;
+        QVERIFY(measured.front().x >= 0);
         const auto last = shown.view->plot()->scale().at(shown.view->plot()->series().end_s);
-        QVERIFY((traces.curve(0, TracesPlot::measuredKey)->data()->constEnd() - 1)->key
-                <= last + 1e-9);
+        QVERIFY(measured.back().x <= last + 1e-9);
     }
 
     void theTimesAreThoseOfTheFeeds() {
@@ -93,8 +94,8 @@ private slots:
         FeedsPlot& feeds = *shown.view->plot();
         const auto same = [&] {
             for (std::size_t i = 0; i < traces.cellCount(); ++i) {
-                if (std::abs(range(traces.cell(i), false) - range(feeds.cell(0, 0), false)) > 1e-9
-                    || std::abs(range(traces.cell(i), true) - range(feeds.cell(0, 0), true))
+                if (std::abs(range(&traces.cell(i), false) - range(feeds.cell(0, 0), false)) > 1e-9
+                    || std::abs(range(&traces.cell(i), true) - range(feeds.cell(0, 0), true))
                            > 1e-9) {
                     return false;
                 }
@@ -108,7 +109,7 @@ private slots:
         const double zoomed = range(feeds.cell(0, 0), true) - range(feeds.cell(0, 0), false);
         QVERIFY(zoomed < 0.95 * before);
         QVERIFY(same());
-        wheel(&traces, traces.cell(1)->rect().center(), 240);
+        wheel(&traces, traces.cell(1).rect().center(), 240);
         shown.bench.settle();
         QVERIFY(range(feeds.cell(0, 0), true) - range(feeds.cell(0, 0), false) < 0.95 * zoomed);
         QVERIFY(same());
@@ -126,10 +127,11 @@ private slots:
             std::ranges::find(entries, int(TracesPlot::differenceKey), &LegendEntry::key);
         QVERIFY(found != entries.end());
         const int index = static_cast<int>(found - entries.begin());
-        QVERIFY(shown.traces().curve(0, TracesPlot::differenceKey)->visible());
+        QVERIFY(shown.traces().shows(TracesPlot::differenceKey));
+        const int drawn = shown.traces().graphCount();
         QTest::mouseClick(&legend, Qt::LeftButton, {}, legend.entryRect(index).center());
-        QVERIFY(!shown.traces().curve(0, TracesPlot::differenceKey)->visible());
-        QVERIFY(shown.traces().curve(0, TracesPlot::measuredKey)->visible());
+        QVERIFY(!shown.traces().shows(TracesPlot::differenceKey));
+        QCOMPARE(shown.traces().graphCount(), drawn - static_cast<int>(shown.traces().cellCount()));
         QVERIFY(shown.traces().table().header.filter(QStringLiteral("less")).isEmpty());
     }
 
@@ -137,7 +139,7 @@ private slots:
         Shown shown(traced::project(true));
         TracesPlot& traces = shown.traces();
         QSignalSpy pointed(&traces, &ViewPlot::pointed);
-        hover(&traces, traces.cell(0)->rect().center());
+        hover(&traces, traces.cell(0).rect().center());
         QVERIFY(!pointed.isEmpty());
         const QString text = pointed.last().front().toString();
         QVERIFY2(text.contains(QStringLiteral("measured"))
@@ -145,7 +147,7 @@ private slots:
                  qPrintable(text));
         shown.view->cursors()->toggle->trigger();
         QVERIFY(traces.cursors()->shown());
-        const double place = traces.cell(0)->axis(QCPAxis::atBottom)->range().center();
+        const double place = traces.cell(0).axis(QCPAxis::atBottom)->range().center();
         shown.view->cursors()->moveTo(0, place);
         QCOMPARE(traces.cursors()->at(0), shown.view->cursors()->at(0));
         const ReadCurves curves = shown.view->plot()->readCurves();
@@ -159,14 +161,14 @@ private slots:
 
     void anotherInputMovesTheSimulatedCurve() {
         Shown shown(traced::project());
-        const QString before = shown.traces().heading(0);
+        const QString before = shown.traces().chart(0).heading;
         Project changed = shown.bench.window->document().project();
         const Project truth = traced::truth();
         changed.machine->compliance_mm_per_n = truth.machine->compliance_mm_per_n;
         changed.wheel->dullness = truth.wheel->dullness;
         shown.bench.window->document().edit(changed, {});
         shown.wait();
-        QVERIFY(shown.traces().heading(0) != before);
+        QVERIFY(shown.traces().chart(0).heading != before);
         changed.measured.reset();
         shown.bench.window->document().edit(changed, {});
         shown.wait();
@@ -185,7 +187,7 @@ private slots:
         shown.bench.settle();
         QCOMPARE(shown.bench.window->size(), QSize(1366, 768));
         for (std::size_t i = 0; i < shown.traces().cellCount(); ++i) {
-            const QCPAxisRect* rect = shown.traces().cell(i);
+            const QCPAxisRect* rect = &shown.traces().cell(i);
             qInfo("ROOM trace at %d %% %d × %d", percent, rect->width(), rect->height());
             QVERIFY(rect->width() >= 120 && rect->height() >= 80);
         }
@@ -196,7 +198,7 @@ private slots:
         QVERIFY2(narrow.isEmpty(), qPrintable(narrow.join(u'\n')));
         if (language == u"ru") {
             for (std::size_t i = 0; i < shown.traces().cellCount(); ++i) {
-                QVERIFY(englishIn(shown.traces().heading(i)).isEmpty());
+                QVERIFY(englishIn(shown.traces().chart(i).heading).isEmpty());
             }
             for (const LegendEntry& entry : shown.traces().legendEntries()) {
                 QVERIFY(englishIn(entry.text).isEmpty());

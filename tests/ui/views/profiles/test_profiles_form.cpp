@@ -6,10 +6,10 @@
 #include "tests/registry.h"
 #include "tests/ui/support/on_disk.h"
 #include "tests/ui/views/profiles/profiles_bench.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/text/names.h"
 #include "ui/views/profiles/measured_section.h"
-#include "ui/views/profiles/spectrum_plot.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -38,6 +38,10 @@ Project outOfRound() {
     }
     p.part->radii_um = radii;
     return p;
+}
+
+const std::vector<XY>& bars(const ProfilesView& view, std::size_t cell, ProfileLine line) {
+    return view.spectrum()->chart(cell).find(static_cast<int>(line))->points;
 }
 
 class TestProfilesForm : public QObject {
@@ -294,18 +298,18 @@ private slots:
             project.part->radii_per_section = 42;
             ShownProfiles view(run(project));
             part<QComboBox>(view, "parts")->setCurrentIndex(3);
-            QCOMPARE(view.spectrum()->cellCount(), 3);
-            const auto blank = view.spectrum()->bars(1, ProfileLine::blank)->data();
-            QCOMPARE(blank->size(), 21);
-            for (const QCPBarsData& bar : *blank) {
-                const bool one = qRound(bar.key) == lobes;
+            QCOMPARE(view.spectrum()->cellCount(), 3U);
+            const std::vector<XY> blank = bars(view, 1, ProfileLine::blank);
+            QCOMPARE(blank.size(), 21U);
+            for (const XY& bar : blank) {
+                const bool one = qRound(bar.x) == lobes;
                 const double amplitude = one ? project.part->initial_runout_mm * 1000 / 2 : 0;
-                QVERIFY(std::abs(bar.value - amplitude) < 1e-8);
+                QVERIFY(std::abs(bar.y - amplitude) < 1e-8);
             }
             view.setStroke(0); // what is left is the blank still
-            const auto left = view.spectrum()->bars(1, ProfileLine::profile)->data();
-            for (int i = 0; i < left->size(); ++i) {
-                QVERIFY(std::abs(left->at(i)->value - blank->at(i)->value) < 1e-8);
+            const std::vector<XY>& left = bars(view, 1, ProfileLine::profile);
+            for (std::size_t i = 0; i < left.size(); ++i) {
+                QVERIFY(std::abs(left[i].y - blank[i].y) < 1e-8);
             }
         }
     }
@@ -314,17 +318,15 @@ private slots:
         ShownProfiles view(m_of.plunge); // an ellipse
         part<QComboBox>(view, "parts")->setCurrentIndex(4);
         QVERIFY(view.spectrum()->isVisible() && !view.across()->isVisible());
-        const auto oval = [&] {
-            return view.spectrum()->bars(0, ProfileLine::profile)->data()->at(1)->value;
-        };
+        const auto oval = [&] { return bars(view, 0, ProfileLine::profile)[1].y; };
         const double end = oval();
         view.setStroke(view.stroke() / 2);
         const double middle = oval();
         view.setStroke(0);
         const double before = oval();
         QVERIFY(end < middle && middle < before);
-        QCOMPARE(before, view.spectrum()->bars(0, ProfileLine::blank)->data()->at(1)->value);
-        const QCPRange sight = view.spectrum()->cell(0)->axis(QCPAxis::atLeft)->range();
+        QCOMPARE(before, bars(view, 0, ProfileLine::blank)[1].y);
+        const QCPRange sight = view.spectrum()->cell(0).axis(QCPAxis::atLeft)->range();
         QVERIFY(sight.contains(before) && sight.contains(middle)); // one scale for the whole cycle
         const std::vector<double>& radii = view.across()->series().profiles[0].radii_mm;
         const std::vector<Harmonic> spectrum = harmonics(radii, Directions(radii.size()));
@@ -335,32 +337,31 @@ private slots:
         Project project = plungeProject(2);
         ShownProfiles view(run(project));
         part<QComboBox>(view, "parts")->setCurrentIndex(4);
-        const auto sight = [&] { return view.spectrum()->cell(1)->axis(QCPAxis::atLeft)->range(); };
+        const auto sight = [&] { return view.spectrum()->cell(1).axis(QCPAxis::atLeft)->range(); };
         const auto higherBlank = [&] {
             project.part->initial_runout_mm *= 4;
             show(view, run(project));
-            return view.spectrum()->bars(1, ProfileLine::blank)->data()->at(1)->value;
+            return bars(view, 1, ProfileLine::blank)[1].y;
         };
         const QCPRange first = sight();
         const double higher = higherBlank();
         QVERIFY(higher > first.upper && sight().upper >= higher);
-        view.spectrum()->cell(0)->axis(QCPAxis::atLeft)->setRange(1e-3, 1); // by hand: that stays
+        view.spectrum()->cell(0).axis(QCPAxis::atLeft)->setRange(1e-3, 1); // by hand: that stays
         QVERIFY(higherBlank() > 1);
         QCOMPARE(sight(), QCPRange(1e-3, 1));
-        Project more = plungeProject(3); // as many groups of bars as sections, whatever was before
+        Project more = plungeProject(3);
         show(view, run(more));
-        QCOMPARE(view.spectrum()->cellCount(), 3);
-        QCOMPARE(view.spectrum()->findChildren<QCPBarsGroup*>().size(), 3);
+        QCOMPARE(view.spectrum()->cellCount(), 3U);
     }
 
     void spectraMoveTogetherAndAreSaved() {
         ShownProfiles view(m_of.traverse);
         part<QComboBox>(view, "parts")->setCurrentIndex(3);
         settle();
-        SpectrumPlot& plot = *view.spectrum();
-        QCOMPARE(plot.cellCount(), 3);
-        const auto range = [&](int cell, QCPAxis::AxisType side) {
-            return plot.cell(cell)->axis(side)->range();
+        ChartPlot& plot = *view.spectrum();
+        QCOMPARE(plot.cellCount(), 3U);
+        const auto range = [&](std::size_t cell, QCPAxis::AxisType side) {
+            return plot.cell(cell).axis(side)->range();
         };
         const QCPRange before = range(2, QCPAxis::atBottom);
         view.spectrum()->tools()->navigation().zoom(0.5);
@@ -372,14 +373,14 @@ private slots:
         part<QCheckBox>(view, "logarithmicSpectrum")->click();
         QCOMPARE(range(0, QCPAxis::atLeft).lower, 0.0);
         const bool blankShown = part<QCheckBox>(view, "blank")->isChecked();
-        QCOMPARE(plot.bars(0, ProfileLine::blank)->visible(), blankShown);
+        QCOMPARE(plot.shows(static_cast<int>(ProfileLine::blank)), blankShown);
         const CsvTable table = plot.table();
         QCOMPARE(table.header.size(), 1 + 3 + (blankShown ? 1 : 0));
         QCOMPARE(table.rows.size(), 18u);
-        const auto bar = plot.bars(2, ProfileLine::profile)->data()->at(1)->value;
+        const double bar = bars(view, 2, ProfileLine::profile)[1].y;
         QCOMPARE(std::get<double>(table.rows[1].back()), bar);
-        QSignalSpy pointed(&plot, &SpectrumPlot::pointed);
-        QTest::mouseMove(&plot, plot.cell(1)->center());
+        QSignalSpy pointed(&plot, &ChartPlot::pointed);
+        QTest::mouseMove(&plot, plot.cell(1).center());
         QTRY_VERIFY(pointed.count() > 0 && !pointed.last().first().toString().isEmpty());
     }
 
