@@ -975,6 +975,14 @@
             <source>with the machine&apos;s form</source>
             <translation>с формой от станка</translation>
         </message>
+        <message>
+            <source>wheel in balance</source>
+            <translation>круг уравновешен</translation>
+        </message>
+        <message>
+            <source>unbalanced wheel</source>
+            <translation>круг не уравновешен</translation>
+        </message>
     </context>
     <context>
         <name>CouplingCurves</name>
@@ -7162,6 +7170,110 @@ With another name both versions stay as they are.</source>
             <source>Town</source>
             <translation>Город</translation>
         </message>
+        <message>
+            <source>Wheel runout</source>
+            <translation>Биение круга</translation>
+        </message>
+        <message>
+            <source>How far the wheel runs out of true since its last dressing: an amplitude, an unbalance or a balance grade. It prints waves onto the part; not given, the waviness is not known.</source>
+            <translation>Насколько круг бьёт после последней правки: амплитуда, дисбаланс или класс точности балансировки. От биения на детали остаются волны; если оно не задано, волнистость не известна.</translation>
+        </message>
+        <message>
+            <source>Runout amplitude</source>
+            <translation>Амплитуда биения</translation>
+        </message>
+        <message>
+            <source>from the unbalance</source>
+            <translation>по дисбалансу</translation>
+        </message>
+        <message>
+            <source>Half of the total runout of the cutting surface at the working speed, as it has become since the last dressing: a wheel just dressed at that speed has none.</source>
+            <translation>Половина полного биения режущей поверхности на рабочей скорости, появившегося после последней правки: у круга, только что правленного на этой скорости, его нет.</translation>
+        </message>
+        <message>
+            <source>Waves of the wheel</source>
+            <translation>Число волн круга</translation>
+        </message>
+        <message>
+            <source>Number of waves around the wheel; 1: the surface is eccentric.</source>
+            <translation>Число волн по окружности круга; 1 — поверхность эксцентрична.</translation>
+        </message>
+        <message>
+            <source>Unbalance</source>
+            <translation>Дисбаланс</translation>
+        </message>
+        <message>
+            <source>from the grade, or none</source>
+            <translation>по классу балансировки или нет</translation>
+        </message>
+        <message>
+            <source>Mass out of balance times its radius, as it has become since the last dressing. It acts as a force on the wheel head, whose stiffness it needs.</source>
+            <translation>Неуравновешенная масса, умноженная на её радиус, появившаяся после последней правки. Действует на шлифовальную бабку как сила; нужна жёсткость бабки.</translation>
+        </message>
+        <message>
+            <source>Balance grade</source>
+            <translation>Класс точности балансировки</translation>
+        </message>
+        <message>
+            <source>Balance quality of the wheel with its spindle, 1 for the drives of grinders, 0.4 for the spindles of precision grinders.</source>
+            <translation>Класс точности балансировки круга со шпинделем: 1 — приводы шлифовальных станков, 0,4 — шпиндели прецизионных.</translation>
+        </message>
+        <message>
+            <source>Mass of the rotor</source>
+            <translation>Масса ротора</translation>
+        </message>
+        <message>
+            <source>Mass of the wheel with its flanges and spindle; the balance grade needs it.</source>
+            <translation>Масса круга с фланцами и шпинделем; нужна для класса балансировки.</translation>
+        </message>
+        <message>
+            <source>Phase of the wheel</source>
+            <translation>Фаза круга</translation>
+        </message>
+        <message>
+            <source>Angle of the runout at the beginning of the cycle; at 0 the wheel stands nearest to the part. In a batch it may scatter over the whole turn.</source>
+            <translation>Угол биения в начале цикла; при 0 круг ближе всего к детали. В партии может рассеиваться по всему обороту.</translation>
+        </message>
+        <message>
+            <source>Speed variation</source>
+            <translation>Размах изменения частоты</translation>
+        </message>
+        <message>
+            <source>How far the work speed rises and falls about its value, in percent of it.</source>
+            <translation>Насколько частота вращения детали поднимается и опускается от заданной, в процентах от неё.</translation>
+        </message>
+        <message>
+            <source>Period of the variation</source>
+            <translation>Период изменения</translation>
+        </message>
+        <message>
+            <source>Time from one highest speed to the next.</source>
+            <translation>Время от одного наибольшего значения частоты до следующего.</translation>
+        </message>
+        <message>
+            <source>Variation of the work speed</source>
+            <translation>Изменение частоты вращения детали</translation>
+        </message>
+        <message>
+            <source>constant speed</source>
+            <translation>частота постоянна</translation>
+        </message>
+        <message>
+            <source>The work speed rises and falls during the cycle, so that the waves of a wheel out of true do not print onto one another.</source>
+            <translation>Частота вращения детали в течение цикла то больше, то меньше, чтобы волны от биения круга не ложились одна на другую.</translation>
+        </message>
+        <message>
+            <source>Natural frequency of the wheel head</source>
+            <translation>Собственная частота шлифовальной бабки</translation>
+        </message>
+        <message>
+            <source>far above the wheel&apos;s revolutions</source>
+            <translation>намного выше частоты вращения круга</translation>
+        </message>
+        <message>
+            <source>Frequency at which the wheel head swings by itself. The nearer the wheel&apos;s revolutions are to it, the more an unbalance moves the wheel.</source>
+            <translation>Частота, с которой шлифовальная бабка колеблется сама. Чем ближе к ней частота вращения круга, тем сильнее дисбаланс смещает круг.</translation>
+        </message>
     </context>
     <context>
         <name>InputBrief</name>
@@ -7454,6 +7566,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>%1, %2: takes off %3 µm, %4 µm so far, radius %5 µm from target</source>
             <translation>%1, %2: снимается %3 мкм, всего снято %4 мкм, радиус %5 мкм от целевого</translation>
+        </message>
+        <message>
+            <source>{value} radii do not resolve the waves that the wheel prints, and the waviness is not decided; needed: {limit}</source>
+            <translation>при числе радиусов {value} волны от круга не видны, волнистость не определена; нужно: {limit}</translation>
         </message>
     </context>
     <context>
@@ -10305,6 +10421,14 @@ With another name both versions stay as they are.</source>
             <source>Title page</source>
             <translation>Титульный лист</translation>
         </message>
+        <message>
+            <source>Wheel runout</source>
+            <translation>Биение круга</translation>
+        </message>
+        <message>
+            <source>Variation of the work speed</source>
+            <translation>Изменение частоты вращения детали</translation>
+        </message>
     </context>
     <context>
         <name>StudiesShown</name>
@@ -11363,6 +11487,14 @@ With another name both versions stay as they are.</source>
         <message>
             <source>points</source>
             <translation>балл.</translation>
+        </message>
+        <message>
+            <source>g·mm</source>
+            <translation>г·мм</translation>
+        </message>
+        <message>
+            <source>Hz</source>
+            <translation>Гц</translation>
         </message>
     </context>
     <context>

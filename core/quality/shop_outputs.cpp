@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/shop_outputs.h"
 
+#include "core/project/machine.h"
 #include "core/quality/result_names.h"
 #include "core/text.h"
 #include "core/units.h"
@@ -152,7 +153,7 @@ constexpr Output<ShopNumbers> shopRows[] = {
 
 // The hints above contain these numbers.
 static_assert(leastSpecificEnergy_j_mm3 == 20 && mostSpecificEnergy_j_mm3 == 120
-              && nearInteger == 0.05);
+              && nearRatio == 0.05);
 
 } // namespace
 
