@@ -1946,6 +1946,42 @@
             <source>Largest difference at which the two means count as the same</source>
             <translation>До него оба средних считаются одинаковыми</translation>
         </message>
+        <message>
+            <source>Waviness</source>
+            <translation>Волнистость</translation>
+        </message>
+        <message>
+            <source>From peak to valley, of the profile without the orders below half of the wheel&apos;s; of the most wavy section.</source>
+            <translation>От вершины до впадины профиля без гармоник ниже половины порядка круга; в самом волнистом сечении.</translation>
+        </message>
+        <message>
+            <source>Largest order</source>
+            <translation>Порядок наибольшей гармоники</translation>
+        </message>
+        <message>
+            <source>Waves around the part of the harmonic with the largest amplitude.</source>
+            <translation>Число волн по окружности детали у гармоники с наибольшей амплитудой.</translation>
+        </message>
+        <message>
+            <source>Amplitude of the largest order</source>
+            <translation>Амплитуда наибольшей гармоники</translation>
+        </message>
+        <message>
+            <source>Waves that the wheel prints</source>
+            <translation>Волны от круга</translation>
+        </message>
+        <message>
+            <source>Number around the part, by the ratio of wheel to work speed and the waves of the wheel.</source>
+            <translation>Число по окружности детали: по отношению частот вращения круга и детали и числу волн круга.</translation>
+        </message>
+        <message>
+            <source>Radii that resolve the waves</source>
+            <translation>Радиусов для разрешения волн</translation>
+        </message>
+        <message>
+            <source>Twelve for each wave; with fewer radii the waviness is not decided.</source>
+            <translation>Двенадцать на волну; при меньшем числе радиусов волнистость не определена.</translation>
+        </message>
     </context>
     <context>
         <name>OutputCells</name>
@@ -7274,6 +7310,14 @@ With another name both versions stay as they are.</source>
             <source>Frequency at which the wheel head swings by itself. The nearer the wheel&apos;s revolutions are to it, the more an unbalance moves the wheel.</source>
             <translation>Частота, с которой шлифовальная бабка колеблется сама. Чем ближе к ней частота вращения круга, тем сильнее дисбаланс смещает круг.</translation>
         </message>
+        <message>
+            <source>Maximum height of the waves around the part, from peak to valley. It is decided where the runout of the wheel is given.</source>
+            <translation>Наибольшая высота волн по окружности детали, от вершины до впадины. Оценивается, если задано биение круга.</translation>
+        </message>
+        <message>
+            <source>Waviness</source>
+            <translation>Волнистость</translation>
+        </message>
     </context>
     <context>
         <name>InputBrief</name>
@@ -8002,6 +8046,11 @@ With another name both versions stay as they are.</source>
             <source>%1, machine not known</source>
             <comment>the form it prints</comment>
             <translation>%1, станок не известен</translation>
+        </message>
+        <message>
+            <source>%1, waves not known</source>
+            <comment>that the wheel prints</comment>
+            <translation>%1, волны не известны</translation>
         </message>
         <message>
             <source>%1 s</source>
@@ -9450,6 +9499,14 @@ With another name both versions stay as they are.</source>
             <source>%1 makes %3 double strokes or revolutions, %2 fewer than the minimum</source>
             <translation>%1: двойных ходов (оборотов) %3, на %2 меньше наименьшего числа</translation>
         </message>
+        <message>
+            <source>Waviness</source>
+            <translation>Волнистость</translation>
+        </message>
+        <message>
+            <source>From peak to valley, without the orders below half of the wheel&apos;s</source>
+            <translation>От вершины до впадины, без гармоник ниже половины порядка круга</translation>
+        </message>
     </context>
     <context>
         <name>RequirementBrief</name>
@@ -9536,6 +9593,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Fewest steps</source>
             <translation>Число ходов</translation>
+        </message>
+        <message>
+            <source>Waviness</source>
+            <translation>Волнистость</translation>
         </message>
     </context>
     <context>
@@ -11598,6 +11659,18 @@ With another name both versions stay as they are.</source>
         <message>
             <source>, with what the machine prints</source>
             <translation>, с формой от станка</translation>
+        </message>
+        <message>
+            <source>The runout of the wheel is not given, so the waves it prints are not known.</source>
+            <translation>Биение круга не задано, поэтому волны от него не известны.</translation>
+        </message>
+        <message>
+            <source>%1 radii do not resolve the waves of the wheel; %2 are needed.</source>
+            <translation>%1 радиусов не хватает, чтобы различить волны от круга; нужно %2.</translation>
+        </message>
+        <message>
+            <source>A wheel with an amplitude of %1 µm prints %2 waves around the part. A work speed at which the ratio of the speeds is not near to a whole number leaves less of them.</source>
+            <translation>От круга с амплитудой биения %1 мкм на детали %2 волн по окружности. При частоте вращения детали, для которой отношение частот не близко к целому, их остаётся меньше.</translation>
         </message>
     </context>
     <context>
@@ -17289,6 +17362,10 @@ target, µm</source>
         <message>
             <source>{name}: machine not known</source>
             <translation>{name}: станок не известен</translation>
+        </message>
+        <message>
+            <source>{name}: too few radii</source>
+            <translation>{name}: мало радиусов</translation>
         </message>
     </context>
     <context>

@@ -85,6 +85,12 @@ std::string metText(bool isMet) {
     return isMet ? "met" : "not met";
 }
 
+std::string unknownText(const ConstraintResult& constraint) {
+    return constraint.knowsMachine                       ? ""
+           : constraint.kind == ConstraintKind::waviness ? ", waves of the wheel not known"
+                                                         : ", machine not known";
+}
+
 std::string constraintLine(const ConstraintResult& constraint) {
     const Requirement& row = requirementOf(constraint.kind);
     const int decimals = row.digits.printed;
@@ -105,11 +111,11 @@ std::string constraintLine(const ConstraintResult& constraint) {
     const std::string margin = fixed(constraint.margin, decimals);
     if (isLowerBound(constraint)) {
         return name + "≥ " + value + ", " + limit + ", ≤ " + margin + ' ' + unit
-               + "  not decided in " + whereText(constraint) + ", machine not known\n";
+               + "  not decided in " + whereText(constraint) + unknownText(constraint) + '\n';
     }
     return name + value + ", " + limit + ", " + margin + (unit.empty() ? "" : " ") + unit + "  "
-           + metText(constraint.holds) + " in " + whereText(constraint)
-           + (constraint.knowsMachine ? "" : ", machine not known") + '\n';
+           + metText(constraint.holds) + " in " + whereText(constraint) + unknownText(constraint)
+           + '\n';
 }
 
 std::string requirementsText(const SimulationResult& result,

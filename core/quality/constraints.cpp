@@ -27,7 +27,8 @@ std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result
 
 bool isPrinted(ConstraintKind kind) {
     return kind == ConstraintKind::roundness || kind == ConstraintKind::cylindricity
-           || kind == ConstraintKind::radialRunout || kind == ConstraintKind::totalRunout;
+           || kind == ConstraintKind::radialRunout || kind == ConstraintKind::totalRunout
+           || kind == ConstraintKind::waviness;
 }
 
 bool knowsMachine(ConstraintKind kind, const Project& project) {
@@ -36,6 +37,7 @@ bool knowsMachine(ConstraintKind kind, const Project& project) {
     case ConstraintKind::cylindricity: return isRoundnessKnown(*project.machine);
     case ConstraintKind::radialRunout:
     case ConstraintKind::totalRunout: return isRunoutKnown(*project.machine);
+    case ConstraintKind::waviness: return areWavesKnown(project);
     default: return true;
     }
 }

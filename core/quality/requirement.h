@@ -22,6 +22,7 @@ enum class ConstraintKind {
     roundness,
     cylindricity,
     totalRunout,
+    waviness,
     roughness,
     burn,
     selfSharpening,

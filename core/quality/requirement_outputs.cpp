@@ -34,7 +34,7 @@ constexpr Output<ConstraintResult> requirementTable[] = {
     {{.key = "ok"}, [](const ConstraintResult& c) { return c.holds; }},
     {{.key = "machine_known",
       .hint = "of roundness, cylindricity and runouts: whether the machine's own form is in the "
-              "value; else it is the model's alone"},
+              "value, of the waviness whether the wheel's runout is; else it is the model's alone"},
      [](const ConstraintResult& c) { return c.knowsMachine; },
      nullptr,
      [](const ConstraintResult& c) { return isPrinted(c.kind); }},

@@ -4,12 +4,16 @@
 // force.
 #include "core/process/wheel_wave.h"
 
-#include "core/form/harmonics.h"
+#include "core/form/waviness.h"
 #include "core/optimisation/limit.h"
 #include "core/project/validate.h"
 #include "core/quality/accuracy_limit.h"
+#include "core/quality/light.h"
+#include "core/quality/result_json.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
+
+#include <nlohmann/json.hpp>
 
 #include <numbers>
 
@@ -229,6 +233,69 @@ private slots:
         Project p = shaft(8, 96, 10);
         p.wheel->runout->lobes = 4;
         QCOMPARE(radiiForWaves(p), 4 * 96);
+    }
+
+    // The height that is stated and held against the drawing is that of the profile without the
+    // lower orders, which a blank out of round has.
+    void wavinessIsStatedByOrderWhereItIsKnown() {
+        Project p = shaft(8, 96, 100);
+        p.part->tolerance.waviness_um = 0.9;
+        const auto rowOf = [](const SimulationResult& result) {
+            for (const ConstraintResult& each : evaluateConstraints(result)) {
+                if (each.kind == ConstraintKind::waviness) {
+                    return each;
+                }
+            }
+            return ConstraintResult{ConstraintKind::count_};
+        };
+        const auto wavesIn = [](const SimulationResult& result) {
+            const auto json = nlohmann::json::parse(resultJson(result, {}));
+            return json.at("sections").at(0).value("waviness", nlohmann::json());
+        };
+        const SimulationResult known = runOf(p);
+        QVERIFY(within(rowOf(known).value, 2 * amplitude_um, 0.02));
+        QVERIFY(!rowOf(known).holds && rowOf(known).knowsMachine);
+        QVERIFY(within(wavesIn(known).at("height_um").get<double>(), rowOf(known).value, 1e-9));
+        QCOMPARE(wavesIn(known).at("largest_order").get<int>(), 8);
+        QCOMPARE(wavesIn(known).at("printed_order").get<int>(), 8);
+        QVERIFY(
+            within(wavesIn(known).at("largest_amplitude_um").get<double>(), amplitude_um, 0.01));
+        QVERIFY(wavesIn(known).at("orders").at(0).at("order").get<int>() >= 4);
+
+        Project oval = p; // of the blank, which the spark-out leaves a part of
+        oval.part->profile = ProfileForm::ellipse;
+        oval.part->initial_runout_mm = 0.05;
+        oval.cycle->stages.back().sparkOutFor(3);
+        QVERIFY(within(rowOf(runOf(oval)).value, 2 * amplitude_um, 0.2));
+
+        Project few = p;
+        few.part->radii_per_section = 94;
+        const SimulationResult unresolved = runOf(few);
+        QVERIFY(wavesIn(unresolved).at("height_um").is_null());
+        QVERIFY(wavesIn(unresolved).at("orders").is_null());
+        QCOMPARE(wavesIn(unresolved).at("radii_needed").get<int>(), 96);
+        QVERIFY(!rowOf(unresolved).knowsMachine);
+
+        p.wheel->runout.reset();
+        QVERIFY(wavesIn(runOf(p)).is_null()); // not known, and so never 0.00
+        QVERIFY(lightOf(rowOf(runOf(p))) == Light::undecided);
+    }
+
+    void wavinessLeavesOutTheLowerOrders() {
+        constexpr int radii = 96;
+        std::vector<double> profile;
+        for (int k = 0; k < radii; ++k) {
+            const double phi = 2 * pi * k / radii;
+            profile.push_back(20 + 0.01 * std::cos(phi - 1) + 0.005 * std::cos(3 * phi)
+                              + 1e-3 * std::cos(8 * phi + 2));
+        }
+        const Waviness waves = wavinessOf(profile, Directions(radii), 4);
+        QVERIFY(within(waves.height_mm, 2e-3, 1e-4)); // crests lie between two radii
+        QCOMPARE(waves.orders.front().lobes, 4);
+        QCOMPARE(waves.orders.back().lobes, radii / 2);
+        QVERIFY(within(waves.orders[4].amplitude_mm, 1e-3, 1e-12));
+        profile[5] = std::nan("");
+        QVERIFY(std::isfinite(wavinessOf(profile, Directions(radii), 4).height_mm));
     }
 
     // No radius is deeper than t_П + e, and what is proved of cuts that follow one another is left
