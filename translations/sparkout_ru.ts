@@ -976,8 +976,12 @@
             <translation>с формой от станка</translation>
         </message>
         <message>
-            <source>wheel in balance</source>
-            <translation>круг уравновешен</translation>
+            <source>runout of the wheel not given</source>
+            <translation>биение круга не задано</translation>
+        </message>
+        <message>
+            <source>runout of the wheel by its amplitude</source>
+            <translation>биение круга задано амплитудой</translation>
         </message>
         <message>
             <source>unbalanced wheel</source>
@@ -7317,6 +7321,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Waviness</source>
             <translation>Волнистость</translation>
+        </message>
+        <message>
+            <source>Uniform from 0 to 360°, as the wheel stands at any angle when a cycle begins.</source>
+            <translation>Равномерно от 0 до 360°: в начале цикла круг стоит под любым углом.</translation>
         </message>
     </context>
     <context>

@@ -19,6 +19,10 @@ bool internal(const Project& p, const void*) {
     return p.part->surface == Surface::internal;
 }
 
+bool wheelRunout(const Project& p, const void*) {
+    return p.wheel->runout.has_value();
+}
+
 bool unbalanced(const Project& p, const void*) {
     return p.wheel->runout && p.wheel->runout->isForced();
 }

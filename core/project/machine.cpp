@@ -291,8 +291,8 @@ Field workSpeedVariation() {
     return SPARKOUT_FIELD(
         Machine, work_speed_variation,
         .label = SPARKOUT_NOOP("Input", "Variation of the work speed"),
-        .nullMeaning = SPARKOUT_NOOP("Input", "constant speed"), .sparse = true,
-        .page = Page::machine,
+        .nullMeaning = SPARKOUT_NOOP("Input", "constant speed"),
+        .relevant = conditions::wheelRunout, .sparse = true, .page = Page::machine,
         .hint =
             SPARKOUT_NOOP("Input", "The work speed rises and falls during the cycle, so that the "
                                    "waves of a wheel out of true do not print onto one "

@@ -18,7 +18,7 @@ bool dullnessCounts(const Project& p, const void*) {
 }
 
 bool isBalanced(const Project& p, const void* owner) {
-    return !conditions::unbalanced(p, owner);
+    return conditions::wheelRunout(p, owner) && !conditions::unbalanced(p, owner);
 }
 bool hasGrade(const Project& p, const void*) {
     return p.wheel->runout && p.wheel->runout->balance_grade_mm_s;

@@ -111,11 +111,13 @@ const std::array<Question, 12>& questions() {
                  p.machine->form.emplace().runout_um.emplace();
              }
          }},
-        {{SPARKOUT_NOOP("Condition", "wheel in balance"),
+        {{SPARKOUT_NOOP("Condition", "runout of the wheel not given"),
+          SPARKOUT_NOOP("Condition", "runout of the wheel by its amplitude"),
           SPARKOUT_NOOP("Condition", "unbalanced wheel")},
          [](Project& p, Stage&, std::size_t i) {
-             if (i == 1) {
-                 p.wheel->runout.emplace().balance_grade_mm_s = 1;
+             if (i > 0) {
+                 WheelRunout& runout = p.wheel->runout.emplace();
+                 (i == 1 ? runout.amplitude_um : runout.balance_grade_mm_s) = 1;
              }
          }},
         {{SPARKOUT_NOOP("Condition", "the stage feeds"),

@@ -4,6 +4,11 @@
 // force.
 #include "core/process/wheel_wave.h"
 
+#include "core/batch/batch_check.h"
+#include "core/batch/batch_run.h"
+#include "core/batch/factor_law.h"
+#include "core/batch/moments.h"
+#include "core/batch/usual_batch.h"
 #include "core/form/waviness.h"
 #include "core/optimisation/limit.h"
 #include "core/project/validate.h"
@@ -296,6 +301,36 @@ private slots:
         QVERIFY(within(waves.orders[4].amplitude_mm, 1e-3, 1e-12));
         profile[5] = std::nan("");
         QVERIFY(std::isfinite(wavinessOf(profile, Directions(radii), 4).height_mm));
+    }
+
+    // A batch draws the phase over the whole turn: the waves turn, and keep their height.
+    void batchDrawsThePhaseOfTheWheel() {
+        Project p = shaft(8, 96, 100);
+        p.part->tolerance.waviness_um = 2;
+        p.batch = Batch{};
+        p.batch->parts = 20;
+        p.batch->factors.wheel_phase_deg = usualFactor(FactorKind::wheelPhase, p);
+        QVERIFY(checkBatch(p).empty());
+        const std::vector<Characteristic> all = characteristicsOf(p);
+        const BatchResult batch = runBatch(p);
+        bool isFound = false;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (all[i].requirement && all[i].requirement->kind == ConstraintKind::waviness) {
+                const Moments moments = momentsOf(batch.statistics.values[i]);
+                QVERIFY(within(moments.mean, 2 * amplitude_um, 0.01));
+                QVERIFY(moments.deviation < 0.01);
+                isFound = true;
+            }
+        }
+        QVERIFY(isFound);
+        Project turned = p;
+        putFactor(FactorKind::wheelPhase, 180, turned);
+        QCOMPARE(turned.wheel->runout->phase_deg, 180.0);
+        QVERIFY(runOf(turned).sections[0].radii_mm != runOf(p).sections[0].radii_mm);
+        QVERIFY(withUsualBatch(p).batch->factors.wheel_phase_deg);
+        p.wheel->runout.reset();
+        QVERIFY(!checkBatch(p).empty());
+        QVERIFY(!withUsualBatch(p).batch->factors.wheel_phase_deg);
     }
 
     // No radius is deeper than t_П + e, and what is proved of cuts that follow one another is left
