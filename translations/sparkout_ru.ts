@@ -1976,7 +1976,7 @@
         </message>
         <message>
             <source>Number around the part, by the ratio of wheel to work speed and the waves of the wheel.</source>
-            <translation>Число по окружности детали: по отношению частот вращения круга и детали и числу волн круга.</translation>
+            <translation>Число по окружности детали: по отношению частот вращения круга и заготовки и числу волн круга.</translation>
         </message>
         <message>
             <source>Radii that resolve the waves</source>
@@ -7280,7 +7280,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>How far the work speed rises and falls about its value, in percent of it.</source>
-            <translation>Насколько частота вращения детали поднимается и опускается от заданной, в процентах от неё.</translation>
+            <translation>Насколько частота вращения заготовки поднимается и опускается от заданной, в процентах от неё.</translation>
         </message>
         <message>
             <source>Period of the variation</source>
@@ -7292,7 +7292,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Variation of the work speed</source>
-            <translation>Изменение частоты вращения детали</translation>
+            <translation>Изменение частоты вращения заготовки</translation>
         </message>
         <message>
             <source>constant speed</source>
@@ -7300,7 +7300,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>The work speed rises and falls during the cycle, so that the waves of a wheel out of true do not print onto one another.</source>
-            <translation>Частота вращения детали в течение цикла то больше, то меньше, чтобы волны от биения круга не ложились одна на другую.</translation>
+            <translation>Частота вращения заготовки в течение цикла то больше, то меньше, чтобы волны от биения круга не ложились одна на другую.</translation>
         </message>
         <message>
             <source>Natural frequency of the wheel head</source>
@@ -10199,6 +10199,18 @@ With another name both versions stay as they are.</source>
             <source>Akaike, 1974, choice of a model</source>
             <translation>Акаике, 1974, выбор модели</translation>
         </message>
+        <message>
+            <source>model page, section 16: waves of the wheel</source>
+            <translation>страница модели, раздел 16: волны от круга</translation>
+        </message>
+        <message>
+            <source>hon1.ru, balancing of grinding wheels</source>
+            <translation>hon1.ru, балансировка шлифовальных кругов</translation>
+        </message>
+        <message>
+            <source>ISO 21940-11:2016, grades of balance</source>
+            <translation>ISO 21940-11:2016, классы точности балансировки</translation>
+        </message>
     </context>
     <context>
         <name>Struct</name>
@@ -10496,7 +10508,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Variation of the work speed</source>
-            <translation>Изменение частоты вращения детали</translation>
+            <translation>Изменение частоты вращения заготовки</translation>
         </message>
     </context>
     <context>
@@ -11678,7 +11690,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>A wheel with an amplitude of %1 µm prints %2 waves around the part. A work speed at which the ratio of the speeds is not near to a whole number leaves less of them.</source>
-            <translation>От круга с амплитудой биения %1 мкм на детали %2 волн по окружности. При частоте вращения детали, для которой отношение частот не близко к целому, их остаётся меньше.</translation>
+            <translation>От круга с амплитудой биения %1 мкм на детали %2 волн по окружности. При частоте вращения заготовки, для которой отношение частот не близко к целому, их остаётся меньше.</translation>
         </message>
     </context>
     <context>
