@@ -55,12 +55,14 @@ struct Lanes {
         rubbing.assign(root.size(), 0.0);
         peakRubbing.assign(root.size(), 0.0);
     }
+    /// w at the visit of a lane [mm].
+    [[nodiscard]] double waveAt(std::size_t lane, const PassFeed& feed) const {
+        return waveCos.empty() ? 0
+                               : feed.waveCos_mm * waveCos[lane] + feed.waveSin_mm * waveSin[lane];
+    }
     /// Where the surface of the wheel stands at the visit of a lane: t_П + w [mm].
     [[nodiscard]] double wheelAt(std::size_t lane, const PassFeed& feed) const {
-        const double fed = feed.at(share[lane]);
-        return waveCos.empty()
-                   ? fed
-                   : fed + (feed.waveCos_mm * waveCos[lane] + feed.waveSin_mm * waveSin[lane]);
+        return feed.at(share[lane]) + waveAt(lane, feed);
     }
     std::vector<double> depth_mm; ///< depth of the radius below first touch
     std::vector<double> root;     ///< u = √a of the last pass [√mm]

@@ -281,7 +281,8 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
                      .radius_mm = finalRadius(point * count + k),
                      .normalForce_n = rubbing ? m_law.normalOfAll(width_mm, u * u, rubbing[k])
                                               : m_law.normal(width_mm, u),
-                     .printed_mm = m_printed_mm ? (*m_printed_mm)[point * count + k] : 0};
+                     .printed_mm = m_printed_mm ? (*m_printed_mm)[point * count + k] : 0,
+                     .wave_mm = m_lanes.waveAt(point * count + k, feed)};
     }
 }
 
