@@ -7592,6 +7592,10 @@ With another name both versions stay as they are.</source>
             <source>the number of lobes is not known: an even one spreads the diameters by {value} in a field of {limit}; judged as an odd one</source>
             <translation>число граней не известно: чётное разводит диаметры на {value} при поле {limit}; оценка — как при нечётном</translation>
         </message>
+        <message>
+            <source>{value} radii do not resolve the waves that the wheel prints, and the waviness is not decided; needed: {limit}</source>
+            <translation>при числе радиусов {value} волны от круга не видны, волнистость не определена; нужно: {limit}</translation>
+        </message>
 </context>
     <context>
         <name>LayersLook</name>
@@ -7618,10 +7622,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>%1, %2: takes off %3 µm, %4 µm so far, radius %5 µm from target</source>
             <translation>%1, %2: снимается %3 мкм, всего снято %4 мкм, радиус %5 мкм от целевого</translation>
-        </message>
-        <message>
-            <source>{value} radii do not resolve the waves that the wheel prints, and the waviness is not decided; needed: {limit}</source>
-            <translation>при числе радиусов {value} волны от круга не видны, волнистость не определена; нужно: {limit}</translation>
         </message>
     </context>
     <context>
