@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/process/pass_kernel.h"
+#include "core/project/project.h"
 
 #include <optional>
 
@@ -17,8 +18,6 @@
 /// where a pass begins with whole turns and visits radius k at θ = q + (k + 1)/K. A speed that
 /// varies by ± s is n/(1 + s·sin(2π·θ/N)), so that the time of θ is known without solving for it.
 namespace sparkout {
-
-struct Project;
 
 struct WheelWave {
     double amplitude_mm = 0; ///< e

@@ -152,7 +152,7 @@ const StructInfo& tableOf<Tolerance>() {
             .hint = SPARKOUT_NOOP("Input", "Maximum height of the waves around the part, from peak "
                                            "to valley. It is decided where the runout of the wheel "
                                            "is given."),
-            .formula = "e·(1 − cos(π/q)) at L·n_k/n = p/q", .source = "MODEL-16"),
+            .formula = "W = e·(1 − cos(π/q)), L·n_k/n = p/q", .source = "MODEL-16"),
     };
     static const StructInfo info =
         makeTable<Tolerance>(SPARKOUT_NOOP("Struct", "Tolerances"), rows);

@@ -270,7 +270,7 @@ private slots:
         Project oval = p; // of the blank, which the spark-out leaves a part of
         oval.part->profile = ProfileForm::ellipse;
         oval.part->initial_runout_mm = 0.05;
-        oval.cycle->stages.back().sparkOutFor(3);
+        oval.cycle->stages.back().sparkOutFor(10);
         QVERIFY(within(rowOf(runOf(oval)).value, 2 * amplitude_um, 0.2));
 
         Project few = p;
