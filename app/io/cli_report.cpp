@@ -11,12 +11,14 @@
 #include "core/quality/finished_surface.h"
 #include "core/quality/light.h"
 #include "core/quality/result_names.h"
+#include "core/quality/waviness_outputs.h"
 #include "core/tables/csv_line.h"
 #include "core/units.h"
 #include "words/issue_words.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,6 +34,15 @@ std::string padded(std::string name) {
 
 std::string um(double value_mm) {
     return fixed(value_mm * units::umPerMm, 3);
+}
+
+std::string wavesText(const PlaceWaves& of) {
+    const Harmonic* const largest = of.largest();
+    return largest
+               ? "waviness " + um(of.waves->height_mm) + ", most of order "
+                     + std::to_string(largest->lobes) + ", amplitude " + um(largest->amplitude_mm)
+               : "waviness not decided: at least " + std::to_string(of.radiiNeeded)
+                     + " radii a section";
 }
 
 std::string accuracyText(const SimulationResult& result, const PartAccuracy& accuracy) {
@@ -52,6 +63,9 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
         if (i < result.ifEven.size()) {
             text += padded("") + um(result.ifEven[i].least_mm) + ", " + um(result.ifEven[i].most_mm)
                     + " with an even number of lobes\n";
+        }
+        if (const std::optional<PlaceWaves> waves = placeWaves(result, i)) {
+            text += padded("") + wavesText(*waves) + '\n';
         }
     }
     for (std::size_t i = 0; i < accuracy.zones.size(); ++i) {

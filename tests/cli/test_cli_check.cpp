@@ -34,6 +34,19 @@ private slots:
         QCOMPARE(run({"simulate", save("loose.sparkout", loose.dump()), "--check"}).status, 0);
     }
 
+    void wavinessIsStatedWhereTheWheelIsKnown() {
+        json file = samples::sample("complete");
+        const auto answer = [&] {
+            return run({"simulate", save("wavy.sparkout", file.dump())}).out;
+        };
+        QVERIFY(!has(answer(), "waviness"));
+        file["wheel"]["runout"] = {{"amplitude_um", 2}};
+        file["part"]["radii_per_section"] = 36;
+        QVERIFY(has(answer(), "waviness not decided: at least 72 radii a section"));
+        file["part"]["radii_per_section"] = 72;
+        QVERIFY(has(answer(), ", most of order "));
+    }
+
     void checkExits4ForEachRequirement_data() {
         addColumns<QString, QString, double, double>("name", "path", "holds", "fails");
         QStringList named;
