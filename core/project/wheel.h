@@ -31,12 +31,12 @@ struct MeasuredRa {
 /// The wheel out of true since its last dressing, which prints waves onto the work [MODEL-16]: a
 /// runout of its surface, or an unbalance that came afterwards, given itself or by its grade.
 struct WheelRunout {
-    std::optional<double> amplitude_um;       ///< e, half of the total runout [µm]
-    int lobes = 1;                            ///< L of the amplitude
-    std::optional<double> unbalance_g_mm;     ///< U [g·mm]
-    std::optional<double> balance_grade_mm_s; ///< G = U·ω/M [mm/s]
-    std::optional<double> rotor_mass_kg;      ///< M, for the grade [kg]
-    double phase_deg = 0;                     ///< ψ_0 when the cycle begins [°]
+    std::optional<double> amplitude_um{};       ///< e, half of the total runout [µm]
+    int lobes = 1;                              ///< L of the amplitude
+    std::optional<double> unbalance_g_mm{};     ///< U [g·mm]
+    std::optional<double> balance_grade_mm_s{}; ///< G = U·ω/M [mm/s]
+    std::optional<double> rotor_mass_kg{};      ///< M, for the grade [kg]
+    double phase_deg = 0;                       ///< ψ_0 when the cycle begins [°]
 
     /// Whether an unbalance moves the wheel head, whose stiffness then counts.
     [[nodiscard]] bool isForced() const { return unbalance_g_mm || balance_grade_mm_s; }

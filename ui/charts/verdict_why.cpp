@@ -4,6 +4,7 @@
 #include "core/process/profile.h"
 #include "core/process/wheel_wave.h"
 #include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/quality/diameter_shares.h"
 #include "core/quality/light.h"

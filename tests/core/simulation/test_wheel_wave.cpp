@@ -327,10 +327,12 @@ private slots:
         putFactor(FactorKind::wheelPhase, 180, turned);
         QCOMPARE(turned.wheel->runout->phase_deg, 180.0);
         QVERIFY(runOf(turned).sections[0].radii_mm != runOf(p).sections[0].radii_mm);
-        QVERIFY(withUsualBatch(p).batch->factors.wheel_phase_deg);
+        const Project usual = withUsualBatch(p);
+        QVERIFY(usual.batch->factors.wheel_phase_deg);
         p.wheel->runout.reset();
         QVERIFY(!checkBatch(p).empty());
-        QVERIFY(!withUsualBatch(p).batch->factors.wheel_phase_deg);
+        const Project without = withUsualBatch(p);
+        QVERIFY(!without.batch->factors.wheel_phase_deg);
     }
 
     // No radius is deeper than t_П + e, and what is proved of cuts that follow one another is left
