@@ -62,6 +62,7 @@ enum class IssueCode {
     stageIdle,
     dwellRounded,
     lobesUnknown,
+    wavesUnresolved, ///< of a wheel out of true, by too few radii
     noSuchNumber,
     sameName,
     sharedKey,
