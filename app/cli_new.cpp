@@ -67,7 +67,7 @@ std::string stageText(const Project& project, const Stage& stage) {
     std::string text;
     if (const auto steps = stage.sparkOutSteps()) {
         text = "spark-out of " + std::to_string(*steps)
-               + (project.operation->countsStrokes ? " double strokes" : " revolutions");
+               + (project.operation->travels ? " double strokes" : " revolutions");
     } else {
         for (const StageFeed& feed : project.operation->feeds) {
             text += (text.empty() ? "" : ", ") + numberText((stage.*feed.value).value_or(0)) + ' '

@@ -66,13 +66,13 @@ std::string stageLine(const Operation& operation, const Stage& stage, std::size_
     std::string feeds;
     if (const auto steps = stage.sparkOutSteps()) {
         feeds = "spark-out, " + std::to_string(*steps)
-                + (operation->countsStrokes ? " double strokes" : " revolutions");
+                + (operation->travels ? " double strokes" : " revolutions");
     } else if (stage.continuousFeed_mm_min() > 0) {
         feeds = plainNumber(stage.continuousFeed_mm_min()) + " mm/min continuous";
     } else {
         const double radial = *(stage.*operation->radial().value);
-        feeds = operation->perMinute ? fixed(radial, 3) + " mm/min"
-                                     : fixed(radial, 4) + " mm per double stroke";
+        feeds = !operation->travels ? fixed(radial, 3) + " mm/min"
+                                    : fixed(radial, 4) + " mm per double stroke";
     }
     if (const StageFeed* axial = operation->axial()) {
         feeds += ", " + fixed(*(stage.*axial->value), 0) + " mm/min axial";

@@ -26,7 +26,7 @@ namespace {
 constexpr int stockDigits = 6, deviationDigits = 2, timeDigits = 4; // nm, 10 nm, 6 ms
 
 std::string placeOf(const Project& project, std::size_t place) {
-    return sectionOrPart(project.operation->hasZones ? static_cast<Zone>(place) : Zone::section,
+    return sectionOrPart(project.operation->travels ? static_cast<Zone>(place) : Zone::section,
                          static_cast<int>(place));
 }
 

@@ -204,8 +204,8 @@ std::string RemedyWording::inUnit(const Project& project, const RemedySetting& s
     }
     const bool isStep =
         setting.kind == RemedyKind::radialFeed || setting.kind == RemedyKind::addFeed;
-    const char* const of = isStep && !project.operation->perMinute ? "mm" // what S_t is one of
-                                                                   : rowOf(project, setting).unit;
+    const char* const of = isStep && project.operation->travels ? "mm" // what S_t is one of
+                                                                : rowOf(project, setting).unit;
     return values + ' ' + unit(of);
 }
 
@@ -223,7 +223,7 @@ std::string RemedyWording::withValue(const Project& project, const RemedySetting
                                      double value, const std::string& is) const {
     const Field& row = rowOf(project, setting);
     const std::string stage = number(static_cast<double>(setting.stage) + 1);
-    const bool strokes = project.operation->countsStrokes;
+    const bool strokes = project.operation->travels;
     switch (setting.kind) {
     case RemedyKind::radialFeed:
     case RemedyKind::axialFeed:
@@ -263,7 +263,7 @@ std::string RemedyWording::withValue(const Project& project, const RemedySetting
         stock.kind = RemedyKind::stock;
         const StageFeed& feed = project.operation->radial();
         const Field& feedRow = *tableOf<Stage>().find(feed.key);
-        const char* const feedUnit = project.operation->perMinute ? feedRow.unit : "mm";
+        const char* const feedUnit = !project.operation->travels ? feedRow.unit : "mm";
         return filled(SPARKOUT_NOOP("Remedy", "{change}, with {feed} of stage 1 = {value}"),
                       {{"change", withValue(project, stock, value, is)},
                        {"feed", feedRow.symbol},

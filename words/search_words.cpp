@@ -477,7 +477,7 @@ void SearchWording::addLimit(const SearchOutcome& outcome, std::vector<std::stri
                     {number(cycles.continuousFeed_mm_min)})
                 : std::string("The limit is valid for cycles without a continuous infeed."));
     }
-    if (outcome.searched.operation->mayRetract) {
+    if (!outcome.searched.operation->travels) {
         lines.push_back(cycles.drawBack
                             ? "The limit is also valid for cycles that draw the wheel head back."
                             : "The limit is valid for cycles that never draw the wheel head back.");

@@ -144,7 +144,7 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
     }
     std::string text = "deviations, µm       min, max of the diameter; radial runout; roundness by "
                        "minimum zone, least squares";
-    text += result.project.operation->hasZones ? "\n" : "; sections from 0\n";
+    text += result.project.operation->travels ? "\n" : "; sections from 0\n";
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const SectionResult& section = result.sections[i];
         text += padded("  " + sectionName(section.zone, static_cast<int>(i)))
@@ -309,8 +309,7 @@ std::string resultText(const SimulationResult& result,
     text += "status               " + statusSentence(result) + '\n';
     text += "judged               " + headline + '\n';
     text += "machining time       " + fixed(result.time_s / units::secondsPerMinute, 4) + " min\n";
-    text +=
-        result.project.operation->countsStrokes ? "double strokes       " : "revolutions          ";
+    text += result.project.operation->travels ? "double strokes       " : "revolutions          ";
     text += std::to_string(result.cycleCount) + " (by stage:";
     for (const int count : result.countsByStage) {
         text += ' ' + std::to_string(count);
@@ -320,12 +319,12 @@ std::string resultText(const SimulationResult& result,
     text += "peak power           " + fixed(result.peakPower_w, 1) + " W at "
             + placeText(result.peakPowerAt) + '\n';
     text += accuracyText(result, accuracyOf(result)) + requirementsText(result, constraints);
-    return text + shopText(shopNumbers(result), !result.project.operation->countsStrokes);
+    return text + shopText(shopNumbers(result), !result.project.operation->travels);
 }
 
 std::string traceCsv(const SimulationResult& result, const Trajectory& trajectory) {
-    const bool strokes = result.project.operation->countsStrokes;
-    const bool zones = result.project.operation->hasZones;
+    const bool strokes = result.project.operation->travels;
+    const bool zones = result.project.operation->travels;
     std::string csv = strokes ? "time_min,double_stroke,stage," : "time_min,revolution,stage,";
     csv += zones ? "zone," : "section,";
     csv += strokes ? "step,revolution,radius," : "radius,";

@@ -94,9 +94,8 @@ int stateRoundness(const Project& project, const std::string& name, const manual
     std::string text;
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const std::vector<double>& radii = result.sections[i].radii_mm;
-        const std::string where =
-            sectionName(project.operation->hasZones ? static_cast<Zone>(i) : Zone::section,
-                        static_cast<int>(i));
+        const std::string where = sectionName(
+            project.operation->travels ? static_cast<Zone>(i) : Zone::section, static_cast<int>(i));
         json["roundness"].push_back({{"where", where},
                                      {"radii", radii.size()},
                                      {"resolved_upr", resolvedUndulations(radii.size())},

@@ -49,11 +49,11 @@ ordered_json trialJson(const Project& project, const Trial& trial) {
 }
 
 std::string trialText(const Project& project, const Trial& trial, std::size_t rank) {
-    const bool perMinute = project.operation->perMinute;
+    const bool perMinute = !project.operation->travels;
     std::string text = std::to_string(rank) + ". " + fixed(trial.radialFeed, 4)
                        + (perMinute ? " mm/min for " : " mm per double stroke for ")
                        + std::to_string(trial.stepsByStage.front())
-                       + (project.operation->countsStrokes ? " double strokes" : " revolutions");
+                       + (project.operation->travels ? " double strokes" : " revolutions");
     text += trial.stepsByStage.size() > 1
                 ? ", then " + std::to_string(trial.stepsByStage.back()) + " without feed"
                 : "";

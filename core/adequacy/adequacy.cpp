@@ -277,9 +277,8 @@ const char* keyOf(MeanPlace place) {
 }
 
 std::string placeKey(const Project& project, int place) {
-    return sectionOrPart(project.operation->hasZones && place >= 0 ? static_cast<Zone>(place)
-                                                                   : Zone::section,
-                         place);
+    return sectionOrPart(
+        project.operation->travels && place >= 0 ? static_cast<Zone>(place) : Zone::section, place);
 }
 
 } // namespace sparkout

@@ -34,7 +34,7 @@ public:
 
     std::vector<Characteristic> list() {
         for (int i = 0; i < placeCount(m_project); ++i) {
-            addSection(m_project.operation->hasZones ? static_cast<Zone>(i) : Zone::section, i);
+            addSection(m_project.operation->travels ? static_cast<Zone>(i) : Zone::section, i);
         }
         m_zone = Zone::section;
         m_section = -1;

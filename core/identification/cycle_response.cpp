@@ -43,7 +43,7 @@ public:
         , m_scaledLaw(forceLaw(m_scaled))
         , m_withPlaces(withPlaces)
         , m_isExternal(project.part->surface == Surface::external)
-        , m_steps(m_scaled.operation->hasZones
+        , m_steps(m_scaled.operation->travels
                       ? traverseSteps(m_scaled, Zone::nz, &m_trajectory, stop)
                       : plungeSteps(m_scaled, &m_trajectory, stop)) {
         const double wheelSpeed_mm_s = project.machine->wheel_speed_m_s * units::mmPerM;
@@ -91,7 +91,7 @@ private:
         const bool done =
             !run.mustEnd()
             && m_steps->step({infeed_mm, stage, settings.axial_feed_mm_min.value_or(0),
-                              m_scaled.operation->hasZones ? settings.continuousFeed_mm_min() : 0,
+                              m_scaled.operation->travels ? settings.continuousFeed_mm_min() : 0,
                               most_mm});
         m_response.middle_s.push_back((before_s + run.time_s()) / 2);
         addForces(firstPass);
@@ -227,7 +227,7 @@ void scalePlaceCompliances(Project& project, const std::vector<double>& factors)
     for (std::size_t i = 0; i < points.size(); ++i) {
         values.push_back(points[i].gamma_mm_n * (i < factors.size() ? factors[i] : 1));
     }
-    if (project.operation->hasZones && values.size() == 3) {
+    if (project.operation->travels && values.size() == 3) {
         project.machine->compliance_mm_per_n = ZoneCompliance{values[0], values[1], values[2]};
     } else {
         project.machine->compliance_mm_per_n = std::move(values);

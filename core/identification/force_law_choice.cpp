@@ -343,7 +343,7 @@ std::optional<ForceLawChoice> chooseForceLaw(const Project& project, const Spark
 std::optional<SparkOutRecord> sparkOutOf(const Project& project,
                                          const std::vector<int>& stepsByStage, double begin_s) {
     const std::vector<Stage>& stages = project.cycle->stages;
-    if (project.operation->hasZones || stages.empty() || stages.back().feeds()
+    if (project.operation->travels || stages.empty() || stages.back().feeds()
         || stepsByStage.size() != stages.size()) {
         return std::nullopt;
     }

@@ -348,13 +348,13 @@ Phrase PlaceName::expected() {
 }
 
 PlaceName placeName(const Project& project, std::size_t index) {
-    return project.operation->hasZones ? PlaceName::ofWord(index)
-                                       : PlaceName::ofNumber(static_cast<int>(index));
+    return project.operation->travels ? PlaceName::ofWord(index)
+                                      : PlaceName::ofNumber(static_cast<int>(index));
 }
 
 bool hasPlace(const Project& project, const PlaceName& place) {
     const bool isOfKind =
-        project.operation->hasZones ? place.zone.has_value() : place.section.has_value();
+        project.operation->travels ? place.zone.has_value() : place.section.has_value();
     return isOfKind && place.index() < static_cast<std::size_t>(placeCount(project));
 }
 

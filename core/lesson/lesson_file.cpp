@@ -224,7 +224,7 @@ private:
         const Detail value = isMissing    ? Detail()
                              : place.zone ? quotedText(PlaceName::words()[place.index()].key)
                                           : Detail(countOf(place.index()));
-        if (project.operation->hasZones) {
+        if (project.operation->travels) {
             add(code, path, value, Keys{{"rz1", "nz", "rz2"}, Keys::Kind::choices});
         } else {
             add(code, path, value, boundsTo(0, placeCount(project) - 1));
@@ -242,7 +242,7 @@ private:
     }
 
     void checkStrokeStep(Step step, const Project& project, const std::string& path) {
-        if (step != Step::none && !project.operation->hasZones) {
+        if (step != Step::none && !project.operation->travels) {
             add(IssueCode::notOneOf, path,
                 quotedText(choicesOf<Step>()[static_cast<std::size_t>(step)].key),
                 Keys{{choicesOf<Step>().front().key}, Keys::Kind::choices});

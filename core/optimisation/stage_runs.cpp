@@ -12,7 +12,7 @@ namespace sparkout {
 
 std::size_t prefixBytes(const Project& project) {
     constexpr std::size_t numbersPerLane = 12, rest = 4096;
-    const int more = project.operation->hasZones ? zoneSectionCount(project) : 1; // a free gauge
+    const int more = project.operation->travels ? zoneSectionCount(project) : 1; // a free gauge
     const int places = placeCount(project) + more;
     const auto lanes = static_cast<std::size_t>(places)
                        * static_cast<std::size_t>(project.part->radii_per_section);

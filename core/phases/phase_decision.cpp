@@ -29,8 +29,8 @@ namespace {
 using nlohmann::ordered_json;
 
 std::unique_ptr<CycleSteps> stepsOf(const Project& project, const std::stop_token& stop) {
-    return project.operation->hasZones ? traverseSteps(project, Zone::nz, nullptr, stop)
-                                       : plungeSteps(project, nullptr, stop);
+    return project.operation->travels ? traverseSteps(project, Zone::nz, nullptr, stop)
+                                      : plungeSteps(project, nullptr, stop);
 }
 
 constexpr double rounding_mm = 1e-12;

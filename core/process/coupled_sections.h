@@ -112,7 +112,7 @@ private:
 
 /// Whether a project's cycle has its sections coupled.
 [[nodiscard]] inline bool isCoupled(const Project& project) {
-    return !project.operation->hasZones && project.sections_coupled;
+    return !project.operation->travels && project.sections_coupled;
 }
 
 } // namespace sparkout

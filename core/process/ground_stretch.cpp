@@ -10,7 +10,7 @@ namespace sparkout {
 std::vector<Stretch> groundStretches(const Project& project) {
     std::vector<Stretch> stretches;
     const double length = project.part->length_mm;
-    if (!project.operation->hasZones) {
+    if (!project.operation->travels) {
         for (int j = 0; j < project.sections; ++j) {
             stretches.push_back(
                 {length * j / project.sections, length * (j + 1) / project.sections});

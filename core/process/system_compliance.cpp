@@ -50,7 +50,7 @@ bool isComputed(const Project& project) {
 std::vector<double> positions(const Project& project) {
     std::vector<double> middles;
     const double length = project.part->length_mm;
-    if (!project.operation->hasZones) {
+    if (!project.operation->travels) {
         for (int j = 0; j < project.sections; ++j) {
             middles.push_back(length * (j + 0.5) / project.sections);
         }
@@ -92,7 +92,7 @@ std::vector<double> computedGammas(const Project& project, const std::vector<dou
 
 /// The lengths of the ground length that the zones or sections represent.
 std::vector<double> lengths(const Project& project) {
-    if (!project.operation->hasZones) {
+    if (!project.operation->travels) {
         const auto sections = static_cast<std::size_t>(project.sections);
         return std::vector<double>(sections, project.part->length_mm / project.sections);
     }
@@ -207,7 +207,7 @@ std::vector<CompliantPlace> complianceAlong(const Project& project, int places,
 }
 
 int gaugeSection(const Project& project) {
-    if (project.operation->hasZones) {
+    if (project.operation->travels) {
         return 1; // the middle of НЗ
     }
     if (project.gauge->position_mm) {

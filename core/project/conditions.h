@@ -16,10 +16,10 @@ inline bool travels(const Project& p, const void*) {
     return p.operation->travels;
 }
 inline bool zones(const Project& p, const void*) {
-    return p.operation->hasZones;
+    return p.operation->travels;
 }
 inline bool sections(const Project& p, const void*) {
-    return !p.operation->hasZones;
+    return !p.operation->travels;
 }
 /// Whether stages set this feed.
 template <auto Feed>

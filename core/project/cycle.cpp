@@ -47,7 +47,7 @@ bool drawsBack(const Project& project) {
 
 bool mayRetract(const Project& project, const Stage& stage) {
     const auto& stages = project.cycle->stages;
-    return project.operation->mayRetract && project.gauge->control == Control::gauge
+    return !project.operation->travels && project.gauge->control == Control::gauge
            && stages.size() > 2 && &stage > &stages.front() && &stage < &stages.back();
 }
 

@@ -13,7 +13,7 @@ namespace sparkout {
 namespace {
 
 bool gaugeAtSection(const Project& p, const void*) {
-    return !p.operation->hasZones && !p.gauge->position_mm;
+    return !p.operation->travels && !p.gauge->position_mm;
 }
 bool gaugeEndsAStage(const Project& p, const void*) {
     const auto& stages = p.cycle->stages;
@@ -23,7 +23,7 @@ bool gaugeMeetsGaps(const Project& p, const void*) {
     return !p.part->gaps.empty() && gaugeEndsAStage(p, nullptr);
 }
 bool gaugeFree(const Project& p, const void*) {
-    return !p.operation->hasZones && p.gauge->position_mm;
+    return !p.operation->travels && p.gauge->position_mm;
 }
 
 } // namespace

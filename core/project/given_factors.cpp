@@ -66,7 +66,7 @@ std::vector<GivenFactor> ofZones(const Project& project, bool constant) {
             const std::vector<double>& ends = (*ranges)[place];
             if (ends.size() == 2 && (ends[0] == ends[1]) == constant) {
                 GivenFactor factor{
-                    each.kind, {}, allowed, static_cast<int>(place), project.operation->hasZones};
+                    each.kind, {}, allowed, static_cast<int>(place), project.operation->travels};
                 factor.law.uniform = ends;
                 found.push_back(std::move(factor));
             }

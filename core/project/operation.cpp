@@ -50,9 +50,7 @@ const OperationTraits Traverse::traits{
     .continuous = &continuousFeed,
     .usualRadial = 0.001,
     .usualLeastSteps = 2,
-    .countsStrokes = true,
     .travels = true,
-    .hasZones = true,
 };
 
 const OperationTraits Plunge::traits{
@@ -60,8 +58,6 @@ const OperationTraits Plunge::traits{
     .feeds = plungeFeeds,
     .usualRadial = 0.1,
     .usualLeastSteps = 3,
-    .perMinute = true,
-    .mayRetract = true,
 };
 
 std::vector<const StageFeed*> OperationTraits::searchedFeeds() const {

@@ -31,17 +31,15 @@ struct OperationTraits {
     std::span<const StageFeed> feeds; ///< the radial one, and an axial one if any
     /// The continuous feed, which may replace the radial one of a stage; null if there is none.
     const StageFeed* continuous = nullptr;
-    double usualRadial = 0;     ///< usual radial feed of an added stage
-    int usualLeastSteps = 0;    ///< usual least number of steps of a stage with stock
-    bool perMinute = false;     ///< the radial feed is in mm/min, otherwise in mm per step
-    bool countsStrokes = false; ///< a step of the cycle is a double stroke, otherwise a revolution
-    /// The wheel travels along the part between reversals with overruns and dwells; otherwise it
-    /// covers the whole ground length.
+    double usualRadial = 0;  ///< usual radial feed of an added stage
+    int usualLeastSteps = 0; ///< usual least number of steps of a stage with stock
+    /// The wheel travels along the part between reversals with overruns and dwells: a step of the
+    /// cycle is a double stroke, the radial feed is in mm per step, and the ground length has the
+    /// zones РЗ1, НЗ, РЗ2 with the gauge in the middle of НЗ. Otherwise the wheel covers the ground
+    /// length: a step is a revolution, the radial feed is in mm/min, there are any number of
+    /// sections with a gauge at any position, and a stage between others may retract the wheel
+    /// head.
     bool travels = false;
-    /// The ground length has the zones РЗ1, НЗ, РЗ2, with the gauge in the middle of НЗ; otherwise
-    /// any number of sections and a gauge at any position.
-    bool hasZones = false;
-    bool mayRetract = false; ///< stages between others may retract the wheel head
 
     [[nodiscard]] const StageFeed& radial() const { return feeds.front(); }
     /// All feeds for which a search may have levels.
@@ -83,7 +81,7 @@ public:
     }
     /// The infeed of a step [mm] at a radial feed of the operation.
     [[nodiscard]] double infeed_mm(double radialFeed, double workSpeed_rpm) const {
-        return (*this)->perMinute ? radialFeed / workSpeed_rpm : radialFeed;
+        return (*this)->travels ? radialFeed : radialFeed / workSpeed_rpm;
     }
 };
 

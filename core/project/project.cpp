@@ -30,11 +30,11 @@ template class Indirect<Wheel>;
 template class OptionalShared<Measured>;
 
 int placeCount(const Project& project) {
-    return project.operation->hasZones ? 3 : project.sections;
+    return project.operation->travels ? 3 : project.sections;
 }
 
 int zoneSectionCount(const Project& project) {
-    const bool several = project.operation->hasZones && project.zone_sections > 1;
+    const bool several = project.operation->travels && project.zone_sections > 1;
     return several ? placeCount(project) * project.zone_sections : 0;
 }
 

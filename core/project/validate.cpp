@@ -91,7 +91,7 @@ public:
         checkWheelRunout();
         checkGaps();
         checkBlank();
-        project().operation->hasZones ? checkZones() : checkSections();
+        project().operation->travels ? checkZones() : checkSections();
         checkCompliance();
         checkWheelContact();
         checkMachineLimits();
@@ -230,7 +230,7 @@ private:
             least("/part/zone_runout_mm", *part.zone_runout_mm, blankRunout(), false);
         }
         if (count("/machine/zone_compliance", project().machine->zone_compliance)
-            && project().sections_coupled && !project().operation->hasZones) {
+            && project().sections_coupled && !project().operation->travels) {
             add(IssueCode::notUsedHere, "/machine/zone_compliance", {}, Keys{{"sections_coupled"}});
         }
     }
@@ -670,11 +670,11 @@ private:
             checkStiffness();
             return;
         }
-        if (project().sections_coupled && !project().operation->hasZones) {
+        if (project().sections_coupled && !project().operation->travels) {
             add(IssueCode::influenceUnknown, "/sections_coupled", Quoted{"true"},
                 Phrase::computedCompliance);
         }
-        if (project().operation->hasZones) {
+        if (project().operation->travels) {
             if (sections) {
                 add(IssueCode::wrongType, path, Quoted{"[…]"}, Phrase::valueForEachZone);
             }
@@ -734,7 +734,7 @@ private:
         }
         const Clearance clearance = clearanceOf(
             part, part.diameter_mm + 2 * (part.stock_mm + blankRunout() + furthestZone_mm(part)));
-        if (project().operation->hasZones) {
+        if (project().operation->travels) {
             const Machine& machine = *project().machine;
             const bool entersAtHeadstock = machine.entry_side == EntrySide::headstock;
             const auto compare = [this](const char* path, double overrun_mm, double free_mm) {

@@ -113,7 +113,7 @@ double spreadLimit(const Project& project, const ForceLaw& law, double b, double
 }
 
 bool isProvable(const Project& project) {
-    return !project.operation->hasZones && !isCoupled(project) && !wheelContact(project)
+    return !project.operation->travels && !isCoupled(project) && !wheelContact(project)
            && !hasThreshold(project) && zoneBlanks(*project.part).empty() && !project.wheel->runout;
 }
 

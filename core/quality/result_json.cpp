@@ -150,7 +150,7 @@ void addZoneSections(ordered_json& zone, const SimulationResult& result, std::si
 
 /// The zones as an object, or the sections as a list.
 ordered_json sectionsJson(const SimulationResult& result, const PartAccuracy& accuracy) {
-    const bool zones = result.project.operation->hasZones;
+    const bool zones = result.project.operation->travels;
     ordered_json all = zones ? ordered_json::object() : ordered_json::array();
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const SectionResult& section = result.sections[i];
@@ -180,8 +180,8 @@ std::string resultJson(const SimulationResult& result,
     root["operation"] = operation->choice.key;
     root["engine_version"] = result.engineVersion;
     root["cycle_time_min"] = result.time_s / units::secondsPerMinute;
-    root[operation->countsStrokes ? "double_strokes" : "revolutions"] = result.cycleCount;
-    root[operation->countsStrokes ? "double_strokes_by_stage" : "revolutions_by_stage"] =
+    root[operation->travels ? "double_strokes" : "revolutions"] = result.cycleCount;
+    root[operation->travels ? "double_strokes_by_stage" : "revolutions_by_stage"] =
         result.countsByStage;
     ordered_json stageTimes = ordered_json::array();
     for (const double time_s : result.timeByStage_s) {
@@ -198,7 +198,7 @@ std::string resultJson(const SimulationResult& result,
     if (const double engaged = engagedShare(*result.project.part); engaged < 1) {
         root["engaged_share"] = engaged; // of the turn; radii in the gaps are null
     }
-    root[operation->hasZones ? "zones" : "sections"] = sectionsJson(result, accuracy);
+    root[operation->travels ? "zones" : "sections"] = sectionsJson(result, accuracy);
     root["part"] = partJson(accuracy, result.project);
     root["peak"] = {{"normal_force_n", result.peakNormalForce_n},
                     {"normal_force_where", placeText(result.peakNormalForceAt)},

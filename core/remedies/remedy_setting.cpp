@@ -209,7 +209,7 @@ private:
     }
 
     void addCount(const Target& target, int present) {
-        const double most = m_project.operation->countsStrokes ? mostStrokes : mostRevolutions;
+        const double most = m_project.operation->travels ? mostStrokes : mostRevolutions;
         add(target, {1, most + present}, SettingScale::steps(0, 1));
     }
 

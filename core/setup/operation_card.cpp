@@ -126,11 +126,11 @@ private:
             regime.length_mm = project.part->length_mm;
             regime.stock_mm = stage.stock_mm;
             regime.steps = z < result.countsByStage.size() ? result.countsByStage[z] : 0;
-            regime.countsStrokes = project.operation->countsStrokes;
+            regime.countsStrokes = project.operation->travels;
             regime.feeds = stage.feeds();
             regime.untilSize = stage.waitsForSize();
             regime.radialFeed = stage.feeds() ? (stage.*radial.value).value_or(0) : 0;
-            regime.perMinute = project.operation->perMinute;
+            regime.perMinute = !project.operation->travels;
             if (axial) {
                 regime.axialFeed_mm_min = stage.*axial->value;
             }

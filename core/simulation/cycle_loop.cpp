@@ -16,13 +16,13 @@ constexpr int idleDoubleStrokes = 1, idleRevolutions = 100;
 CycleLoop::CycleLoop(const Project& project, const Run& run)
     : m_project(&project)
     , m_control(project, infeedsOfStages(project), run.blank().totalInfeed_mm)
-    , m_mostIdle(project.operation->hasZones ? idleDoubleStrokes : idleRevolutions) {}
+    , m_mostIdle(project.operation->travels ? idleDoubleStrokes : idleRevolutions) {}
 
 StepFeed CycleLoop::next(const Run& run) const {
     const Stage& stage = m_project->cycle->stages[m_control.stage()];
-    return {
-        m_control.nextInfeed(run.fed_mm), m_control.stage(), stage.axial_feed_mm_min.value_or(0),
-        m_project->operation->hasZones ? stage.continuousFeed_mm_min() : 0, m_control.mostFed()};
+    return {m_control.nextInfeed(run.fed_mm), m_control.stage(),
+            stage.axial_feed_mm_min.value_or(0),
+            m_project->operation->travels ? stage.continuousFeed_mm_min() : 0, m_control.mostFed()};
 }
 
 StepReading takeReading(CycleSteps& steps) {

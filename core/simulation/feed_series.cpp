@@ -19,7 +19,7 @@ namespace {
 
 std::vector<FeedColumn> emptyColumns(const SimulationResult& result) {
     std::vector<FeedColumn> columns;
-    const bool sections = !result.project.operation->hasZones;
+    const bool sections = !result.project.operation->travels;
     const int gauge = sections ? gaugeSection(result.project) : -1;
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const int section = sections ? static_cast<int>(i) : 0;

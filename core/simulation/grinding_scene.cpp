@@ -77,7 +77,7 @@ private:
         const Project& project = m_result.project;
         const double middle =
             m_result.sections[static_cast<std::size_t>(gaugeSection(project))].position_mm;
-        return project.operation->hasZones ? middle : project.gauge->position_mm.value_or(middle);
+        return project.operation->travels ? middle : project.gauge->position_mm.value_or(middle);
     }
 
     void addSurfaces() {

@@ -8,7 +8,7 @@
 namespace sparkout {
 
 CouplingAnswer couplingOf(const Project& project) {
-    if (project.operation->hasZones) {
+    if (project.operation->travels) {
         return CouplingAnswer::traverse;
     }
     const bool given =

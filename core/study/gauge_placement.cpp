@@ -89,7 +89,7 @@ public:
     }
 
     GaugePosition at(double position_mm) {
-        return m_project.operation->hasZones ? inZone(position_mm) : atPlace(position_mm);
+        return m_project.operation->travels ? inZone(position_mm) : atPlace(position_mm);
     }
 
 private:
@@ -144,7 +144,7 @@ std::optional<std::size_t> bestOf(const std::vector<GaugePosition>& positions) {
 
 std::vector<double> gaugeCandidates(const Project& project, int count) {
     std::vector<double> positions;
-    if (project.operation->hasZones) {
+    if (project.operation->travels) {
         for (const CompliantPoint& zone : compliantPoints(project)) {
             positions.push_back(zone.position_mm);
         }

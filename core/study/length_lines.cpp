@@ -94,7 +94,7 @@ std::vector<ProfilePoint> lengthLine(const ProfileSeries& series, LengthLine lin
     for (std::size_t i = 0; i < count; ++i) {
         const Profile& p = profiles[backwards ? count - 1 - i : i];
         const double value = lengthValue(series, p, line, quantity);
-        if (series.operation->hasZones) {
+        if (series.operation->travels) {
             points.push_back({p.from_mm, value});
             points.push_back({p.to_mm, value});
         } else {

@@ -81,7 +81,7 @@ ZoneCompliance zoneCompliance(const Project& project) {
 /// first `reach_mm`.
 GivenCompliance givenCompliance(const Project& project, const Operation& operation,
                                 double reach_mm) {
-    if (operation->hasZones) {
+    if (operation->travels) {
         return zoneCompliance(project);
     }
     return sectionCompliance(project, project.sections, reach_mm);
@@ -307,7 +307,7 @@ Project withSections(Project project, int sections) {
     if (project.gauge->section && *project.gauge->section >= sections) {
         project.gauge->section.reset();
     }
-    if (sections != project.sections && !project.operation->hasZones) {
+    if (sections != project.sections && !project.operation->travels) {
         forgetZones(project);
     }
     project.sections = sections;

@@ -80,7 +80,7 @@ ProfileSeries endOfCycle(const SimulationResult& result) {
     series.knowsRunout = isRunoutKnown(*result.project.machine);
     series.knowsRoundness = isRoundnessKnown(*result.project.machine);
     series.isWhole = FinishedSurface(result.project).isWhole();
-    const bool zones = series.operation->hasZones;
+    const bool zones = series.operation->travels;
     const int gauge = gaugeProfile(result);
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const SectionResult& s = result.sections[i];
@@ -199,7 +199,7 @@ Profile measuredProfile(const ProfileSeries& series, std::vector<double> radii_m
 
 int gaugeProfile(const SimulationResult& result) {
     const Project& project = result.project;
-    if (!project.gauge->position_mm || project.operation->hasZones) {
+    if (!project.gauge->position_mm || project.operation->travels) {
         return gaugeSection(project);
     }
     const auto away = [&](const SectionResult& section) {

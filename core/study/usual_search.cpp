@@ -129,7 +129,7 @@ public:
 
 private:
     [[nodiscard]] const StageFeed& radial() const { return m_project.operation->radial(); }
-    [[nodiscard]] bool isPlunge() const { return m_project.operation->perMinute; }
+    [[nodiscard]] bool isPlunge() const { return !m_project.operation->travels; }
     [[nodiscard]] double rough() const { return fedBy(m_feeding.front()); }
     [[nodiscard]] double finish() const { return fedBy(m_feeding.back()); }
     [[nodiscard]] bool hasFinish() const { return m_feeding.size() > 1; }

@@ -63,7 +63,7 @@ double CompareChart::end() const {
 QString CompareChart::timeLabel() const {
     bool strokes = false, turns = false;
     for (const ComparedFeeds& run : m_runs) {
-        (run.feeds->operation->countsStrokes ? strokes : turns) = true;
+        (run.feeds->operation->travels ? strokes : turns) = true;
     }
     switch (m_axis) {
     case CycleAxis::time: return TimeUnit(longest_s()).titled(tr("Time"));
@@ -114,7 +114,7 @@ QString CompareChart::valuesAt(std::size_t run, double x) const {
     if (!p) {
         return tr("%1: nothing is ground then").arg(name);
     }
-    const bool strokes = m_runs[run].feeds->operation->countsStrokes;
+    const bool strokes = m_runs[run].feeds->operation->travels;
     const QString stroke =
         (strokes ? tr("double stroke %1") : tr("revolution %1")).arg(p->place.cycleCount);
     QString chosen;

@@ -37,7 +37,7 @@ bool isTime(const OutputRow& row) {
 }
 
 ValueHead headOf(const OutputRow& row, Operation operation, const TimeUnit& unit) {
-    const bool revolutions = !operation->countsStrokes;
+    const bool revolutions = !operation->travels;
     if (isTime(row)) {
         const QString name = unit.titled(outputLabel(row));
         return {name, name, outputHint(row), row.key};
@@ -147,7 +147,7 @@ ValueTable shopTable(const Outcome& outcome) {
 CsvTable stageTable(const ShopNumbers& shop, Operation operation) {
     CsvTable table;
     table.header << ShopText::tr("Stage");
-    addOutputHeads(table.header, shopColumnOutputs(), !operation->countsStrokes);
+    addOutputHeads(table.header, shopColumnOutputs(), !operation->travels);
     addOutputHeads(table.header, shopOutputs());
     const auto add = [&](CsvCell name, const ShopColumn& column, const ShopNumbers* whole) {
         std::vector<CsvCell>& cells = table.rows.emplace_back();

@@ -48,12 +48,12 @@ std::vector<SheetColumn> columnsFor(const Operation& operation) {
     const QString mm = unitText("mm");
     std::vector<SheetColumn> columns{
         {TraceSheet::tr("Time"), unitText("min"), timeDecimals},
-        {operation->countsStrokes ? TraceSheet::tr("Double stroke") : TraceSheet::tr("Revolution"),
+        {operation->travels ? TraceSheet::tr("Double stroke") : TraceSheet::tr("Revolution"),
          {},
          0},
         {TraceSheet::tr("Stage"), {}, 0},
-        {operation->hasZones ? TraceSheet::tr("Zone") : TraceSheet::tr("Section")}};
-    if (operation->countsStrokes) {
+        {operation->travels ? TraceSheet::tr("Zone") : TraceSheet::tr("Section")}};
+    if (operation->travels) {
         columns.push_back({TraceSheet::tr("Step")});
         columns.push_back({TraceSheet::tr("Pass of the step"), {}, 0});
     }
@@ -94,7 +94,7 @@ void fillRow(const Outcome& outcome, const PassTexts& texts, const Pass& pass, s
     put(double(place.cycleCount));
     put(double(place.stage));
     put(texts.zones[sectionOf(place)]);
-    if (project.operation->countsStrokes) {
+    if (project.operation->travels) {
         put(texts.steps[static_cast<std::size_t>(place.step)]);
         put(double(place.revolution));
     }
@@ -275,7 +275,7 @@ QString partName(ResultPart part, Operation operation) {
     case ResultPart::cycle: return ResultParts::tr("Whole cycle");
     case ResultPart::stages: return ResultParts::tr("Stages");
     case ResultPart::zones:
-        return operation->hasZones ? ResultParts::tr("Zones") : ResultParts::tr("Sections");
+        return operation->travels ? ResultParts::tr("Zones") : ResultParts::tr("Sections");
     case ResultPart::profiles: return ResultParts::tr("Final profiles");
     case ResultPart::requirements: return ResultParts::tr("Requirements");
     case ResultPart::trace: return ResultParts::tr("Trace");

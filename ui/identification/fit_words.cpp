@@ -44,8 +44,8 @@ QString fileOf(const MeasuredTrace& trace) {
 } // namespace
 
 QString FitWords::place(const Project& project, int place) {
-    return project.operation->hasZones ? Names::zone(static_cast<Zone>(place))
-                                       : Names::zone(Zone::section, place);
+    return project.operation->travels ? Names::zone(static_cast<Zone>(place))
+                                      : Names::zone(Zone::section, place);
 }
 
 QString FitWords::parameter(const Project& project, const FittedParameter& parameter) {

@@ -51,8 +51,8 @@ QString MeasuredText::place(const Project& project, int place) {
         return tr("whole part");
     }
     const auto index = static_cast<std::size_t>(place);
-    return project.operation->hasZones && index < zones.size() ? Names::zone(zones.at(index))
-                                                               : Names::zone(Zone::section, place);
+    return project.operation->travels && index < zones.size() ? Names::zone(zones.at(index))
+                                                              : Names::zone(Zone::section, place);
 }
 
 QString MeasuredText::brief(MeasuredQuantity quantity) {

@@ -61,7 +61,7 @@ QString FeedText::where(const FeedPoint& p, double time_s, const FeedSeries& ser
     if (p.place.step != Step::none) {
         parts << Names::stepMeaning(p.place.zone, p.place.step);
     }
-    if (series.operation->countsStrokes && p.place.revolution > 0) {
+    if (series.operation->travels && p.place.revolution > 0) {
         parts << tr("pass %1").arg(p.place.revolution);
     }
     if (p.radius >= 0) {

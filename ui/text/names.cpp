@@ -99,7 +99,7 @@ QString Names::moment(Operation operation, int stroke, int count, bool strokeDon
     if (stroke == 0) {
         return tr("Before the first touch");
     }
-    const bool strokes = operation->countsStrokes;
+    const bool strokes = operation->travels;
     const QString text =
         strokeDone
             ? (strokes ? tr("After double stroke %1 of %2") : tr("After revolution %1 of %2"))
@@ -113,8 +113,8 @@ QString Names::place(const Place& place, Operation operation) {
         parts << step(place.step);
     }
     parts << tr("stage %1").arg(place.stage);
-    parts << (operation->countsStrokes ? tr("double stroke %1").arg(place.cycleCount)
-                                       : tr("revolution %1").arg(place.cycleCount));
+    parts << (operation->travels ? tr("double stroke %1").arg(place.cycleCount)
+                                 : tr("revolution %1").arg(place.cycleCount));
     return parts.join(QStringLiteral(", "));
 }
 
@@ -124,8 +124,8 @@ QString Names::moment(const Place& place, Operation operation) {
         parts << step(place.step);
     }
     parts << tr("stage %1").arg(place.stage);
-    parts << (operation->countsStrokes ? tr("double stroke %1", "short").arg(place.cycleCount)
-                                       : tr("revolution %1").arg(place.cycleCount));
+    parts << (operation->travels ? tr("double stroke %1", "short").arg(place.cycleCount)
+                                 : tr("revolution %1").arg(place.cycleCount));
     return parts.join(QStringLiteral(", "));
 }
 

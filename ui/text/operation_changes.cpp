@@ -30,10 +30,10 @@ QString switchedText(const ConstMember& member, const Project& of) {
     }
     case Kind::optionalNumberList:
         return member.field->as<std::optional<std::vector<double>>>(member.owner)
-                   ? byPlace(of.operation->hasZones)
+                   ? byPlace(of.operation->travels)
                    : inputText(member.field->nullMeaning);
     case Kind::numberRows:
-        return member.field->as<NumberRows>(member.owner) ? byPlace(of.operation->hasZones)
+        return member.field->as<NumberRows>(member.owner) ? byPlace(of.operation->travels)
                                                           : inputText(member.field->nullMeaning);
     default: return valueText(*member.field, member.owner);
     }

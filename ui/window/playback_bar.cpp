@@ -160,7 +160,7 @@ void PlaybackBar::follow() {
     for (QToolButton* button : {m_next, m_last}) {
         button->setEnabled(any && !m_cursor.atEnd());
     }
-    const bool strokes = !any || m_cursor.outcome()->result.project.operation->countsStrokes;
+    const bool strokes = !any || m_cursor.outcome()->result.project.operation->travels;
     if (strokes != m_strokes) {
         m_strokes = strokes;
         fillUnits(unit());
@@ -180,7 +180,7 @@ QString PlaybackBar::placeText() const {
         return tr("Blank, before the first touch");
     }
     const Outcome& outcome = *m_cursor.outcome();
-    const bool strokes = outcome.result.project.operation->countsStrokes;
+    const bool strokes = outcome.result.project.operation->travels;
     const Place& at = pass->place;
     QStringList parts{
         (strokes ? tr("Stage %1, double stroke %2 of %3") : tr("Stage %1, revolution %2 of %3"))

@@ -51,7 +51,7 @@ private slots:
             }
             QCOMPARE(response.middle_s.size(), response.end_s.size() + 1);
             QCOMPARE(response.placeSizes_mm.size(), static_cast<std::size_t>(placeCount(project)));
-            (project.operation->hasZones ? traverse : plunge) += 1;
+            (project.operation->travels ? traverse : plunge) += 1;
         }
         QVERIFY(traverse > seeds / 10 && plunge > seeds / 10);
     }

@@ -239,7 +239,7 @@ private slots:
             }
             const Pass& last = trajectory.passes.back();
             const std::size_t place = static_cast<std::size_t>(
-                plain.operation->hasZones ? static_cast<int>(last.place.zone) : last.place.section);
+                plain.operation->travels ? static_cast<int>(last.place.zone) : last.place.section);
             for (std::size_t k = 0; k < b.sections[place].radii_mm.size(); ++k) {
                 QVERIFY(trajectory.visits[last.firstVisit + k].radius_mm
                         == b.sections[place].radii_mm[k]);

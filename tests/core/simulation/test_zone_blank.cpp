@@ -117,7 +117,7 @@ private slots:
             const std::vector<CompliantPoint> gammas = compliantPoints(plain);
             std::set<std::size_t> seen;
             for (const Pass& pass : trajectory.passes) {
-                const std::size_t place = p.operation->hasZones
+                const std::size_t place = p.operation->travels
                                               ? static_cast<std::size_t>(pass.place.zone)
                                               : static_cast<std::size_t>(pass.place.section);
                 const bool first = seen.insert(place).second;
@@ -212,7 +212,7 @@ private slots:
         p.machine->zone_compliance = {{1, 1, 0}};
         QVERIFY(paths(p) == std::set<std::string>{"/machine/zone_compliance/2"});
         Project coupled = samples::projectIn("resources/examples/slender-shaft.sparkout");
-        if (!coupled.operation->hasZones) {
+        if (!coupled.operation->travels) {
             coupled.sections_coupled = true;
             coupled.machine->zone_compliance =
                 std::vector<double>(static_cast<std::size_t>(coupled.sections), 1.0);

@@ -106,7 +106,7 @@ private slots:
             QVERIFY(window.bench.open(slenderShaft()));
             Project project = window.document().project();
             project.machine->compliance_mm_per_n =
-                project.operation->hasZones
+                project.operation->travels
                     ? GivenCompliance(ZoneCompliance{1e-4, 1e-4, 1e-4})
                     : GivenCompliance(std::vector<double>(std::size_t(project.sections), 1e-4));
             window.document().startUntitled(project);

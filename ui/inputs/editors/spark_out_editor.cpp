@@ -17,7 +17,7 @@ namespace sparkout {
 
 SparkOutEditor::SparkOutEditor(const Field& field, const Operation& operation, QWidget* parent)
     : QWidget(parent), m_mode(new StillComboBox(this)) {
-    const bool strokes = operation->countsStrokes;
+    const bool strokes = operation->travels;
     NumberSpec spec;
     spec.hard = field.hard;
     spec.integer = true;

@@ -157,8 +157,8 @@ QString StageModel::sparkOutShown(const QModelIndex& index) const {
     if (!steps) {
         return stage(index).feeds() ? tr("none") : tr("until size");
     }
-    return document().project().operation->countsStrokes ? tr("%n double strokes", nullptr, *steps)
-                                                         : tr("%n revolutions", nullptr, *steps);
+    return document().project().operation->travels ? tr("%n double strokes", nullptr, *steps)
+                                                   : tr("%n revolutions", nullptr, *steps);
 }
 
 void StageModel::setOutcome(const OutcomePtr& outcome) {

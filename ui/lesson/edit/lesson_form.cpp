@@ -385,7 +385,7 @@ QWidget* LessonForm::placeOf(const Row& row) {
     std::vector<Option> options{{inputText(row.field.nullMeaning), -1}};
     const int places = static_cast<int>(placeCount(project));
     for (int i = 0; i < places; ++i) {
-        const int place = project.operation->hasZones ? i : sectionsFrom + i;
+        const int place = project.operation->travels ? i : sectionsFrom + i;
         options.push_back({textOf(place), place});
     }
     return withoutHint(

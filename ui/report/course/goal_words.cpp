@@ -19,7 +19,7 @@ QString figureUnit(const sparkout::Figure& figure) {
 }
 
 QString countOf(const Project& project, int count) {
-    return (project.operation->countsStrokes
+    return (project.operation->travels
                 ? QCoreApplication::translate("GoalWords", "double stroke %1")
                 : QCoreApplication::translate("GoalWords", "revolution %1"))
         .arg(count);
@@ -28,8 +28,8 @@ QString countOf(const Project& project, int count) {
 } // namespace
 
 QString GoalWords::place(const Project& project, std::size_t index) {
-    return project.operation->hasZones ? Names::zone(static_cast<Zone>(index))
-                                       : Names::zone(Zone::section, static_cast<int>(index));
+    return project.operation->travels ? Names::zone(static_cast<Zone>(index))
+                                      : Names::zone(Zone::section, static_cast<int>(index));
 }
 
 QString GoalWords::quantity(const sparkout::Figure& figure, const Project& project) {
@@ -80,7 +80,7 @@ QString GoalWords::order(const Project& project, const std::vector<std::size_t>&
 QString GoalWords::along(const CurvePrediction& goal, const Project& project) {
     switch (goal.along) {
     case CurveAlong::count:
-        return project.operation->countsStrokes ? tr("Double stroke") : tr("Revolution");
+        return project.operation->travels ? tr("Double stroke") : tr("Revolution");
     case CurveAlong::stage: return tr("Stage");
     case CurveAlong::place: return tr("Zone or section");
     }

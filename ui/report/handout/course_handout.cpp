@@ -39,7 +39,7 @@ constexpr int revolutionsAround = 3; ///< number of steps shown on each side of 
 std::optional<Figure> feedsAround(const OutcomePtr& outcome, const HandoutStep& step) {
     const Pass& pass = outcome->trajectory.passes[step.pass];
     const FeedSeries& feeds = outcome->feeds;
-    const bool strokes = feeds.operation->countsStrokes;
+    const bool strokes = feeds.operation->travels;
     const int around = strokes ? 0 : revolutionsAround;
     const int first = std::max(1, pass.place.cycleCount - around);
     const int last = std::min(feeds.strokeCount(), pass.place.cycleCount + around);

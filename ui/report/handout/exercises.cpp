@@ -80,7 +80,7 @@ ChangeWords softer(const Project& project, const ExerciseRun&) {
         isComputed
             ? ExerciseText::tr("The units of the machine yield %1 times as much under the same "
                                "force.")
-        : project.operation->hasZones
+        : project.operation->travels
             ? ExerciseText::tr("The technological system is %1 times as compliant in every zone.")
             : ExerciseText::tr("The technological system is %1 times as compliant in every "
                                "section.");
@@ -107,7 +107,7 @@ ChangeWords slower(const Project& project, const ExerciseRun& run) {
               ExerciseText::tr("the force at the end is that of a smaller feed, so the "
                                "deflections differ less from place to place")},
              {Asked::runout_um, false,
-              project.operation->countsStrokes
+              project.operation->travels
                   ? ExerciseText::tr("after more and shallower cuts less of it is left")
                   : ExerciseText::tr("the last revolution leaves a step as deep as its "
                                      "cut, which is shallower now")}}};
@@ -150,7 +150,7 @@ QString asksAt(const Place& at, const Place& wanted, const Outcome& outcome) {
     if (at.cycleCount == wanted.cycleCount) {
         return ExerciseText::tr("The step is at the place and the radius worked out above.");
     }
-    return (outcome.result.project.operation->countsStrokes
+    return (outcome.result.project.operation->travels
                 ? ExerciseText::tr("The step is at the place and the radius worked out above; take "
                                    "double stroke %1, which both cycles have.")
                 : ExerciseText::tr("The step is at the place and the radius worked out above; take "
@@ -253,8 +253,8 @@ QString askedQuantity(Asked asked, Operation operation) {
     case Asked::stepForce_n: return ExerciseText::tr("Normal force Py of the step");
     case Asked::time_min: return ExerciseText::tr("Machining time");
     case Asked::count:
-        return operation->countsStrokes ? ExerciseText::tr("Number of double strokes")
-                                        : ExerciseText::tr("Number of revolutions");
+        return operation->travels ? ExerciseText::tr("Number of double strokes")
+                                  : ExerciseText::tr("Number of revolutions");
     case Asked::spread_um: return ExerciseText::tr("Maximum minus minimum diameter along the part");
     case Asked::runout_um: return ExerciseText::tr("Maximum radial runout");
     case Asked::peakForce_n: return ExerciseText::tr("Maximum normal force Py");

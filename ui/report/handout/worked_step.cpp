@@ -304,7 +304,7 @@ Table Citations::table() const {
 Facts WorkedStep::facts(const Outcome& outcome, const HandoutStep& step, bool results) {
     const auto [pass, visit, stock] = numbersOf(outcome, step);
     const Place& at = pass.place;
-    const bool strokes = outcome.result.project.operation->countsStrokes;
+    const bool strokes = outcome.result.project.operation->travels;
     Facts facts{
         {{tr("Zone or section"), Names::zoneFull(at.zone, at.section)},
          {tr("Stage"), QString::number(at.stage)},

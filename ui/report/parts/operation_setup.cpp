@@ -110,8 +110,8 @@ Table OperationSetup::stages(const Outcome& outcome, bool results) {
     const StageFeed& radial = project.operation->radial();
     const StageFeed* const axial = project.operation->axial();
     Table table;
-    table.head = {tr("Stage"), project.operation->perMinute ? tr("Radial feed, mm/min")
-                                                            : tr("Radial feed, mm/dbl stroke")};
+    table.head = {tr("Stage"), !project.operation->travels ? tr("Radial feed, mm/min")
+                                                           : tr("Radial feed, mm/dbl stroke")};
     if (axial) {
         table.head << tr("Axial feed, mm/min");
     }
@@ -121,7 +121,7 @@ Table OperationSetup::stages(const Outcome& outcome, bool results) {
         table.head << tr("Continuous infeed, mm/min");
     }
     table.head << tr("Stock per side, mm")
-               << (project.operation->countsStrokes ? tr("Double strokes") : tr("Revolutions"))
+               << (project.operation->travels ? tr("Double strokes") : tr("Revolutions"))
                << unit.titled(tr("Machining time")) << tr("Spark-out") << tr("Maximum power, kW")
                << tr("Maximum force Py, N");
     double stock = 0;

@@ -40,7 +40,7 @@ std::optional<Figure> feedsFigure(const OutcomePtr& outcome, double from_s, doub
     FeedsPlot plot;
     setUpForPaper(plot, feedsHeight);
     plot.setRun(outcome,
-                shownSections(count, project.operation->hasZones ? 0 : gaugeSection(project)));
+                shownSections(count, project.operation->travels ? 0 : gaugeSection(project)));
     plot.restyle();
     plot.setMoment(moment_s);
     plot.showTimes(from_s, to_s);

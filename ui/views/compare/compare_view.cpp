@@ -446,7 +446,7 @@ QStringList CompareView::subheading() const {
 }
 
 void CompareView::fillAxes() {
-    const bool strokes = !good() || good()->feeds.operation->countsStrokes;
+    const bool strokes = !good() || good()->feeds.operation->travels;
     const int before = m_axis->currentIndex() < 0 ? 0 : m_axis->currentData().toInt();
     m_axis->clear();
     m_axis->addItem(tr("Time"), static_cast<int>(CycleAxis::time));

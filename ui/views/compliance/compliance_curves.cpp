@@ -40,7 +40,7 @@ bool ComplianceCurves::has(CompliancePart part) const {
 }
 
 bool ComplianceCurves::hasZones() const {
-    return m_outcome && m_outcome->result.project.operation->hasZones;
+    return m_outcome && m_outcome->result.project.operation->travels;
 }
 
 std::vector<XY>

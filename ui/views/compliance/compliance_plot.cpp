@@ -58,7 +58,7 @@ void CompliancePlot::setCoupling(CouplingPtr comparison) {
 double CompliancePlot::gaugePlace_mm() const {
     const SimulationResult& result = m_outcome->result;
     const Project& project = result.project;
-    if (!project.operation->hasZones && project.gauge->position_mm) {
+    if (!project.operation->travels && project.gauge->position_mm) {
         return *project.gauge->position_mm;
     }
     return result.sections.at(static_cast<std::size_t>(gaugeSection(project))).position_mm;
@@ -108,7 +108,7 @@ void CompliancePlot::setRun(OutcomePtr outcome) {
 void CompliancePlot::fillBands() {
     std::vector<Band> bands;
     const Project& project = m_outcome->result.project;
-    if (project.operation->hasZones) {
+    if (project.operation->travels) {
         for (const CompliantPoint& point : compliantPoints(project)) {
             bands.push_back(zoneBand(static_cast<Zone>(bands.size()), 0,
                                      point.position_mm - point.length_mm / 2,

@@ -115,7 +115,7 @@ bool ComplianceView::canPutGauge() const {
         return false;
     }
     const Project& project = good()->result.project;
-    return !project.operation->hasZones && project.gauge->control == Control::gauge
+    return !project.operation->travels && project.gauge->control == Control::gauge
            && project.gauge->position_mm != m_plot->gauge().best()->position_mm;
 }
 
@@ -169,7 +169,7 @@ QString ComplianceView::remark() const {
             return tr("Stages end by the position of the wheel head: the gauge has no effect, "
                       "wherever it is placed.");
         }
-        return project.operation->hasZones
+        return project.operation->travels
                    ? tr("In traverse grinding the gauge is in the middle of %1. The curves show "
                         "its effect in another zone.")
                          .arg(Names::zone(Zone::nz))

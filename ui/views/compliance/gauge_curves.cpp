@@ -65,7 +65,7 @@ std::vector<GaugeCurves::Place> GaugeCurves::drawn() const {
     const Project& project = m_outcome->result.project;
     const auto zones = compliantPoints(project);
     for (const GaugePosition& position : m_placement->positions) {
-        if (project.operation->hasZones) {
+        if (project.operation->travels) {
             const CompliantPoint& zone = zones[static_cast<std::size_t>(position.zone)];
             places.push_back({zone.position_mm - zone.length_mm / 2, &position});
             places.push_back({zone.position_mm + zone.length_mm / 2, &position});

@@ -221,7 +221,7 @@ const LimitPoints& LimitChart::accuracy(AccuracyProof proof) const {
 
 std::optional<double> LimitChart::perMinute() const {
     const LimitGroup* group = cuts();
-    if (!group || (!group->standing && m_outcome->result.project.operation->countsStrokes)) {
+    if (!group || (!group->standing && m_outcome->result.project.operation->travels)) {
         return std::nullopt;
     }
     return m_outcome->result.project.machine->work_speed_rpm / umPerMm;
@@ -230,8 +230,7 @@ std::optional<double> LimitChart::perMinute() const {
 /// A cut belongs to a revolution where the wheel plunges or dwells, otherwise to a stroke.
 QString LimitChart::feedLabel() const {
     const LimitGroup* group = cuts();
-    const bool stroke =
-        group && !group->standing && m_outcome->result.project.operation->countsStrokes;
+    const bool stroke = group && !group->standing && m_outcome->result.project.operation->travels;
     return stroke ? tr("Actual feed, µm per pass") : tr("Actual feed, µm per revolution");
 }
 
@@ -366,7 +365,7 @@ CsvTable LimitChart::table(const std::function<bool(double)>& inSight,
     if (!group) {
         return table;
     }
-    const bool strokes = m_outcome->result.project.operation->countsStrokes;
+    const bool strokes = m_outcome->result.project.operation->travels;
     table.header << tr("stage") << (strokes ? tr("double stroke") : tr("revolution"))
                  << tr("stock left, µm") << tr("actual feed, µm") << tr("width of cut, mm");
     bool named = false;

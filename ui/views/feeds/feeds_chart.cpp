@@ -354,7 +354,7 @@ std::vector<CsvCell> FeedsChart::place(const FeedColumn& zone, const FeedPoint& 
 CsvTable FeedsChart::table(const CurveChoice& choice) const {
     CsvTable table;
     table.byPlace = true;
-    table.header = {series().operation->hasZones ? tr("zone") : tr("section"),
+    table.header = {series().operation->travels ? tr("zone") : tr("section"),
                     tr("stage"),
                     countsStrokes() ? tr("double stroke") : tr("revolution"),
                     tr("step"),

@@ -45,7 +45,7 @@ public:
     [[nodiscard]] Detail detail() const { return m_detail; }
     [[nodiscard]] bool showsSteps() const;                       ///< otherwise the stages are named
     [[nodiscard]] const Steps& steps() const { return m_steps; } ///< visible steps, each kind once
-    [[nodiscard]] bool countsStrokes() const { return series().operation->countsStrokes; }
+    [[nodiscard]] bool countsStrokes() const { return series().operation->travels; }
     [[nodiscard]] bool hasAxialFeed() const { return series().operation->axial() != nullptr; }
     [[nodiscard]] QString timeLabel() const; ///< "Time, min"
 

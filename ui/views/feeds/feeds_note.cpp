@@ -85,7 +85,7 @@ void FeedsNote::paintSteps() {
 }
 
 void FeedsNote::retranslate() {
-    const bool strokes = m_operation->countsStrokes;
+    const bool strokes = m_operation->travels;
     setWindowTitle(tr("How to read the feeds"));
     m_steps->setVisible(strokes);
     m_steps->setAccessibleName(tr("Steps of a double stroke in each zone"));

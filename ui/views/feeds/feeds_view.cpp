@@ -248,14 +248,14 @@ bool FeedsView::drawn() const {
 }
 
 bool FeedsView::countsStrokes() const {
-    return !good() || good()->result.project.operation->countsStrokes;
+    return !good() || good()->result.project.operation->travels;
 }
 
 /// All zones, or some of the sections.
 std::vector<int> FeedsView::shownColumns() const {
     const Project& project = good()->result.project;
     const auto count = static_cast<int>(good()->feeds.columns.size());
-    return project.operation->hasZones
+    return project.operation->travels
                ? shownSections(count, 0)
                : shownSections(count, gaugeSection(project), m_wantedSection);
 }
@@ -519,7 +519,7 @@ void FeedsView::fillSections() {
     const QSignalBlocker blocker(m_section);
     m_section->clear();
     const int count = static_cast<int>(good() ? good()->result.sections.size() : 0);
-    if (good() && !good()->result.project.operation->hasZones && count > 4) {
+    if (good() && !good()->result.project.operation->travels && count > 4) {
         m_section->addItem(tr("Evenly chosen"), -1);
         for (int i = 0; i < count; ++i) {
             m_section->addItem(Names::zone(Zone::section, i), i);

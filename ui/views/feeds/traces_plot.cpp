@@ -69,7 +69,7 @@ TracesPlot::TracesPlot(QWidget* parent) : CyclePlot(parent) {
 }
 
 void TracesPlot::setTraces(TraceComparisonsPtr traces, const Project& project) {
-    m_hasZones = project.operation->hasZones;
+    m_hasZones = project.operation->travels;
     m_traces = std::move(traces);
     follow();
     updateGeometry();

@@ -59,7 +59,7 @@ LegendEntries LayersLook::stages(const LayerSeries& series, const CurveChoice& c
 
 QString LayersLook::spanName(const LayerSeries& series, std::size_t span) {
     const LayerSpan& of = series.spans[span];
-    const bool strokes = series.operation->countsStrokes;
+    const bool strokes = series.operation->travels;
     if (of.first == of.last) {
         return (strokes ? tr("Double stroke %1, stage %2") : tr("Revolution %1, stage %2"))
             .arg(of.first)

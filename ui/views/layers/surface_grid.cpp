@@ -117,7 +117,7 @@ SurfaceGrid makeSurfaceGrid(const LayerSeries& series, const LayersDone& done,
     const QColor text = palette.color(QPalette::Text);
     grid.wall = mixed(text, palette.color(QPalette::Base), wallAlpha / 255.0);
     grid.edge = mixed(text, grid.wall, boxAlpha / 255.0);
-    const bool strokes = series.operation->countsStrokes;
+    const bool strokes = series.operation->travels;
     grid.scales = {{{LayersSurface::tr("Length, mm"), series.length_mm},
                     {strokes ? LayersSurface::tr("Double stroke") : LayersSurface::tr("Revolution"),
                      double(series.strokeCount())},

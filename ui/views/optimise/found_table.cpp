@@ -296,7 +296,7 @@ QStringList limitBasis(const SearchOutcome& outcome) {
                             .arg(printedNumber(cycles.continuousFeed_mm_min))
                       : FoundTable::tr("no continuous infeed"));
     }
-    if (outcome.searched.operation->mayRetract) {
+    if (!outcome.searched.operation->travels) {
         basis << (cycles.drawBack ? FoundTable::tr("the wheel head may draw back")
                                   : FoundTable::tr("the wheel head never draws back"));
     }

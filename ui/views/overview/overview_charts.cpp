@@ -52,7 +52,7 @@ std::optional<int> criticalSection(const Outcome& outcome) {
 std::vector<int> drawnSections(const Outcome& outcome) {
     const Project& project = outcome.result.project;
     const auto count = static_cast<int>(outcome.result.sections.size());
-    return project.operation->hasZones
+    return project.operation->travels
                ? shownSections(count, 0)
                : shownSections(count, gaugeSection(project), criticalSection(outcome));
 }
@@ -218,7 +218,7 @@ BarChart OverviewCharts::stock(const Outcome& outcome) {
 // --- diameters and requirements -----------------------------------------------------------------
 
 QString OverviewCharts::briefPlace(const Outcome& outcome, int section) {
-    return outcome.result.project.operation->hasZones
+    return outcome.result.project.operation->travels
                ? nameOfSection(outcome, section)
                : tr("S%1", "section, in little room").arg(section + 1);
 }
@@ -237,8 +237,8 @@ BarChart OverviewCharts::diameters(const Outcome& outcome) {
     chart.band = BarBand{part.lower_deviation_um, part.upper_deviation_um, tr("tolerance band")};
     chart.sumName = tr("deviation, the sum");
     chart.series = {{tr("gauge at the end"), barColour(Drawn::gauge), hatchAt(0), {}},
-                    {outcome.result.project.operation->hasZones ? tr("zone against the gauge")
-                                                                : tr("section against the gauge"),
+                    {outcome.result.project.operation->travels ? tr("zone against the gauge")
+                                                               : tr("section against the gauge"),
                      barColour(Tone::orange),
                      hatchAt(1),
                      {}},

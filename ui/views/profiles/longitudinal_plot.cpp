@@ -143,7 +143,7 @@ void LongitudinalPlot::build() {
 
 void LongitudinalPlot::fillBands() {
     std::vector<Band> bands;
-    const bool sections = !m_series.operation->hasZones;
+    const bool sections = !m_series.operation->travels;
     for (std::size_t i = 0; i < m_series.profiles.size(); ++i) {
         const Profile& p = m_series.profiles[i];
         if (sections && std::ranges::find(m_shown, static_cast<int>(i)) == m_shown.end()) {
@@ -186,7 +186,7 @@ bool LongitudinalPlot::draws(LengthLine line) const {
 }
 
 void LongitudinalPlot::fill() {
-    const bool sections = !m_series.operation->hasZones;
+    const bool sections = !m_series.operation->travels;
     for (const Curve& curve : m_curves) {
         const bool drawn = draws(curve.line) && (m_toScale || !curve.mirrored);
         curve.graph->setVisible(drawn);

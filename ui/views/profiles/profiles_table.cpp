@@ -130,7 +130,7 @@ CsvTable ProfilesTable::along(const ProfileSeries& series, LengthQuantity quanti
         {ProfileLine::field, LengthLine::upperLimit, tr("upper limit %1")},
     };
     CsvTable table;
-    table.header = {series.operation->hasZones ? tr("zone") : tr("section"), tr("from, mm"),
+    table.header = {series.operation->travels ? tr("zone") : tr("section"), tr("from, mm"),
                     tr("middle, mm"), tr("to, mm")};
     for (const Column& column : columns) {
         if (on(column.line)) {

@@ -117,7 +117,7 @@ QString ProfilesText::stretch(const ProfileSeries& series, const Profile& profil
     const LengthSpread radius = spreadOf(profile.radii_mm, series, LengthQuantity::radius_um);
     const auto mm = [](double value_um) { return value_um / units::umPerMm; };
     const QString place =
-        series.operation->hasZones
+        series.operation->travels
             ? tr("%1…%2 mm").arg(Names::fixed(profile.from_mm, 1), Names::fixed(profile.to_mm, 1))
             : tr("%1 mm").arg(Names::fixed(profile.position_mm, 1));
     QString text = tr("%1, %2: radius %3 µm from target, mean %4 µm; diameter %5 µm from nominal; "

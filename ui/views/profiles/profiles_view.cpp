@@ -412,7 +412,7 @@ void ProfilesView::showStroke() {
     const int number = stroke();
     m_slider->setValue(number);
     m_number->setValue(number);
-    const bool strokes = !good() || good()->result.project.operation->countsStrokes;
+    const bool strokes = !good() || good()->result.project.operation->travels;
     m_strokeLabel->setText(strokes ? tr("Double stroke") : tr("Revolution"));
     m_number->setSuffix(tr(" of %1").arg(m_slider->maximum()));
     const bool can = recorded();
@@ -466,7 +466,7 @@ void ProfilesView::fillSections() {
         return;
     }
     const auto& sections = good()->result.sections;
-    const bool zones = good()->result.project.operation->hasZones;
+    const bool zones = good()->result.project.operation->travels;
     const int count = static_cast<int>(sections.size());
     m_section->addItem(zones               ? tr("All zones")
                        : count > mostCells ? tr("Evenly chosen")
