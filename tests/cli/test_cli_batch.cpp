@@ -68,11 +68,14 @@ private slots:
         QTest::newRow("shard of a simulation") << QStringList{"simulate", "a", "--shard", "1/2"};
         row("two files", {"b"});
         row("no parts", {"--parts"});
+        row("negative seed", {"--seed", "-1"});
+        row("no threads", {"--threads", "0"});
         row("shard 0", {"--shard", "0/2"});
         row("shard beyond", {"--shard", "3/2"});
         row("shard without slash", {"--shard", "3"});
         row("shard of a word", {"--shard", "1/x"});
         row("shard overflow", {"--shard", "1/99999999999999999999"});
+        row("width 0", {"--until-width", "0"});
         row("empty table", {"--measured", ""});
         row("rows without a file", {"--rows"});
         row("rows into a project", {"--rows", "b.sparkout"});

@@ -41,6 +41,8 @@ private slots:
         addRow("two files", QStringList{"course", "check", "a", "b"});
         addRow("no lesson", QStringList{"course", "variants"});
         addRow("no seed", QStringList{"course", "variants", "a", "--group", "g", "-d", "d"});
+        addRow("bad seed",
+               QStringList{"course", "variants", "a", "--group", "g", "-d", "d", "--seed", "-1"});
         addRow("no folder", QStringList{"course", "grade", "a"});
         addRow("two outputs", QStringList{"course", "grade", "a", "b", "--csv", "--json"});
         for (const char* other : {"--csv", "--json"}) {

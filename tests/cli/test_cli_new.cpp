@@ -88,6 +88,7 @@ private slots:
         addRow("no size", QStringList{"new"});
         addRow("no field",
                QStringList{"new", "35", "--length", "28", "--stock", "0.1", "-o", file});
+        addRow("no stock", QStringList{"new", "35k6", "--length", "28", "-o", file});
         addRow("no file", QStringList{"new", "35k6", "--length", "28", "--stock", "0.1"});
     }
 

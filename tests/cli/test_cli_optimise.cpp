@@ -61,6 +61,8 @@ private slots:
         QTest::newRow("six stages") << QStringList{"a", "--stages", "1,6"};
         QTest::newRow("empty stage") << QStringList{"a", "--stages", "1,,2"};
         QTest::newRow("half a stage") << QStringList{"a", "--stages", "1.5"};
+        QTest::newRow("no thread") << QStringList{"a", "--threads", "0"};
+        QTest::newRow("negative time") << QStringList{"a", "--time-limit", "-1"};
         QTest::newRow("empty output") << QStringList{"a", "-o", ""};
         QTest::newRow("over its input") << QStringList{m_shaft, "-o", m_shaft};
     }
@@ -541,6 +543,18 @@ private slots:
     void theTimeLimitKeepsTheBestAndTheBound() {
         checkStopped(
             optimize({save("endless.sparkout", endless()), "--time-limit", "2", "--json"}));
+    }
+
+    // Thousands of cycles differ in one setting, and each takes its time: the moment that is left
+    // after a stop is not enough to run them.
+    void whatBindsIsNotKnownOfAStoppedSearch() {
+        json file = endless();
+        file["part"]["radii_per_section"] = 360;
+        const QString saved = save("endless-fine.sparkout", file);
+        const json answer = json::parse(interruptedWithAnAnswer({saved, "--json"}).out);
+        QVERIFY(!answer.at("cycle").is_null() && answer.at("binding").is_null());
+        const std::string text = interruptedWithAnAnswer({saved}).out;
+        QVERIFY2(has(text, "is not known: the search was stopped first"), text.c_str());
     }
 
     // A refinement takes some thousand runs: without a limit of its own it takes far longer.

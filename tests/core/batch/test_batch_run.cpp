@@ -297,6 +297,37 @@ private slots:
         }
     }
 
+    // A system that does not yield cuts what it is fed: P_z·V_k is then proportional to σ_i
+    // [MODEL-2], and every quantile of the power is that of the flow stress times a constant.
+    void withoutComplianceQuantilesOfThePowerScaleWithTheFlowStress() {
+        Project project = fixtures::stiffBatch(99);
+        project.batch->factors.flow_stress_mpa = uniform(1800, 2200);
+        const double unit = simulateUnchecked(project).peakPower_w / 1000 / 2000; // kW per MPa
+        const ScenarioSource source(project);
+        std::vector<double> stresses;
+        for (std::int64_t part = 0; part < 99; ++part) {
+            stresses.push_back(source.values(part)[0]);
+        }
+        std::sort(stresses.begin(), stresses.end());
+        bool found = false;
+        const BatchSummary summary = summarise(runWith(project, 2));
+        QVERIFY(summary.exactPercentiles);
+        for (const CharacteristicSummary& row : summary.characteristics) {
+            if (std::string(row.characteristic.name) != "wheel_power") {
+                continue;
+            }
+            found = true;
+            for (const Percentile& percentile : row.percentiles) {
+                const double rank = std::max(1.0, std::ceil(percentile.order * 99));
+                const double expected = unit * stresses[static_cast<std::size_t>(rank) - 1];
+                QVERIFY(close(percentile.value, expected, 1e-9));
+            }
+            QVERIFY(close(row.least.value, unit * stresses.front(), 1e-9));
+            QVERIFY(close(row.most.value, unit * stresses.back(), 1e-9));
+        }
+        QVERIFY(found);
+    }
+
     void everyPartIsCountedOnce() {
         const BatchResult result = runWith(shaftBatch(50), 2);
         QCOMPARE(result.statistics.parts, std::int64_t{50});

@@ -220,6 +220,26 @@ private slots:
         QVERIFY(writeBatchState(joined.result) == writeBatchState(whole));
     }
 
+    void aRobustCycleHoldsInAllCorners() {
+        Project project = shaft();
+        project.batch->factors = {};
+        project.batch->zone_compliance = {{{0.8, 1.25}, {0.8, 1.25}, {0.8, 1.25}}};
+        project.batch->zone_stock_mm = {{{-0.01, 0.01}, {0, 0}, {-0.01, 0.01}}};
+        project.optimisation->scenarios = OptimisationScenarios::corners;
+        const RobustSummary robust = optimiseRobustly(project, scenariosAskedFor(project));
+        QVERIFY(robust.search.best.has_value());
+        project.batch->scenarios = Scenarios::corners;
+        const ScenarioSource corners(project);
+        QVERIFY(corners.parts() == 32);
+        for (std::int64_t part = 0; part < corners.parts(); ++part) {
+            Project made = corners.project(part);
+            *made.cycle = robust.search.cycle;
+            const SimulationResult result = simulateUnchecked(made);
+            QVERIFY(result.status == RunStatus::completed);
+            QVERIFY(std::ranges::all_of(evaluateConstraints(result), &ConstraintResult::holds));
+        }
+    }
+
     void otherZonesHaveNoneOfThem() {
         Project project = byZones(shaft());
         project.part->zone_stock_mm = {{0.001, 0, 0}};

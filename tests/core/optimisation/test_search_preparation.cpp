@@ -103,6 +103,25 @@ private slots:
         QVERIFY2(first_ms < under_sanitizers * 4000, QByteArray::number(first_ms)); // it was 41 s
     }
 
+    void theSizeOfTheGridIsCountedInNoTime() {
+        Project p = large();
+        RunningTimer took;
+        const std::int64_t size = gridSize(p);
+        const qint64 took_ms = took.elapsed();
+        qInfo("%lld ms", took_ms);
+        QVERIFY2(took_ms < busy * 50, QByteArray::number(took_ms));
+        QCOMPARE(size, std::numeric_limits<std::int64_t>::max());
+        // Settings that never rise, C(70 + z − 1, z) of each feed for z stages, times shares of the
+        // 149 whole steps below the stock, C(149, z − 1): for one and two stages, 500 speeds.
+        p.optimisation->stages = {1, 2};
+        const std::int64_t two = 70 * 71 / 2;
+        QCOMPARE(gridSize(p), 500 * (70 * 70 + two * two * 149));
+        p.optimisation->non_increasing = false;
+        QCOMPARE(gridSize(p), 500 * (4900LL + 4900LL * 4900 * 149));
+        p.optimisation->unfed_steps = std::vector<double>{0, 2, 3};
+        QCOMPARE(gridSize(p), Variants(p).size());
+    }
+
     // Of 500 work speeds it takes seconds; stopped, it is a lower one.
     void theLimitIsStopped() {
         Project p = large();

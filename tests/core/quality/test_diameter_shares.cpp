@@ -54,6 +54,17 @@ private slots:
             QCOMPARE(shares.complianceRatio, 1.0);
         }
     }
+
+    void aMoreCompliantSectionStaysLarger() {
+        Project project = fixtures::plunge();
+        project.sections = 2;
+        project.machine->compliance_mm_per_n = std::vector<double>{2e-5, 4e-5};
+        project.gauge->section = 0;
+        const SimulationResult result = simulateUnchecked(project);
+        const DiameterShares shares = diameterShares(result, 1, DiameterEnd::largest);
+        QCOMPARE(shares.complianceRatio, 2.0);
+        QVERIFY(shares.section_um > 0.1);
+    }
 };
 
 } // namespace sparkout::test_diameter_shares

@@ -68,10 +68,34 @@ std::string differenceOf(const SimulationResult& a, const SimulationResult& b) {
     return {};
 }
 
+Project bore() {
+    Project p = fixtures::plungeOfThree();
+    p.part->surface = Surface::internal;
+    p.part->diameter_mm = 60;
+    p.wheel->diameter_mm = 45;
+    return p;
+}
+
 class TestGaugeError : public QObject {
     Q_OBJECT
 
 private slots:
+    void readingIsThatOfAnotherPart() {
+        int compared = 0;
+        for (Project p :
+             {fixtures::plunge(), fixtures::plungeOfThree(), fixtures::traverse(), bore()}) {
+            p.material->burn_rise_k = 700;
+            for (const double error_um : {-6.3, -0.4, 0.7, 5.0}) {
+                p.gauge->error_um = error_um;
+                const std::string found =
+                    differenceOf(simulate(p), simulate(shifted(p, error_um / 1000)));
+                QVERIFY2(found.empty(), found.c_str());
+                ++compared;
+            }
+        }
+        QCOMPARE(compared, 16);
+    }
+
     /// Every option of the cycle.
     void readingOfRandomProjectsIsThatOfAnotherPart() {
         int gauged = 0;

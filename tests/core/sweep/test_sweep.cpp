@@ -143,6 +143,27 @@ private slots:
         QCOMPARE(valueOf(result, 0, "peak_power").value, alone.peakPower_w / 1000);
     }
 
+    void aLongerSparkOutLeavesLessRunout() {
+        Project project = fixtures::plunge();
+        project.part->initial_runout_mm = 0.02;
+        project.part->radii_per_section = 12;
+        project.cycle->stages.push_back(fixtures::sparkStage(fixtures::count(1)));
+        project.machine->compliance_mm_per_n =
+            std::vector<double>(static_cast<std::size_t>(project.sections), 2e-4);
+        project =
+            swept(project, {axis("/cycle/stages/" + std::to_string(project.cycle->stages.size() - 1)
+                                     + "/spark_out",
+                                 1, 30, 10)});
+        QCOMPARE(checkSweep(project), Issues());
+        const SweepResult result = runSweep(project);
+        QVERIFY(result.points.size() >= 8);
+        for (std::size_t i = 1; i < result.points.size(); ++i) {
+            QVERIFY(valueOf(result, i, "radial_runout", 0).value
+                    < valueOf(result, i - 1, "radial_runout", 0).value);
+            QVERIFY(valueOf(result, i, "time").value > valueOf(result, i - 1, "time").value);
+        }
+    }
+
     void whatCannotBeRunIsToldAndHasNoNumbers() {
         // A wheel narrower than the overrun leaves no reversal zone: refused by a rule.
         const Project whole = shaft();

@@ -143,6 +143,20 @@ private slots:
         QCOMPARE(lines[4], QStringLiteral("Shaft 9\t\t1\t2"));
     }
 
+    void theContextMenuCopiesToo() {
+        Settings settings = Settings::transient();
+        Shown shown(settings);
+        shown.clickRow(0);
+        (void)shown.columnEntry(QString()); // opens it
+        auto* menu = shown.view.findChild<QMenu*>(QString(), Qt::FindDirectChildrenOnly);
+        QVERIFY(menu);
+        menu->actions().at(0)->trigger(); // what is selected
+        QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("Shaft 10\t9.5\t1\t2\n"));
+        menu->actions().at(1)->trigger(); // all
+        QCOMPARE(QApplication::clipboard()->text().count(u'\n'), 5);
+        menu->close();
+    }
+
     void columnsAreChosenAndRemembered() {
         Settings settings = Settings::transient();
         {

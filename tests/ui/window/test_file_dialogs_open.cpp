@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ways into the window: recent files, a dropped one, faulty and large ones.
 #include "core/project/wheel.h"
+#include "tests/check_line.h"
 #include "tests/registry.h"
+#include "tests/tries.h"
+#include "tests/ui/support/heartbeat.h"
 #include "tests/ui/window/file_dialogs_bench.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/notice_bar.h"
@@ -19,6 +22,21 @@
 namespace sparkout::test_file_dialogs_open {
 
 using namespace file_dialogs_bench;
+
+/// A project of some megabytes: a thousand kept runs with their summaries.
+QByteArray largeText() {
+    Project project = newProject(Operation::traverse);
+    const std::string inputs = writeProject(project);
+    std::string radii = "0.123456789";
+    for (int i = 0; i < 300; ++i) {
+        radii += ",0.123456789";
+    }
+    for (int i = 0; i < 1000; ++i) {
+        project.runs.push_back(
+            {"run", "2026-01-01T00:00:00Z", "0.1", {inputs}, {"{\"radii\":[" + radii + "]}"}});
+    }
+    return QByteArray::fromStdString(writeProject(project));
+}
 
 class TestFileDialogsOpen : public QObject {
     Q_OBJECT
@@ -165,6 +183,53 @@ private slots:
         const QString line = FaultsDialog::lines(issues).first();
         QVERIFY2(line.startsWith(QStringLiteral("Wheel › ")), qPrintable(line));
         QVERIFY2(line.contains(QStringLiteral("(/wheel/width_mm): ")), qPrintable(line));
+    }
+
+    void openingAndSavingBlockTheWindowNoLongerThanAnEdit_data() {
+        QTest::addColumn<QByteArray>("text");
+        QByteArray largest;
+        for (const QString& path : ExamplesDialog::paths()) {
+            const QByteArray text = ExamplesDialog::textOf(path);
+            largest = text.size() > largest.size() ? text : largest;
+        }
+        QTest::newRow("largest example") << largest;
+        if (qEnvironmentVariableIsSet("SPARKOUT_LONG")) { // far beyond any project seen
+            QTest::newRow("six megabytes") << largeText();
+        }
+    }
+
+    void openingAndSavingBlockTheWindowNoLongerThanAnEdit() {
+        QFETCH(QByteArray, text);
+        constexpr double target_ms = 50;
+        const double worst_ms = leastOfTries_ms(4 * target_ms, [&] {
+            Bench bench;
+            trouble::write(bench.path, text);
+            QTest::qWait(300);
+            QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
+            Heartbeat opening;
+            const bool opened = bench.open() && QTest::qWaitFor([&] { return !shown.isEmpty(); });
+            QTest::qWait(100);
+            const Beats whileOpened = opening.stop();
+            Heartbeat saving;
+            bench.edit(31);
+            const bool saved = bench.window->files().save();
+            QTest::qWait(100);
+            const Beats whileSaved = saving.stop();
+            const double own_ms = std::max(worstWork_ms(whileOpened), worstWork_ms(whileSaved));
+            qInfo("SPEED %s, %lld KB: the window stood still %.0f ms at most while it was opened "
+                  "(%.0f ms of work of its own), %.0f ms (%.0f ms) while it was edited and saved; "
+                  "target of its own work %g ms: %s",
+                  QTest::currentDataTag(), text.size() / 1024, worstGap_ms(whileOpened),
+                  worstWork_ms(whileOpened), worstGap_ms(whileSaved), worstWork_ms(whileSaved),
+                  target_ms, beside(own_ms, target_ms));
+            return opened && saved ? own_ms : std::numeric_limits<double>::infinity();
+        });
+        checkLine("20", worst_ms, 100, worst_ms <= 100,
+                  QStringLiteral("ms of its own work at most while %1 KB were opened, edited and "
+                                 "saved: %2")
+                      .arg(text.size() / 1024)
+                      .arg(QString::fromUtf8(QTest::currentDataTag())));
+        QVERIFY(worst_ms <= 4 * target_ms);
     }
 };
 

@@ -19,6 +19,7 @@
 #include "ui/dialogs/value_model.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/shared_mark.h"
+#include "ui/files/recovery_store.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/part/part_drawing.h"
 #include "ui/part/part_strip.h"
@@ -89,6 +90,13 @@ struct Desk {
         bench.window->inputs().focusPath(name);
         bench.settle();
         return bench.window->findChild<NumberField*>(QString::fromUtf8(name));
+    }
+    void type(const char* name, const QString& text) {
+        NumberField* const number = field(name);
+        number->selectAll();
+        QTest::keyClicks(number, text);
+        QTest::keyClick(number, Qt::Key_Return);
+        calm();
     }
     void clickSurface(std::size_t surface) {
         PartDrawing& drawing = strip().drawing();
@@ -452,6 +460,22 @@ private slots:
         QVERIFY(outcome->issues.front().path.starts_with("/surfaces/0/part/"));
         QCOMPARE(desk.runs().statuses()[0].state, SurfaceStatus::State::refused);
         QCOMPARE(desk.runs().statuses()[1].state, SurfaceStatus::State::notRun);
+    }
+
+    void unsavedWorkIsRecoveredWithAllSurfaces() {
+        const QTemporaryDir state;
+        Setup kept;
+        {
+            Desk desk;
+            desk.bench.window->files().protect(state.path());
+            desk.clickSurface(1);
+            desk.type("/machine/work_speed_rpm", QStringLiteral("150"));
+            kept = desk.document().setup();
+            desk.bench.window->files().guard().autosave()->flush();
+            const QString file = desk.bench.window->files().guard().autosave()->file();
+            const RecoveryContent content = readRecovery(bytesOf(file).toStdString());
+            QVERIFY(content.setup && sameSetup(*content.setup, kept));
+        }
     }
 
     void theStripKeepsWhatALessonHides() {

@@ -210,9 +210,17 @@ private slots:
         QVERIFY(taken.batch.has_value() && !sameBatch(taken, project));
         // Its numbers are short, so it is the same part to what can be seen of it.
         QCOMPARE(QString::number(taken.part->stock_mm, 'g', 6).toDouble(), taken.part->stock_mm);
+        QCOMPARE(QString::number(taken.wheel->dullness, 'g', 6).toDouble(), taken.wheel->dullness);
         PartOutcome alone;
         measure(run(taken)->result, characteristicsOf(taken), alone);
         const BatchResult& result = bench.view.batch()->result;
+        const auto row =
+            std::ranges::find(result.statistics.rows, result.statistics.worst.part, &PartRow::part);
+        QVERIFY(row != result.statistics.rows.end());
+        QCOMPARE(alone.values.size(), row->values.size());
+        for (std::size_t i = 0; i < alone.values.size(); ++i) {
+            QVERIFY(std::abs(alone.values[i] - row->values[i]) < 0.005);
+        }
         QVERIFY(std::abs(alone.margin - result.statistics.worst.value) < 1e-3);
     }
 
@@ -439,6 +447,18 @@ private slots:
         auto& notice = bench.part<QLabel>("batchNotice");
         QTRY_VERIFY(notice.text().contains(QStringLiteral("0.03")));
         QVERIFY(!bench.view.batch());
+    }
+
+    void cornersTellExtremesAndCountsOnly() {
+        Project project = fixtures::shaftBatch(50);
+        project.batch->scenarios = Scenarios::corners;
+        SettledBench bench(project);
+        QCOMPARE(bench.view.batch()->summary.parts, std::int64_t{8});
+        QVERIFY(cell(bench, "max", 0) != QStringLiteral("–"));
+        for (const char* row :
+             {"mean", "standard_deviation", "ppk", "median", "normality_probability"}) {
+            QCOMPARE(cell(bench, row, 0), QStringLiteral("–"));
+        }
     }
 
     void theWeightsAreTheRankRegressionOfTheEngineThenItsSobolIndices() {

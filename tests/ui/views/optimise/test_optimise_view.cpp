@@ -453,11 +453,15 @@ private slots:
         table.setFocus();
         QTest::keyClick(&table, Qt::Key_Down);
         const FoundCycle second = desk.view->search()->found[1];
+        const Cycle before = *desk.project().cycle;
         QTRY_VERIFY(std::abs(desk.view->curves()->runs().back().feeds->end_s - second.time_s)
                     < 1e-5);
         QTest::keyClick(&table, Qt::Key_Return);
         desk.bench.settle();
         QCOMPARE(OptimiseText::cycle(*desk.project().cycle), OptimiseText::cycle(second.cycle));
+        desk.bench.window->document().undo(); // one edit
+        desk.bench.settle();
+        QCOMPARE(OptimiseText::cycle(*desk.project().cycle), OptimiseText::cycle(before));
     }
 
     void afterAnEditTheAnswerIsOfOtherInputsAndCannotBeTaken() {
@@ -497,6 +501,20 @@ private slots:
         QVERIFY(!desk.view->search());
         QVERIFY(!desk.part<CopyTable>("optimiseFound").isVisible());
         QTRY_COMPARE(desk.view->curves()->runs().size(), std::size_t{1});
+    }
+
+    void whyAGridCannotBeSearchedIsOfThatGridAlone() {
+        Project project = fixtures::searchedShaft();
+        project.optimisation->stock_step_mm = 1e-9;
+        const Desk desk(project);
+        desk.click("optimiseRun");
+        QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy(), patience_ms);
+        QTRY_VERIFY2(desk.told().contains(QStringLiteral("take a larger step")),
+                     qPrintable(desk.told()));
+        desk.bench.window->document().edit(fixtures::searchedShaft(), {"Edit", ""});
+        desk.bench.settle();
+        QTRY_VERIFY2(desk.told().contains(QStringLiteral("finds the quickest cycle")),
+                     qPrintable(desk.told()));
     }
 
     void roundsThatRanOutProveNothing() {
@@ -663,6 +681,65 @@ private slots:
         QVERIFY(!says("not known") && !says("No cycle of the grid that differs"));
         outcome.binding->push_back(ConstraintKind::wheelPower);
         QVERIFY(!says("not known") && says("Limited by: "));
+    }
+
+    void anAnswerWithoutAMarginNamesItsRequirementAndTheInputThatAsksForOne() {
+        SearchOutcome outcome;
+        outcome.project = outcome.searched = fixtures::searchedShaft();
+        FoundCycle& found = outcome.found.emplace_back();
+        found.time_s = 50;
+        found.isBest = true;
+        outcome.search.status = SearchStatus::proved;
+        QVERIFY(!OptimiseText::notes(outcome).contains(QStringLiteral("No margin")));
+        outcome.remarks.noMargin = {ConstraintKind::diameterMin, ConstraintKind::wheelPower};
+        const QString text = OptimiseText::notes(outcome);
+        QVERIFY2(text.contains(
+                     QStringLiteral("No margin is left for: %1, %2. For a cycle with a margin, set "
+                                    "“Maximum margin within a time” in the search.")
+                         .arg(Names::inSentence(Names::constraint(ConstraintKind::diameterMin)),
+                              Names::inSentence(Names::constraint(ConstraintKind::wheelPower)))),
+                 qPrintable(text));
+    }
+
+    /// Where the answer stands at the edge of its grid, the line below it says so.
+    void theEdgeOfTheGridIsNamed() {
+        SearchOutcome outcome;
+        outcome.project = outcome.searched = fixtures::searchedShaft();
+        outcome.searched.machine->limits.axial_feed_mm_min = std::vector<double>{50, 5000, 50};
+        FoundCycle& found = outcome.found.emplace_back();
+        found.time_s = 50;
+        found.isBest = true;
+        outcome.search.status = SearchStatus::proved;
+        Cycle cycle = *outcome.project.cycle;
+        cycle.stages.resize(2);
+        cycle.stages[0].radial_feed_mm = 0.003;
+        cycle.stages[0].axial_feed_mm_min = 2400;
+        cycle.stages[1].radial_feed_mm = 0.003;
+        cycle.stages[1].axial_feed_mm_min = 1200;
+        outcome.edges = edgesReached(outcome.searched, cycle);
+        QString text = OptimiseText::notes(outcome);
+        QVERIFY2(text.contains(QStringLiteral("Stage 1: “Axial feed” has the maximum level"))
+                     && text.contains(QStringLiteral("allowed is 5000")),
+                 qPrintable(text));
+        QVERIFY(!text.contains(QStringLiteral("Stage 2:")));
+        outcome.searched.machine->limits.axial_feed_mm_min = std::vector<double>{50, 2400, 50};
+        outcome.edges = edgesReached(outcome.searched, cycle);
+        outcome.rounds = 3;
+        text = OptimiseText::notes(outcome);
+        QVERIFY2(text.contains(QStringLiteral("limits allow no other"))
+                     && text.contains(QStringLiteral("rounds: 3")),
+                 qPrintable(text));
+    }
+
+    void whenNothingHoldsTheRequirementThatCutMostIsNamed() {
+        Project project = fixtures::searchedShaft();
+        project.part->tolerance.radial_runout_um = 1e-6;
+        const Desk desk(project);
+        desk.click("optimiseRun");
+        QTRY_VERIFY_WITH_TIMEOUT(desk.view->search() && !desk.view->busy(), patience_ms);
+        QVERIFY(!desk.view->search()->best());
+        QVERIFY2(desk.told().contains(QStringLiteral("unout")), qPrintable(desk.told()));
+        QVERIFY(!desk.part<CopyTable>("optimiseFound").isVisible());
     }
 
     void aProjectWithoutAGridIsOfferedAUsualOne() {

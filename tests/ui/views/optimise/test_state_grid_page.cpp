@@ -19,6 +19,7 @@
 #include "ui/views/optimise/optimise_view.h"
 
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -28,6 +29,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace sparkout::test_state_grid_page {
 
@@ -274,6 +276,36 @@ private slots:
         QVERIFY(std::ranges::all_of(table.rows, [&](const auto& row) {
             return row.size() == static_cast<std::size_t>(table.header.size());
         }));
+    }
+
+    void twentyByFortyIsSteppedWithoutAStall() {
+        Bench bench(traverse());
+        QVERIFY(bench.settled());
+        auto& levels = bench.part<QSpinBox>("stateGridLevels");
+        levels.setFocus();
+        levels.selectAll();
+        QTest::keyClicks(&levels, QStringLiteral("20"));
+        QTest::keyClick(&levels, Qt::Key_Return);
+        QVERIFY(bench.settled());
+        QCOMPARE(bench.grid().size.levels, 20);
+        QCOMPARE(bench.grid().feeds.size(), std::size_t{40});
+        auto& slider = bench.part<QSlider>("stateGridSlider");
+        slider.setFocus();
+        QTest::keyClick(&slider, Qt::Key_Home);
+        std::vector<double> steps_ms;
+        for (int i = 0; i < 200; ++i) {
+            QElapsedTimer timer;
+            timer.start();
+            QTest::keyClick(&slider, i % 2 ? Qt::Key_PageUp : Qt::Key_Right);
+            bench.plot().replot(QCustomPlot::rpImmediateRefresh);
+            QCoreApplication::processEvents();
+            steps_ms.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
+        }
+        std::ranges::sort(steps_ms);
+        const double median_ms = steps_ms[steps_ms.size() / 2];
+        std::printf("20 levels by 40 feeds: a step is drawn in %.1f ms, the slowest in %.1f ms\n",
+                    median_ms, steps_ms.back());
+        QVERIFY(median_ms < 50);
     }
 };
 

@@ -16,6 +16,7 @@
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/plot/view.h"
+#include "ui/text/example_texts.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/views/constraints/constraints_view.h"
 #include "ui/views/feeds/feeds_view.h"
@@ -240,6 +241,21 @@ private slots:
         QCOMPARE(chart.value(1, 0), 100 * leastMargin(present, &inputs)->relativeMargin);
     }
 
+    void theRunsOfAnExampleAreNamedInTheWindowsLanguage() {
+        const Desk desk(QStringLiteral("ru"));
+        Project project = fixtures::traverseProject();
+        QVERIFY(desk.open(project));
+        const Outcome& now = desk.outcome();
+        project.runs.push_back(keptRun(now.result,
+                                       summarise(now.result, now.accuracy, now.constraints),
+                                       "Factory", "2026-01-01T00:00:00Z"));
+        QVERIFY(desk.open(project));
+        const QStringList shown = desk.plot(runs).chart().categories;
+        QCOMPARE(shown.size(), qsizetype(2));
+        QCOMPARE(shown[1], exampleTitle("Factory"));
+        QVERIFY(shown[1] != QStringLiteral("Factory"));
+    }
+
     // --- where bars lead ------------------------------------------------------------------------
 
     void aBarLeadsToItsView() {
@@ -428,6 +444,44 @@ private slots:
         desk.bench.window->document().edit(project, {"Edit", ""});
         QTRY_VERIFY(desk.plot(times).isDimmed());
         QVERIFY(!desk.plot(times).chart().empty());
+    }
+
+    void hiddenItDoesNothing() {
+        const Desk desk(fixtures::traverseProject());
+        desk.bench.window->showView(QStringLiteral("feeds"));
+        desk.bench.settle();
+        int changes = 0;
+        connect(&desk.plot(times), &ViewPlot::contentChanged, this, [&changes] { ++changes; });
+        Project project = fixtures::traverseProject();
+        project.part->stock_mm = 0.2;
+        desk.bench.window->document().edit(project, {"Edit", ""});
+        QTRY_VERIFY(!desk.bench.window->runs().running());
+        desk.bench.settle();
+        QCOMPARE(changes, 0);
+        desk.bench.window->showView(QStringLiteral("overview"));
+        desk.bench.settle();
+        QVERIFY(changes > 0);
+    }
+
+    void anUpdateTakesLessThanAFrame() {
+        constexpr double target_ms = 16;
+        Desk desk;
+        std::vector<double> times_ms;
+        for (const QString& path : examplePaths()) {
+            QVERIFY(desk.bench.open(path));
+            for (int i = 0; i < 3; ++i) {
+                Project project = desk.bench.window->document().project();
+                project.part->stock_mm *= 1.001;
+                desk.bench.window->document().edit(project, {"Edit", ""});
+                QTRY_VERIFY(!desk.bench.window->runs().running());
+                desk.bench.settle();
+                times_ms.push_back(desk.view->lastUpdate_ms());
+            }
+        }
+        std::ranges::sort(times_ms);
+        qInfo("SPEED update of the overview: median %.1f ms, worst %.1f ms, target %g ms",
+              times_ms[times_ms.size() / 2], times_ms.back(), target_ms);
+        QVERIFY(times_ms[times_ms.size() / 2] <= 4 * target_ms);
     }
 };
 

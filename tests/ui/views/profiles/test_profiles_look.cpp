@@ -155,6 +155,17 @@ private slots:
         QCOMPARE(view.across()->axisRectCount(), 3);
     }
 
+    void anotherLanguageReachesWhatIsDrawnAlongTheAxis() {
+        ShownProfiles view(m_of.traverse);
+        fixtures::Marking marking;
+        QApplication::installTranslator(&marking);
+        QCoreApplication::processEvents();
+        QVERIFY(view.along()->bands()->bands()[0].name.contains(QChar(0x00AB)));
+        QVERIFY(view.along()->graph(LengthLine::mean)->name().contains(QChar(0x00AB)));
+        QApplication::removeTranslator(&marking);
+        QCoreApplication::processEvents();
+    }
+
     void theDescriptionTellsWhatIsDrawn() {
         ShownProfiles view(m_of.traverse);
         const QString text = view.across()->accessibleDescription();

@@ -6,12 +6,15 @@
 #include "core/project/wheel.h"
 #include "core/units.h"
 #include "tests/registry.h"
+#include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
 #include "ui/charts/result_tables.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/text/names.h"
 #include "ui/views/verdict/form_section.h"
 #include "ui/views/verdict/narrow_table.h"
+
+#include <QApplication>
 
 #include <cstddef>
 #include <variant>
@@ -118,6 +121,19 @@ private slots:
             const QRect cell = table.visualRect(table.model()->index(row, 2));
             QVERIFY(table.viewport()->rect().contains(cell));
         }
+    }
+
+    void anotherLanguageReachesTheTips() {
+        Bench bench(run(several()));
+        fixtures::Marking marking;
+        QApplication::installTranslator(&marking);
+        QTest::qWait(30);
+        const ValueModel& model = *bench.panel.form().model();
+        for (int row = 0; row < model.rowCount(); ++row) {
+            QVERIFY(model.headerData(row, Qt::Vertical, Qt::ToolTipRole).toString().contains(u'«'));
+        }
+        QApplication::removeTranslator(&marking);
+        QTest::qWait(30);
     }
 };
 

@@ -6,6 +6,7 @@
 #include "ui/charts/light_icon.h"
 #include "ui/session/cycle_judge.h"
 #include "ui/text/judgement_text.h"
+#include "ui/text/language.h"
 
 #include <QImage>
 #include <QPixmap>
@@ -135,6 +136,25 @@ private slots:
         QTRY_VERIFY(!bench.label("judgedStocks").isEnabled());
         QCOMPARE(bench.label("overall").text(),
                  QStringLiteral("Fit for every stock (before the last edit)"));
+    }
+
+    void russianHasTheSameStates() {
+        Language language;
+        language.apply(QStringLiteral("ru"));
+        const auto said = [this](JudgedState state) {
+            QString text = JudgementText::headline(judgedAs(m_plunge, state).judgement);
+            return text.replace(u'\u00a0', u' ');
+        };
+        QCOMPARE(said(JudgedState::stocksHold), QStringLiteral("Годен для всех припусков"));
+        QCOMPARE(said(JudgedState::batchFails),
+                 QStringLiteral("Брак в партии: 17 из 50 (21…49 %)"));
+        QCOMPARE(said(JudgedState::batchHolds),
+                 QStringLiteral("Годен для партии: брак 0 из 50 (≤ 7,1 %)"));
+        QCOMPARE(said(JudgedState::nominal), QStringLiteral("Только номинальная деталь"));
+        QCOMPARE(said(JudgedState::fails),
+                 QStringLiteral("Не выполнено: наим. диаметр на 10,70 мкм"));
+        language.apply(QStringLiteral("en"));
+        QLocale::setDefault(QLocale::c());
     }
 };
 

@@ -5,9 +5,12 @@
 #include "core/project/machine.h"
 #include "core/project/wheel.h"
 #include "tests/registry.h"
+#include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
 #include "ui/text/output_text.h"
 #include "ui/text/time_unit.h"
+
+#include <QApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -161,6 +164,19 @@ private slots:
         QVERIFY(bench.model().index(0, 0).data(Qt::ForegroundRole).isValid());
         bench.show(m_traverse);
         QVERIFY(!bench.model().index(0, 0).data(Qt::ForegroundRole).isValid());
+    }
+
+    void anotherLanguageReachesTheTipsOfTheTable() {
+        Bench bench(m_traverse);
+        fixtures::Marking marking;
+        QApplication::installTranslator(&marking);
+        QTest::qWait(30);
+        const ValueModel& model = bench.model();
+        for (int row = 0; row < model.rowCount(); ++row) {
+            QVERIFY(model.headerData(row, Qt::Vertical, Qt::ToolTipRole).toString().contains(u'«'));
+        }
+        QApplication::removeTranslator(&marking);
+        QTest::qWait(30);
     }
 };
 
