@@ -19,6 +19,7 @@
 #include "core/setup/shared_members.h"
 #include "core/study/kept_search.h"
 #include "core/study/search.h"
+#include "core/study/search_outputs.h"
 #include "words/search_words.h"
 
 #include <span>

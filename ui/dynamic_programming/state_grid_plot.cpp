@@ -55,13 +55,13 @@ LineChart StateGridPlot::made() const {
     LineChart chart;
     const bool axial = m_outcome && m_outcome->grid.project.operation->axial();
     chart.across = {
-        .label = tr("Stock left per side, mm"), .room = 0, .ticker = m_levels, .hasGrid = false};
+        .label = tr("Stock left per side, mm"), .room = 0, .hasGrid = false, .ticker = m_levels};
     // In two lines: one is longer than the axis of a small window.
     chart.up = {.label = axial ? tr("m: radial feed, mm/dbl stroke\naxial feed, mm/min")
                                : tr("m: radial feed, mm/min"),
                 .room = 0,
-                .ticker = m_feeds,
-                .hasGrid = false};
+                .hasGrid = false,
+                .ticker = m_feeds};
     if (!m_outcome) {
         return chart;
     }

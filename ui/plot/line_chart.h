@@ -59,11 +59,11 @@ struct ChartAxis {
     bool isSymmetric = false;   ///< symmetric about 0
     bool isCounted = false;     ///< only whole numbers
     bool isLogarithmic = false; ///< of values above 0
+    bool isReversed = false;    ///< falls in the usual direction
     bool hasGrid = true;
     QStringList shorter = {};                  ///< labels for less room, the last is the unit
     std::optional<QStringList> names = {};     ///< replace the numbers 0, 1, …
     QSharedPointer<QCPAxisTicker> ticker = {}; ///< replaces the usual ticker
-    bool isReversed = false;                   ///< falls in the usual direction
 };
 
 /// Points in the order of their places, except for separate points; a NaN value is a gap.

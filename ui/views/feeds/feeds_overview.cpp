@@ -18,9 +18,9 @@
 namespace sparkout {
 
 namespace {
-constexpr int windowEdge = 5;  ///< reach of the mouse at an edge [px]
-constexpr int handleWidth = 4; ///< width of the drawn handles
-constexpr double least = 1e-5; ///< smallest window, as a share of the cycle
+constexpr int windowEdge = 5;           ///< reach of the mouse at an edge [px]
+constexpr int handleWidth = 4;          ///< width of the drawn handles
+constexpr double smallestWindow = 1e-5; ///< as a share of the cycle
 constexpr double wheelZoom = 0.85;
 constexpr double notchOfWheel = 120;
 constexpr double keyShare = 0.1; ///< step of a key press, as a share of the window
@@ -148,7 +148,7 @@ void FeedsOverview::changeEvent(QEvent* event) {
 
 void FeedsOverview::ask(double from, double to) {
     const double whole = wholeRange();
-    const double size = std::clamp(to - from, whole * least, whole);
+    const double size = std::clamp(to - from, whole * smallestWindow, whole);
     from = std::clamp(from, 0.0, whole - size);
     emit timesAsked(m_plot.scale().time_s(from), m_plot.scale().time_s(from + size));
 }
@@ -194,7 +194,7 @@ void FeedsOverview::mouseMoveEvent(QMouseEvent* event) {
         return;
     }
     const double at = std::clamp(x / width(), 0.0, 1.0) * wholeRange();
-    const double tiny = wholeRange() * least;
+    const double tiny = wholeRange() * smallestWindow;
     switch (m_dragged) {
     case Part::begin: ask(std::min(at, m_to - tiny), m_to); break;
     case Part::end: ask(m_from, std::max(at, m_from + tiny)); break;
