@@ -10,7 +10,6 @@
 #include "core/optimisation/search_names.h"
 #include "core/project/part.h"
 #include "core/quality/result_names.h"
-#include "core/quality/waviness_outputs.h"
 #include "core/sparkout.h"
 #include "core/study/kept_search.h"
 #include "python/arrays.h"
@@ -70,28 +69,23 @@ struct JudgedStocksOf {
     StocksDecision decision;
 };
 
-py::dict sectionDict(const SimulationResult& result, std::size_t number) {
+py::dict sectionDict(const SectionResult& section, int number, double nominal_mm) {
     using namespace py::literals;
-    const SectionResult& section = result.sections[number];
-    const double nominal_mm = result.project.part->diameter_mm;
-    const std::optional<PlaceWaves> waves = placeWaves(result, number);
-    const bool isKnown = waves && waves->waves;
-    return py::dict("where"_a = sectionName(section.zone, static_cast<int>(number)),
+    return py::dict("where"_a = sectionName(section.zone, number),
                     "position_mm"_a = section.position_mm,
                     "compliance_mm_per_n"_a = section.compliance_mm_per_n,
                     "radii_mm"_a = arrayOf(section.radii_mm),
                     "diameter_min_mm"_a = nominal_mm + section.diameterDeviationMin_mm,
                     "diameter_max_mm"_a = nominal_mm + section.diameterDeviationMax_mm,
                     "radial_runout_mm"_a = section.radialRunout_mm,
-                    "waviness_mm"_a = isKnown ? py::object(py::float_(waves->waves->height_mm))
-                                              : py::object(py::none()),
                     "peak_normal_force_n"_a = section.peakNormalForce_n);
 }
 
 py::list sectionsOf(const Evaluation& self) {
     py::list list;
-    for (std::size_t number = 0; number < self.result().sections.size(); ++number) {
-        list.append(sectionDict(self.result(), number));
+    int number = 0;
+    for (const SectionResult& section : self.result().sections) {
+        list.append(sectionDict(section, number++, self.result().project.part->diameter_mm));
     }
     return list;
 }

@@ -58,7 +58,7 @@ constexpr Output<JudgedBatch> batchRows[] = {
 constexpr Output<Undecided> undecidedRows[] = {
     {{.key = "name", .hint = "of the requirement"},
      [](const Undecided& u) { return std::string(requirementOf(u.kind).key); }},
-    {{.key = "why", .hint = "not_calibrated, input_missing, machine_not_known or few_radii"},
+    {{.key = "why", .hint = "not_calibrated, input_missing or machine_not_known"},
      [](const Undecided& u) { return std::string(reasonKey(u.reason)); }},
     {{.key = "input", .hint = "JSON pointer of the input that decides it"},
      [](const Undecided& u) { return u.path; }},

@@ -9,7 +9,6 @@
 #include "core/quality/constraints.h"
 #include "core/quality/form_outputs.h"
 #include "core/quality/shop_numbers.h"
-#include "core/quality/waviness_outputs.h"
 #include "core/remedies/remedies_json.h"
 #include "core/setup/setup_run.h"
 #include "core/study/search_outputs.h"
@@ -103,7 +102,6 @@ ordered_json tableSchemas() {
         {"judged_batch", tableSchema("simulate: batch of judged", judgedBatchOutputs())},
         {"undecided", tableSchema("simulate: one of not_decided of judged", undecidedOutputs())},
         {"zone_form", tableSchema("simulate: a zone with several sections", zoneFormOutputs())},
-        {"waviness", tableSchema("simulate: waviness of a zone or section", wavinessOutputs())},
         {"characteristic", tableSchema("batch: one of characteristics", characteristicOutputs())},
         {"search", tableSchema("optimize", searchOutputs())},
         {"remedies", tableSchema("remedies", remedyResultOutputs())},

@@ -182,7 +182,6 @@ void putFactor(FactorKind kind, double value, Project& project) {
         }
         break;
     case FactorKind::runoutAt: project.machine->form->runout_at_deg = value; break;
-    case FactorKind::wheelPhase: project.wheel->runout->phase_deg = value; break;
     case FactorKind::gaugeError:
         project.gauge->error_um += value * project.machine->gauge_repeatability_um.value_or(0);
         break;

@@ -4,7 +4,6 @@
 #include "core/process/printed_form.h"
 #include "core/project/batch.h"
 #include "core/project/machine.h"
-#include "core/project/wheel.h"
 #include "core/quality/roughness.h"
 
 #include <algorithm>
@@ -36,11 +35,6 @@ std::optional<Undecided> undecidedOf(const Requirement& row, const Project& proj
     if (row.kind == ConstraintKind::roughness && !isRoughnessCalibrated(project)
         && !isDecided(row.kind, constraints)) {
         return roughnessNotKnown;
-    }
-    if (row.kind == ConstraintKind::waviness && !areWavesKnown(project)) {
-        return project.wheel->runout
-                   ? Undecided{row.kind, UndecidedReason::fewRadii, "/part/radii_per_section"}
-                   : Undecided{row.kind, UndecidedReason::inputMissing, "/wheel/runout"};
     }
     if (!knowsMachine(row.kind, project)) {
         return Undecided{row.kind, UndecidedReason::machineNotKnown, "/machine/form"};
@@ -117,7 +111,7 @@ JudgedState stateOf(const Judgement& of, bool nominalFails) {
 } // namespace
 
 const char* reasonKey(UndecidedReason reason) {
-    constexpr std::array keys{"not_calibrated", "input_missing", "machine_not_known", "few_radii"};
+    constexpr std::array keys{"not_calibrated", "input_missing", "machine_not_known"};
     return keys[static_cast<std::size_t>(reason)];
 }
 

@@ -48,7 +48,7 @@ double ContactCompliance::cut(Lanes& lanes, const LaneCoefficients& coefficients
                               const PassFeed& feed, const PassRange& range) const {
     double largest = 0;
     for (std::size_t lane = range.first; lane < range.first + range.count; ++lane) {
-        const double h = std::max(0.0, lanes.wheelAt(lane, feed) - lanes.depth_mm[lane]);
+        const double h = std::max(0.0, feed.at(lanes.share[lane]) - lanes.depth_mm[lane]);
         const Balance balance{.A = coefficients.A4[lane] / 4,
                               .C = coefficients.C[lane],
                               .bks = range.bks,
@@ -67,7 +67,7 @@ double ContactCompliance::cutWithThreshold(Lanes& lanes, const LaneCoefficients&
                                            const PassFeed& feed, const PassRange& range) const {
     double largest = 0;
     for (std::size_t lane = range.first; lane < range.first + range.count; ++lane) {
-        const double h = std::max(0.0, lanes.wheelAt(lane, feed) - lanes.depth_mm[lane]);
+        const double h = std::max(0.0, feed.at(lanes.share[lane]) - lanes.depth_mm[lane]);
         const ThresholdState found = state({.A = coefficients.A4[lane] / 4,
                                             .C = coefficients.C[lane],
                                             .bks = range.bks,

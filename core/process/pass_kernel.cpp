@@ -21,11 +21,10 @@ namespace {
 
 enum class Root { multiplied, divided };
 enum class Drift { none, some }; ///< drift of the infeed; it costs time and few cycles have one
-enum class Wave { none, some };  ///< wave of a wheel out of true, likewise
 
 // The loop has one source; each wrapper compiles it for its vector unit. Every operation is an IEEE
 // one without contraction, so the units differ in speed alone.
-template <Root form, Drift drifts, Wave waves>
+template <Root form, Drift drifts>
 [[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
                                                 const PassFeed& feed, const PassRange& range) {
     double* __restrict depth = lanes.depth_mm.data() + range.first;
@@ -39,13 +38,6 @@ template <Root form, Drift drifts, Wave waves>
     const double* __restrict inverse2A = coefficients.inverse2A.data() + range.first;
     const double begin = feed.base + feed.offset, rate = feed.rate, most = feed.base + feed.cap;
     const double drift = feed.drift, end = feed.most;
-    const double* __restrict waveCos = lanes.waveCos.data();
-    const double* __restrict waveSin = lanes.waveSin.data();
-    if constexpr (waves == Wave::some) {
-        waveCos += range.first;
-        waveSin += range.first;
-    }
-    const double cosine = feed.waveCos_mm, sine = feed.waveSin_mm;
     const std::size_t count = range.count;
     double largest = 0;
 #pragma omp simd reduction(max : largest)
@@ -55,9 +47,6 @@ template <Root form, Drift drifts, Wave waves>
         if constexpr (drifts == Drift::some) {
             const double further = fed + drift * share[i];
             fed = further < end ? further : end;
-        }
-        if constexpr (waves == Wave::some) {
-            fed = fed + (cosine * waveCos[i] + sine * waveSin[i]);
         }
         const double lag = fed - depth[i];
         const double h = lag > 0 ? lag : 0;
@@ -71,14 +60,6 @@ template <Root form, Drift drifts, Wave waves>
         largest = u > largest ? u : largest;
     }
     return largest;
-}
-
-template <Root form, Drift drifts>
-[[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
-                                                const PassFeed& feed, const PassRange& range) {
-    return lanes.waveCos.empty()
-               ? cutLanesBy<form, drifts, Wave::none>(lanes, coefficients, feed, range)
-               : cutLanesBy<form, drifts, Wave::some>(lanes, coefficients, feed, range);
 }
 
 template <Root form>

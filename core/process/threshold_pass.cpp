@@ -42,7 +42,7 @@ void putState(Lanes& lanes, std::size_t lane, const ThresholdState& state) {
 double cutWithThreshold(Lanes& lanes, const LaneCoefficients& coefficients, const PassFeed& feed,
                         const PassRange& range) {
     return cutEach(lanes, range, [&](std::size_t lane) {
-        const double h = std::max(0.0, lanes.wheelAt(lane, feed) - lanes.depth_mm[lane]);
+        const double h = std::max(0.0, feed.at(lanes.share[lane]) - lanes.depth_mm[lane]);
         return thresholdState(coefficients.C[lane], coefficients.A4[lane], h);
     });
 }

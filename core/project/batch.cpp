@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/batch.h"
 
-#include "core/project/conditions.h"
 #include "core/project/machine.h"
 #include "core/project/project.h"
 #include "core/text.h"
@@ -116,13 +115,6 @@ const StructInfo& tableOf<Factors>() {
             .hint = SPARKOUT_NOOP(
                 "Input", "Uniform from 0 to 360° where parts are clamped at random angles."),
             .source = "MODEL-7"),
-        SPARKOUT_FIELD(
-            Factors, wheel_phase_deg, .label = SPARKOUT_NOOP("Input", "Phase of the wheel"),
-            .symbol = "ψ_0", .unit = "°", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-            .relevant = conditions::wheelRunout, .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "Uniform from 0 to 360°, as the wheel stands at any "
-                                           "angle when a cycle begins."),
-            .source = "MODEL-16"),
         SPARKOUT_FIELD(
             Factors, gauge_error, .label = SPARKOUT_NOOP("Input", "Random error of the gauge"),
             .symbol = "z", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),

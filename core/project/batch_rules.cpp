@@ -6,7 +6,6 @@
 #include "core/project/given_factors.h"
 #include "core/project/machine.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 
 #include <algorithm>
 #include <string>
@@ -42,10 +41,6 @@ private:
         const Factor& law = factor.law;
         if (factor.kind == FactorKind::runoutAt && !m_project.machine->form) {
             add(IssueCode::notUsedHere, path, {}, Keys{{"/machine/form"}});
-            return;
-        }
-        if (factor.kind == FactorKind::wheelPhase && !m_project.wheel->runout) {
-            add(IssueCode::notUsedHere, path, {}, Keys{{"/wheel/runout"}});
             return;
         }
         if (factor.kind == FactorKind::machineForm && !m_project.machine->form

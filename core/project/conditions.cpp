@@ -3,7 +3,6 @@
 
 #include "core/project/gauge.h"
 #include "core/project/part.h"
-#include "core/project/wheel.h"
 
 namespace sparkout::conditions {
 
@@ -17,14 +16,6 @@ bool external(const Project& p, const void*) {
 
 bool internal(const Project& p, const void*) {
     return p.part->surface == Surface::internal;
-}
-
-bool wheelRunout(const Project& p, const void*) {
-    return p.wheel->runout.has_value();
-}
-
-bool unbalanced(const Project& p, const void*) {
-    return p.wheel->runout && p.wheel->runout->isForced();
 }
 
 } // namespace sparkout::conditions

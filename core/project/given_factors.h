@@ -26,7 +26,6 @@ enum class FactorKind {
     contactWidth,
     machineForm,
     runoutAt,
-    wheelPhase,
     gaugeError,
     gaugeAge,
     partWarmer

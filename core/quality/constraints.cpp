@@ -39,7 +39,7 @@ constexpr Output<ConstraintResult> requirementTable[] = {
     {{.key = "ok"}, [](const ConstraintResult& c) { return c.holds; }},
     {{.key = "machine_known",
       .hint = "of roundness, cylindricity and runouts: whether the machine's own form is in the "
-              "value, of the waviness whether the wheel's runout is; else it is the model's alone"},
+              "value; else it is the model's alone"},
      [](const ConstraintResult& c) { return c.knowsMachine; },
      nullptr,
      [](const ConstraintResult& c) { return isPrinted(c.kind); }},
@@ -65,8 +65,7 @@ std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result
 
 bool isPrinted(ConstraintKind kind) {
     return kind == ConstraintKind::roundness || kind == ConstraintKind::cylindricity
-           || kind == ConstraintKind::radialRunout || kind == ConstraintKind::totalRunout
-           || kind == ConstraintKind::waviness;
+           || kind == ConstraintKind::radialRunout || kind == ConstraintKind::totalRunout;
 }
 
 bool knowsMachine(ConstraintKind kind, const Project& project) {
@@ -75,7 +74,6 @@ bool knowsMachine(ConstraintKind kind, const Project& project) {
     case ConstraintKind::cylindricity: return isRoundnessKnown(*project.machine);
     case ConstraintKind::radialRunout:
     case ConstraintKind::totalRunout: return isRunoutKnown(*project.machine);
-    case ConstraintKind::waviness: return areWavesKnown(project);
     default: return true;
     }
 }

@@ -24,7 +24,6 @@ enum class ConstraintKind {
     roundness,
     cylindricity,
     totalRunout,
-    waviness,
     roughness,
     burn,
     selfSharpening,

@@ -10,7 +10,6 @@
 #include "core/quality/result_names.h"
 #include "core/quality/roughness.h"
 #include "core/quality/shop_numbers.h"
-#include "core/quality/waviness_outputs.h"
 #include "core/units.h"
 
 #include <initializer_list>
@@ -33,20 +32,6 @@ ordered_json machineJson(const Project& project, std::initializer_list<Constrain
         known[requirementOf(kind).key] = knowsMachine(kind, project);
     }
     return known;
-}
-
-ordered_json wavesJson(const PlaceWaves& waves) {
-    constexpr double least_um = 1e-3; // lower amplitudes are left out
-    ordered_json json = outputsJson(wavinessOutputs(), waves);
-    ordered_json orders = ordered_json::array();
-    for (const Harmonic& each : waves.waves ? waves.waves->orders : std::vector<Harmonic>()) {
-        if (const double amplitude_um = each.amplitude_mm * units::umPerMm;
-            amplitude_um >= least_um) {
-            orders.push_back({{"order", each.lobes}, {"amplitude_um", amplitude_um}});
-        }
-    }
-    json["orders"] = waves.waves ? std::move(orders) : ordered_json(nullptr);
-    return json;
 }
 
 ordered_json zoneJson(const SimulationResult& result, std::size_t index,
@@ -93,9 +78,6 @@ ordered_json zoneJson(const SimulationResult& result, std::size_t index,
         const auto& [least_mm, most_mm] = result.ifEven[index];
         zone["diameter_deviation_even_lobes_um"] =
             stated(ordered_json::array({least_mm * units::umPerMm, most_mm * units::umPerMm}));
-    }
-    if (const std::optional<PlaceWaves> waves = placeWaves(result, index)) {
-        zone["waviness"] = wavesJson(*waves);
     }
     return zone;
 }

@@ -234,7 +234,7 @@ constexpr Output<ShopNumbers> shopRows[] = {
 
 // The hints above contain these numbers.
 static_assert(leastSpecificEnergy_j_mm3 == 20 && mostSpecificEnergy_j_mm3 == 120
-              && nearRatio == 0.05);
+              && nearInteger == 0.05);
 
 } // namespace
 
@@ -253,7 +253,7 @@ BandSide ShopColumn::overlapBand() const {
 
 bool ShopNumbers::ratioNearInteger() const {
     const double whole = std::round(rotationRatio);
-    return whole >= 1 && std::abs(rotationRatio - whole) <= nearRatio;
+    return whole >= 1 && std::abs(rotationRatio - whole) <= nearInteger;
 }
 
 ShopNumbers shopNumbers(const SimulationResult& result) {
@@ -276,7 +276,9 @@ ShopNumbers shopNumbers(const SimulationResult& result) {
     numbers.cycle = shop.column(all, result.time_s);
     numbers.cycle.count = result.cycleCount;
     numbers.cycle.overlap = least;
-    numbers.wheelSpeed_rpm = wheelSpeed_rpm(project);
+    numbers.wheelSpeed_rpm = project.machine->wheel_speed_m_s * units::mmPerM
+                             * units::secondsPerMinute
+                             / (std::numbers::pi * project.wheel->diameter_mm);
     numbers.rotationRatio = numbers.wheelSpeed_rpm / project.machine->work_speed_rpm;
     return numbers;
 }

@@ -262,10 +262,6 @@ QString Names::ofMachine(const QString& quantity, bool isKnown) {
     return isKnown ? quantity : tr("%1, machine not known", "the form it prints").arg(quantity);
 }
 
-QString Names::ofWheel(const QString& quantity, bool isKnown) {
-    return isKnown ? quantity : tr("%1, waves not known", "that the wheel prints").arg(quantity);
-}
-
 QString Names::issue(const Issue& issue) {
     const QString text = issueText(issue);
     return issue.path.empty() ? text : inputLocation(issue.path) + QStringLiteral(": ") + text;

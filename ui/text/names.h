@@ -63,9 +63,6 @@ public:
     /// A quantity of form, "roundness, machine not known" if the machine's own error is not
     /// included.
     static QString ofMachine(const QString& quantity, bool isKnown);
-    /// The waviness, "waviness, waves not known" if the wheel's runout is not given or not
-    /// resolved.
-    static QString ofWheel(const QString& quantity, bool isKnown);
     /// The first `most` errors of a refused input, each on its own line.
     static QString refusal(const Issues& issues, int most = 3);
     /// Whether missing inputs are the only errors.

@@ -35,8 +35,6 @@ constexpr std::array names{
                                                        "properties")},
     SourceName{"MODEL-12", QT_TRANSLATE_NOOP("Source", "model page, section 12: several surfaces "
                                                        "in one set-up")},
-    SourceName{"MODEL-16", QT_TRANSLATE_NOOP("Source", "model page, section 16: waves of the "
-                                                       "wheel")},
     SourceName{"ALSIGAR2021", QT_TRANSLATE_NOOP("Source", "M. K. Alsigar, thesis abstract, Penza, "
                                                           "2021")},
     SourceName{"PEREVERZEV1999", QT_TRANSLATE_NOOP("Source", "P. P. Pereverzev, doctoral thesis "
@@ -64,8 +62,6 @@ constexpr std::array names{
     SourceName{"MH31", QT_TRANSLATE_NOOP("Source", "Machinery's Handbook 31, cylindrical "
                                                    "grinding")},
     SourceName{"HON585", QT_TRANSLATE_NOOP("Source", "hon1.ru, spark-out and threshold force")},
-    SourceName{"HON174", QT_TRANSLATE_NOOP("Source", "hon1.ru, balancing of grinding wheels")},
-    SourceName{"ISO21940", QT_TRANSLATE_NOOP("Source", "ISO 21940-11:2016, grades of balance")},
     SourceName{"AKAIKE1974", QT_TRANSLATE_NOOP("Source", "Akaike, 1974, choice of a model")},
     SourceName{
         "SALMON2011",

@@ -125,8 +125,6 @@ QString translated(const char* context, const char* text) {
     QT_TRANSLATE_NOOP("Unit", "h"),
     QT_TRANSLATE_NOOP("Unit", "kW/A"),
     QT_TRANSLATE_NOOP("Unit", "kg"),
-    QT_TRANSLATE_NOOP("Unit", "g·mm"),
-    QT_TRANSLATE_NOOP("Unit", "Hz"),
     QT_TRANSLATE_NOOP("Unit", "1/mm"),
 };
 
