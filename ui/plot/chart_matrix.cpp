@@ -22,6 +22,7 @@ constexpr QSize legibleCell(120, 80);    ///< least size for leastSize()
 constexpr double leastNameType = 0.6;    ///< least size of axis names, relative to the usual
 constexpr double leastNumberType = 0.75; ///< numbers beside value axes
 constexpr int sidePad = 2;               ///< beside the names of the value axes
+constexpr int leastSide = 16;            ///< beside the outer columns, for half of a number
 constexpr int rowGap = 4;                ///< above and below each plot
 constexpr int rowSpacing = 2;
 constexpr int bottomPad = 2; ///< below the tick labels
@@ -205,7 +206,7 @@ int ChartMatrix::alignLabels(QCPAxis::AxisType side) const {
     for (std::size_t row = 0; row < axes.size(); ++row) {
         axes[row]->setLabelPadding(labelPad + widest - widths[row]);
     }
-    return widest + tickPad + labelPad + sidePad;
+    return std::max(widest + tickPad + labelPad + sidePad, leastSide);
 }
 
 /// Width of the names of an outer column's axes.
