@@ -254,6 +254,7 @@ void ChartPlot::takeCharts() {
     if (m_matrix) {
         m_matrix->setUp();
     }
+    colourAxes();
     tieSecond();
     drawCharts();
 }
@@ -445,6 +446,18 @@ void ChartPlot::setUpAxes(std::size_t cell) {
     }
 }
 
+/// The colours of the value axes; the palette has set that of texts for all.
+void ChartPlot::colourAxes() {
+    for (std::size_t i = 0; i < cellCount(); ++i) {
+        const auto colourAxis = [this](QCPAxis& axis, const ChartAxis& of) {
+            axis.setLabelColor(chartColour(of.colour, palette()));
+            axis.setTickLabelColor(axis.labelColor());
+        };
+        colourAxis(up(i), chart(i).up);
+        colourAxis(second(i), chart(i).second);
+    }
+}
+
 void ChartPlot::tieSecond() {
     for (std::size_t i = 0; i < cellCount(); ++i) {
         if (chart(i).perValue > 0) {
@@ -632,6 +645,7 @@ void ChartPlot::drawMap(std::size_t cell, const ChartMap& map) {
 
 void ChartPlot::restyle() {
     ViewPlot::restyle();
+    colourAxes();
     styleTexts();
     drawCharts();
     if (m_matrix) {
