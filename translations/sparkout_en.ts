@@ -137,16 +137,6 @@
         </message>
     </context>
     <context>
-        <name>sparkout::HistogramPlot</name>
-        <message numerus="yes">
-            <source>%1: %2 %3, %n part(s)</source>
-            <translation>
-                <numerusform>%1: %2 %3, %n part</numerusform>
-                <numerusform>%1: %2 %3, %n parts</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
         <name>sparkout::MessagesDock</name>
         <message numerus="yes">
             <source>%n message(s)</source>
@@ -200,6 +190,13 @@
             <translation>
                 <numerusform>%1: %n part, %2 % of the batch</numerusform>
                 <numerusform>%1: %n parts, %2 % of the batch</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %2 %3, %n part(s)</source>
+            <translation>
+                <numerusform>%1: %2 %3, %n part</numerusform>
+                <numerusform>%1: %2 %3, %n parts</numerusform>
             </translation>
         </message>
     </context>

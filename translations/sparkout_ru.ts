@@ -13880,53 +13880,6 @@ parts, ≤ %</source>
         </message>
     </context>
     <context>
-        <name>sparkout::HistogramPlot</name>
-        <message>
-            <source>Parts</source>
-            <translation>Детали</translation>
-        </message>
-        <message>
-            <source>parts</source>
-            <translation>детали</translation>
-        </message>
-        <message>
-            <source>drawing limits</source>
-            <translation>пределы по чертежу</translation>
-        </message>
-        <message>
-            <source>mean</source>
-            <translation>среднее</translation>
-        </message>
-        <message>
-            <source>Where</source>
-            <translation>Где</translation>
-        </message>
-        <message>
-            <source>From</source>
-            <translation>От</translation>
-        </message>
-        <message>
-            <source>To</source>
-            <translation>До</translation>
-        </message>
-        <message>
-            <source>Unit</source>
-            <translation>Единица</translation>
-        </message>
-        <message numerus="yes">
-            <source>%1: %2 %3, %n part(s)</source>
-            <translation>
-                <numerusform>%1: %2 %3, %n деталь</numerusform>
-                <numerusform>%1: %2 %3, %n детали</numerusform>
-                <numerusform>%1: %2 %3, %n деталей</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Characteristic</source>
-            <translation>Характеристика</translation>
-        </message>
-    </context>
-    <context>
         <name>sparkout::InputBox</name>
         <message>
             <source>%1: %2</source>
@@ -15071,6 +15024,38 @@ target, µm</source>
         <message>
             <source>Part %1: %2; %3</source>
             <translation>Деталь %1: %2; %3</translation>
+        </message>
+        <message>
+            <source>mean</source>
+            <translation>среднее</translation>
+        </message>
+        <message>
+            <source>Where</source>
+            <translation>Где</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>От</translation>
+        </message>
+        <message>
+            <source>To</source>
+            <translation>До</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %2 %3, %n part(s)</source>
+            <translation>
+                <numerusform>%1: %2 %3, %n деталь</numerusform>
+                <numerusform>%1: %2 %3, %n детали</numerusform>
+                <numerusform>%1: %2 %3, %n деталей</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Characteristic</source>
+            <translation>Характеристика</translation>
         </message>
     </context>
     <context>

@@ -2,7 +2,7 @@
 #include "ui/charts/compare_chart.h"
 
 #include "ui/plot/feed_text.h"
-#include "ui/plot/read_curves.h"
+#include "ui/plot/run_dash.h"
 #include "ui/text/names.h"
 #include "ui/text/time_unit.h"
 
@@ -14,6 +14,9 @@ namespace sparkout {
 namespace {
 
 constexpr qsizetype longestRunName = 24;
+constexpr double curveRoom = 0.06; ///< margin, relative to the values
+/// The dash identifies the run, so in black and white the width identifies the axis.
+constexpr std::array weights{1.3, 0.7};
 
 } // namespace
 
@@ -38,10 +41,6 @@ const FeedPoints& CompareChart::pointsOf(std::size_t run) const {
     return m_runs[run].feeds->columns.at(m_runs[run].column).strokes;
 }
 
-std::vector<XY> CompareChart::line(std::size_t run, Quantity quantity) const {
-    return polyline(pointsOf(run), quantity, Edge::mean, m_scales[run]);
-}
-
 double CompareChart::longest_s() const {
     double longest_s = 0;
     for (const ComparedFeeds& run : m_runs) {
@@ -56,6 +55,60 @@ double CompareChart::end() const {
         end = std::max(end, m_scales[run].at(m_runs[run].feeds->end_s));
     }
     return end;
+}
+
+// --- the charts ---------------------------------------------------------------------------------
+
+LineChart CompareChart::cell(std::size_t row, const CurveChoice& choice) const {
+    LineChart chart;
+    chart.isFramed = true;
+    chart.across = {.range = {0, end()}, .room = 0};
+    const std::array<Quantity, 2> sides{quantities()[2 * row], quantities()[2 * row + 1]};
+    std::array<ChartSpan, 2> values{{{0, 0}, {0, 0}}};
+    const QStringList names = shortNames();
+    for (std::size_t run = 0; run < m_runs.size(); ++run) {
+        for (std::size_t side = 0; side < sides.size(); ++side) {
+            const Quantity quantity = sides[side];
+            ChartSeries series{.key = static_cast<int>(quantity),
+                               .name = run == 0 ? quantityName(quantity) : QString(),
+                               .colour = style::drawnAs(quantity),
+                               .pen = runPen(m_runs[run].number, {}),
+                               .points =
+                                   polyline(pointsOf(run), quantity, Edge::mean, m_scales[run]),
+                               .onSecond = side == 1};
+            series.pen.setWidthF(series.pen.widthF() * weights[side]);
+            for (const XY& point : series.points) {
+                values[side].add(point.y);
+            }
+            if (choice.shows(runKey + m_runs[run].number)) {
+                chart.read(series, quantityWithUnit(quantity), quantityDigits(quantity));
+                chart.readings.back().curve.group = names[static_cast<qsizetype>(run)];
+            } else {
+                series.points.clear();
+            }
+            chart.series.insert(chart.series.begin() + static_cast<std::ptrdiff_t>(side),
+                                std::move(series));
+        }
+    }
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+        const auto& [low, high] = values[side];
+        const double room = (high - low) * curveRoom;
+        (side == 0 ? chart.up : chart.second) = {.label = briefName(sides[side]),
+                                                 .range = {low < 0 ? low - room : 0, high + room},
+                                                 .room = 0,
+                                                 .colour = style::drawnAs(sides[side])};
+    }
+    return chart;
+}
+
+ChartGrid CompareChart::grid(const CurveChoice& choice) const {
+    ChartGrid grid{.caption = timeLabel(), .sharesValues = true};
+    for (std::size_t row = 0; row < rowCount; ++row) {
+        grid.cells.push_back(cell(row, choice));
+    }
+    grid.cells.front().readSpan = {0, end()};
+    grid.cells.front().table = [this, choice] { return table(choice); };
+    return grid;
 }
 
 // --- words --------------------------------------------------------------------------------------
@@ -131,35 +184,28 @@ QString CompareChart::valuesAt(std::size_t run, double x) const {
            + chosen;
 }
 
-CsvTable CompareChart::table(double from, double to,
-                             const std::function<bool(const ComparedFeeds&)>& wanted,
-                             const std::function<bool(Quantity)>& shown) const {
-    CsvTable table;
-    table.header << tr("run") << tr("stage") << tr("double stroke or revolution")
-                 << tr("%1: from", "time").arg(timeLabel())
-                 << tr("%1: to", "time").arg(timeLabel());
+ChartTable CompareChart::table(const CurveChoice& choice) const {
+    ChartTable table;
+    table.cells.header << tr("run") << tr("stage") << tr("double stroke or revolution")
+                       << tr("%1: from", "time").arg(timeLabel())
+                       << tr("%1: to", "time").arg(timeLabel());
     std::vector<Quantity> columns;
     for (const Quantity quantity : quantities()) {
-        if (shown(quantity)) {
+        if (choice.shows(static_cast<int>(quantity))) {
             columns.push_back(quantity);
-            table.header << quantityWithUnit(quantity);
+            table.cells.header << quantityWithUnit(quantity);
         }
     }
     for (std::size_t run = 0; run < m_runs.size(); ++run) {
-        if (!wanted(m_runs[run])) {
-            continue;
-        }
         for (const FeedPoint& p : pointsOf(run)) {
             const double begin = m_scales[run].at(p.start_s), end = m_scales[run].at(p.end_s);
-            if (end <= from || begin >= to) {
-                continue;
-            }
             std::vector<CsvCell> row{m_runs[run].name, double(p.place.stage),
                                      double(p.place.cycleCount), begin, end};
             for (const Quantity quantity : columns) {
                 row.emplace_back(valueOf(p, quantity, Edge::mean));
             }
-            table.rows.push_back(std::move(row));
+            table.cells.rows.push_back(std::move(row));
+            table.places.push_back({.across = {begin, end}, .key = runKey + m_runs[run].number});
         }
     }
     return table;

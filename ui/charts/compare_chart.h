@@ -2,12 +2,11 @@
 #pragma once
 
 #include "core/simulation/feed_curves.h"
-#include "ui/tables/csv_table.h"
+#include "ui/plot/line_chart.h"
 
 #include <QCoreApplication>
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -22,11 +21,12 @@ struct ComparedFeeds {
 };
 
 /// The feeds of several runs over one horizontal axis, the current run first, in two plots with a
-/// quantity on the left and one on the right: the data for drawing, reading and tables.
+/// quantity on the left and one on the right. The colour identifies the quantity, the dash the run.
 class CompareChart {
     Q_DECLARE_TR_FUNCTIONS(CompareChart)
 public:
     static constexpr std::size_t rowCount = 2;
+    static constexpr int runKey = 100; ///< in the legend, plus the number; below: a Quantity
     /// The possible quantities of the right axes, by row; the first is the default.
     static constexpr std::array<std::array<Quantity, 3>, rowCount> secondQuantities{
         {{Quantity::force, Quantity::programmed, Quantity::axialFeed},
@@ -40,20 +40,20 @@ public:
     [[nodiscard]] const CycleScale& scale(std::size_t run) const { return m_scales[run]; }
     [[nodiscard]] Quantity second(std::size_t row) const { return m_second.at(row); }
     [[nodiscard]] std::array<Quantity, 4> quantities() const; ///< left and right, by row
-    [[nodiscard]] std::vector<XY> line(std::size_t run, Quantity quantity) const;
-    [[nodiscard]] double end() const;        ///< end of the longest run on the axis
-    [[nodiscard]] QString timeLabel() const; ///< "Time, min"
-    [[nodiscard]] static QString briefName(Quantity quantity); ///< for an axis, since plots are low
-    [[nodiscard]] QStringList shortNames() const;              ///< unique short names of the runs
+    [[nodiscard]] QString timeLabel() const;                  ///< "Time, min"
     /// The values of a run at a place of the axis, on one line.
     [[nodiscard]] QString valuesAt(std::size_t run, double x) const;
-    /// The points within a range of the axis, for the requested runs and quantities.
-    [[nodiscard]] CsvTable table(double from, double to,
-                                 const std::function<bool(const ComparedFeeds&)>& wanted,
-                                 const std::function<bool(Quantity)>& shown) const;
+    /// A cell for each row. In each, two series a run, the current run last and hence on top; those
+    /// of a hidden run have no points. All runs count for the values in sight.
+    [[nodiscard]] ChartGrid grid(const CurveChoice& choice) const;
 
 private:
+    [[nodiscard]] LineChart cell(std::size_t row, const CurveChoice& choice) const;
+    [[nodiscard]] ChartTable table(const CurveChoice& choice) const; ///< shown runs and quantities
     [[nodiscard]] const FeedPoints& pointsOf(std::size_t run) const;
+    [[nodiscard]] double end() const; ///< end of the longest run on the axis
+    [[nodiscard]] static QString briefName(Quantity quantity); ///< for an axis, since plots are low
+    [[nodiscard]] QStringList shortNames() const;              ///< unique short names of the runs
     [[nodiscard]] QString shortName(std::size_t run) const;
     [[nodiscard]] double longest_s() const; ///< time of the longest run
 

@@ -17,7 +17,6 @@
 #include "ui/views/batch/batch_charts.h"
 #include "ui/views/batch/batch_figures.h"
 #include "ui/views/batch/batch_text.h"
-#include "ui/views/batch/histogram_plot.h"
 #include "ui/views/batch/sensitivity_plot.h"
 #include "ui/views/optimise/found_table.h"
 #include "ui/views/optimise/margin_front_plot.h"
@@ -170,7 +169,7 @@ std::vector<NamedSheet> batchSheets(const BatchOutcome& outcome, const SobolIndi
         addUnlessEmpty(StudyBook::tr("Sobol indices"),
                        SensitivityPlot::sobolTable(outcome, *indices));
     }
-    addUnlessEmpty(StudyBook::tr("Histograms"), HistogramPlot::tableOf(outcome.summary));
+    addUnlessEmpty(StudyBook::tr("Histograms"), BatchCharts::histogramsTable(outcome.summary));
     addUnlessEmpty(StudyBook::tr("Worst part"), worstPart(outcome));
     return sheets;
 }

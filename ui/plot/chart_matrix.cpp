@@ -22,6 +22,7 @@ constexpr QSize legibleCell(120, 80);    ///< least size for leastSize()
 constexpr double leastNameType = 0.6;    ///< least size of axis names, relative to the usual
 constexpr double leastNumberType = 0.75; ///< numbers beside value axes
 constexpr int sidePad = 2;               ///< beside the names of the value axes
+constexpr int leastSide = 16;            ///< beside the outer columns, for half of a number
 constexpr int rowGap = 4;                ///< above and below each plot
 constexpr int rowSpacing = 2;
 constexpr int bottomPad = 2; ///< below the tick labels
@@ -141,10 +142,10 @@ void ChartMatrix::setUpAxes(std::size_t column, std::size_t row) {
 
 void ChartMatrix::restyle() {
     m_leastWidth = 0; // the type may be smaller
-    for (std::size_t column = 0; column < columns(); ++column) {
-        QMargins margins = rect(column, 0).minimumMargins();
-        margins.setTop(topMargin(0));
-        rect(column, 0).setMinimumMargins(margins);
+    for (std::size_t i = 0; i < m_plot.cellCount(); ++i) {
+        QMargins margins = m_plot.cell(i).minimumMargins();
+        margins.setTop(topMargin(i / columns()));
+        m_plot.cell(i).setMinimumMargins(margins);
     }
     fit();
 }
@@ -205,7 +206,7 @@ int ChartMatrix::alignLabels(QCPAxis::AxisType side) const {
     for (std::size_t row = 0; row < axes.size(); ++row) {
         axes[row]->setLabelPadding(labelPad + widest - widths[row]);
     }
-    return widest + tickPad + labelPad + sidePad;
+    return std::max(widest + tickPad + labelPad + sidePad, leastSide);
 }
 
 /// Width of the names of an outer column's axes.
@@ -292,9 +293,12 @@ int ChartMatrix::fitWidths(int left, int right) {
     return plot;
 }
 
-/// The height above a row of plots: the names of its bands, or a gap.
+/// The height above a row of plots: the names of its bands, or a gap; half of a number where no
+/// headings are above.
 int ChartMatrix::topMargin(std::size_t row) const {
-    return m_plot.chart(row * columns()).namesBands ? BandLayer::nameMargin(m_plot.font()) : rowGap;
+    return m_plot.chart(row * columns()).namesBands ? BandLayer::nameMargin(m_plot.font())
+           : m_plot.heading(0)                      ? rowGap
+                               : std::max(rowGap, QFontMetrics(m_plot.font()).height() / 2);
 }
 
 /// The height below it: the numbers of the last row, or a gap.
@@ -303,7 +307,8 @@ int ChartMatrix::bottomMargin(std::size_t row) const {
 }
 
 int ChartMatrix::heightBesidePlots() const {
-    int height = 2 * (QFontMetrics(m_plot.font()).height() + 2);
+    const int texts = (m_plot.heading(0) ? 1 : 0) + (m_plot.caption() ? 1 : 0);
+    int height = texts * (QFontMetrics(m_plot.font()).height() + 2);
     for (std::size_t row = 0; row < rows(); ++row) {
         height += topMargin(row) + bottomMargin(row) + rowSpacing;
     }

@@ -22,6 +22,25 @@ constexpr int chartTick = 5;       ///< [px]
 constexpr int scaleWidth = 14;     ///< [px]
 constexpr double outlineWidth = 1; ///< on either side of a line [px]
 constexpr double logarithmicFloor = 1e-12; ///< lower end of bars on a logarithmic axis
+constexpr double leastSeparate = 6;        ///< width of a bar with a gap beside it [px]
+
+/// Bars with a gap of one pixel, where they meet; narrow ones form an area of one colour, each at
+/// least a pixel wide.
+class SeparateBars : public QCPBars {
+public:
+    using QCPBars::QCPBars;
+
+protected:
+    void draw(QCPPainter* painter) override {
+        const double whole = width();
+        const double pixels = std::abs(keyAxis()->coordToPixel(whole) - keyAxis()->coordToPixel(0));
+        const bool isNarrow = pixels < leastSeparate;
+        setPen(isNarrow ? QPen(brush().color(), 1) : QPen(Qt::NoPen));
+        setWidth(isNarrow ? whole : whole * (1 - 1 / pixels));
+        QCPBars::draw(painter);
+        setWidth(whole);
+    }
+};
 
 QCPScatterStyle markOfSeries(const ChartSeries& series, const QColor& colour, const QColor& edge) {
     using enum ChartSeries::Mark;
@@ -235,6 +254,7 @@ void ChartPlot::takeCharts() {
     if (m_matrix) {
         m_matrix->setUp();
     }
+    colourAxes();
     tieSecond();
     drawCharts();
 }
@@ -426,6 +446,18 @@ void ChartPlot::setUpAxes(std::size_t cell) {
     }
 }
 
+/// The colours of the value axes; the palette has set that of texts for all.
+void ChartPlot::colourAxes() {
+    for (std::size_t i = 0; i < cellCount(); ++i) {
+        const auto colourAxis = [this](QCPAxis& axis, const ChartAxis& of) {
+            axis.setLabelColor(chartColour(of.colour, palette()));
+            axis.setTickLabelColor(axis.labelColor());
+        };
+        colourAxis(up(i), chart(i).up);
+        colourAxis(second(i), chart(i).second);
+    }
+}
+
 void ChartPlot::tieSecond() {
     for (std::size_t i = 0; i < cellCount(); ++i) {
         if (chart(i).perValue > 0) {
@@ -496,11 +528,11 @@ void ChartPlot::drawSeries(std::size_t cell, const ChartSeries& series) {
 }
 
 void ChartPlot::drawBars(std::size_t cell, const ChartSeries& series) {
-    auto* const bars = new QCPBars(&across(cell), &up(cell));
+    auto* const bars = new SeparateBars(&across(cell), &up(cell));
+    bars->setAntialiased(false);
     bars->setWidth(series.barWidth);
     const bool isLogarithmic = chart(cell).up.isLogarithmic;
     bars->setBaseValue(isLogarithmic ? logarithmicFloor : 0);
-    bars->setPen(Qt::NoPen);
     bars->setBrush(areaOf(series.colour, series.alpha));
     for (const XY& point : series.points) {
         bars->addData(point.x, isLogarithmic ? std::max(point.y, logarithmicFloor) : point.y);
@@ -613,6 +645,7 @@ void ChartPlot::drawMap(std::size_t cell, const ChartMap& map) {
 
 void ChartPlot::restyle() {
     ViewPlot::restyle();
+    colourAxes();
     styleTexts();
     drawCharts();
     if (m_matrix) {

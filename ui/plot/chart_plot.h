@@ -86,6 +86,7 @@ private:
     [[nodiscard]] std::optional<Point> pointAt(const QPointF& at) const; ///< in the first cell
     void build(); ///< builds the cells of the grid
     void setUpAxes(std::size_t cell);
+    void colourAxes();
     void drawCharts();
     void drawCell(std::size_t cell);
     void drawSeries(std::size_t cell, const ChartSeries& series);

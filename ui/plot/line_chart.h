@@ -64,6 +64,7 @@ struct ChartAxis {
     QStringList shorter = {};                  ///< labels for less room, the last is the unit
     std::optional<QStringList> names = {};     ///< replace the numbers 0, 1, …
     QSharedPointer<QCPAxisTicker> ticker = {}; ///< replaces the usual ticker
+    ChartColour colour = {};                   ///< of the numbers and the label
 };
 
 /// Points in the order of their places, except for separate points; a NaN value is a gap.

@@ -195,21 +195,6 @@ void ViewPlot::followChoice() {
     replot(rpQueuedReplot);
 }
 
-void ViewPlot::setKeyed(int key, std::initializer_list<QCPLayerable*> drawn) {
-    for (QCPLayerable* part : drawn) {
-        if (part) {
-            m_keyed.emplace_back(key, part);
-        }
-    }
-}
-
-void ViewPlot::showChoice() {
-    std::erase_if(m_keyed, [](const auto& keyed) { return !keyed.second; }); // deleted meanwhile
-    for (const auto& [key, part] : m_keyed) {
-        part->setVisible(shows(key));
-    }
-}
-
 LegendEntry ViewPlot::lineEntry(int key, const QPen& pen, const QString& text) const {
     LegendEntry entry{pen.color(), pen.style(), text, key, shows(key)};
     entry.weight = pen.widthF();
@@ -222,14 +207,6 @@ LegendEntry ViewPlot::lineEntry(int key, const QPen& pen, const QString& text) c
 
 LegendEntry ViewPlot::areaEntry(int key, const QColor& colour, const QString& text) const {
     return {colour, Qt::NoPen, text, key, shows(key)};
-}
-
-void ViewPlot::contentSet() {
-    restyle();
-    retranslate();
-    showChoice();
-    fit();
-    emit contentChanged();
 }
 
 void ViewPlot::onMouse(QMouseEvent* event) {

@@ -8,13 +8,10 @@
 #include "ui/plot/read_curves.h"
 #include "ui/tables/csv_table.h"
 
-#include <QPointer>
-
 #include <qcustomplot.h>
 
 #include <functional>
 #include <initializer_list>
-#include <utility>
 #include <vector>
 
 namespace sparkout {
@@ -83,13 +80,9 @@ protected:
     virtual void setTexts() {}
     /// Called for a new font, otherwise for a new palette.
     virtual void takeLook(bool font);
-    /// Applies the choice of visible curves, here to the keyed objects.
-    virtual void showChoice();
-    /// Ties the visibility of objects to a legend entry; null pointers are ignored.
-    void setKeyed(int key, std::initializer_list<QCPLayerable*> drawn);
+    virtual void showChoice() {} ///< applies the choice of visible curves
     [[nodiscard]] LegendEntry lineEntry(int key, const QPen& pen, const QString& text) const;
     [[nodiscard]] LegendEntry areaEntry(int key, const QColor& colour, const QString& text) const;
-    void contentSet(); ///< updates look, texts, choice and range after new content
     /// The legend entries among which showOnly() chooses.
     [[nodiscard]] virtual LegendEntries besides(int) const { return legendEntries(); }
     [[nodiscard]] virtual QString valuesAt(const QPointF&) const { return {}; } ///< under the mouse
@@ -117,7 +110,6 @@ private:
     void followChoice();
 
     CurveChoice m_choice;
-    std::vector<std::pair<int, QPointer<QCPLayerable>>> m_keyed; ///< each with its key
     PlotTools* m_tools = nullptr;
     PlotCursors* m_cursors = nullptr;
     bool m_dim = false, m_built = false;

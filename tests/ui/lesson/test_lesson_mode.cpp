@@ -15,8 +15,8 @@
 #include "ui/lesson/lessons_dialog.h"
 #include "ui/lesson/marks_dialog.h"
 #include "ui/lesson/student_dialog.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/views/batch/batch_view.h"
-#include "ui/views/batch/histogram_plot.h"
 
 #include <QDir>
 #include <QMenu>
@@ -275,7 +275,7 @@ private slots:
         };
         const auto tellsIndices = [&] {
             return shows("mean_interval_95") && shows("pp") && shows("ppk")
-                   && view->histograms()->heading(1).contains(QStringLiteral("Ppk"));
+                   && view->histograms()->chart(1).heading.contains(QStringLiteral("Ppk"));
         };
         const auto run = [&] { return view->batch() && !view->busy() && !view->stale(); };
         QVERIFY(QTest::qWaitFor(run, 30'000));
@@ -287,7 +287,7 @@ private slots:
             QVERIFY(!shows(row));
         }
         const auto everyText = [&] {
-            QString text = view->histograms()->heading(1);
+            QString text = view->histograms()->chart(1).heading;
             for (const QLabel* label : view->findChildren<QLabel*>()) {
                 text += label->text() + label->accessibleDescription();
             }

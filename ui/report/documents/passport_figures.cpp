@@ -2,9 +2,10 @@
 #include "ui/report/documents/passport_figures.h"
 
 #include "ui/bars/bar_plot.h"
+#include "ui/plot/chart_plot.h"
 #include "ui/report/format/plot_figure.h"
+#include "ui/views/batch/batch_charts.h"
 #include "ui/views/batch/batch_text.h"
-#include "ui/views/batch/histogram_plot.h"
 #include "ui/views/profiles/longitudinal_plot.h"
 #include "ui/views/profiles/profiles_plot.h"
 #include "ui/views/profiles/profiles_text.h"
@@ -18,7 +19,6 @@ namespace {
 constexpr int histogramHeight = 240, alongHeight = 300, acrossHeight = 320;
 constexpr int leastBarsHeight = 110, standingBarsHeight = 230;
 constexpr std::size_t mostAcross = 4; ///< cross-sections side by side
-constexpr double narrowBar = 0.8;     ///< least width
 
 std::vector<int> allOf(const ProfileSeries& series) {
     std::vector<int> all;
@@ -31,11 +31,10 @@ std::vector<int> allOf(const ProfileSeries& series) {
 } // namespace
 
 Figure PassportFigures::histograms(const BatchSummary& summary, const std::string& name) {
-    std::vector<CharacteristicSummary> shown;
+    const std::vector<std::size_t> shown = placesOf(summary, name, mostPlaces);
     QStringList values;
-    for (const std::size_t i : placesOf(summary, name, mostPlaces)) {
-        shown.push_back(summary.characteristics[i]);
-        const CharacteristicSummary& of = shown.back();
+    for (const std::size_t i : shown) {
+        const CharacteristicSummary& of = summary.characteristics[i];
         if (of.count > 0) {
             values << tr("%1: %2", "zone, range of values")
                           .arg(
@@ -43,16 +42,13 @@ Figure PassportFigures::histograms(const BatchSummary& summary, const std::strin
                               BatchText::range({of.least.value, of.most.value}, of.characteristic));
         }
     }
-    const QString axis = BatchText::axis(shown.front().characteristic);
+    const QString axis = BatchText::axis(summary.characteristics[shown.front()].characteristic);
     const QString caption = placesOf(summary, name).size() > shown.size()
                                 ? tr("%1: number of parts, where the Ppk is lowest").arg(axis)
                                 : tr("%1: number of parts").arg(axis);
-    HistogramPlot plot;
+    ChartPlot plot;
     setUpForPaper(plot, histogramHeight);
-    plot.setSummaries(std::move(shown));
-    for (int i = 0; i < plot.cellCount(); ++i) { // a white edge would hide a narrow bar
-        plot.bars(i)->setPen(QPen(plot.bars(i)->brush().color(), narrowBar));
-    }
+    plot.setGrid([&] { return BatchCharts::histograms(summary, name, true); });
     return plotFigure(plot, plot.legendEntries(), caption, values.join(QStringLiteral("; ")));
 }
 

@@ -15,6 +15,9 @@ namespace {
 
 using style::Drawn;
 
+constexpr double countRoom = 1.08; ///< room above the highest bar of a histogram
+constexpr double limitWidth = 2;   ///< [px]
+
 constexpr double causeBar = 0.7;          ///< width of a bar relative to its row
 constexpr double roomBesideCauses = 1.05; ///< room beside the longest bar
 constexpr double causeShareSize = 6;      ///< [px]
@@ -24,6 +27,110 @@ constexpr qsizetype leastCauseRows = 5;   ///< keeps a single bar thin
 constexpr double partPointSize = 5, worstRingSize = 11; ///< [px]
 
 } // namespace
+
+// --- histograms ---------------------------------------------------------------------------------
+
+LineChart BatchCharts::histogram(const CharacteristicSummary& summary, bool tellsIndices) {
+    const Characteristic& of = summary.characteristic;
+    LineChart chart;
+    chart.heading = chart.briefHeading = BatchText::where(of);
+    if (tellsIndices && summary.ppk) {
+        chart.heading =
+            QStringLiteral("%1, Ppk %2").arg(chart.heading, BatchText::brief(*summary.ppk));
+    }
+    ChartSeries parts{.key = partsKey,
+                      .name = tr("parts"),
+                      .kind = ChartSeries::Kind::bars,
+                      .colour = Drawn::frequency};
+    for (const HistogramBar& bar : summary.histogram) {
+        parts.barWidth = bar.high - bar.low;
+        if (bar.count > 0) { // an empty bar would still be a line
+            parts.points.push_back({(bar.low + bar.high) / 2, static_cast<double>(bar.count)});
+        }
+    }
+    chart.series.push_back(std::move(parts));
+    for (const std::optional<double>& limit : {of.low, of.high}) {
+        if (limit) {
+            chart.rules.push_back({.at = *limit,
+                                   .key = limitsKey,
+                                   .name = tr("drawing limits"),
+                                   .colour = Drawn::limit,
+                                   .pen = linePen(limitWidth)});
+        }
+    }
+    if (summary.mean95) {
+        chart.rules.push_back({.at = summary.moments.mean,
+                               .key = meanKey,
+                               .name = tr("mean"),
+                               .colour = Drawn::mean,
+                               .pen = linePen(1.5, Qt::DashLine)});
+    }
+    chart.placeText = [of, bars = summary.histogram](double place) {
+        for (const HistogramBar& bar : bars) {
+            if (place >= bar.low && place < bar.high) {
+                return tr("%1: %2 %3, %n part(s)", nullptr, static_cast<int>(bar.count))
+                    .arg(BatchText::full(of),
+                         BatchText::mark(bar.low, of) + u'…' + BatchText::mark(bar.high, of),
+                         unitText(of.unit));
+            }
+        }
+        return QString();
+    };
+    return chart;
+}
+
+ChartGrid BatchCharts::histograms(const BatchSummary& summary, const std::string& name,
+                                  bool tellsIndices) {
+    ChartGrid grid{.sharesValues = true};
+    ChartTable table;
+    table.cells.byPlace = true;
+    table.cells.header << tr("Where") << tr("From") << tr("To") << tr("Unit") << tr("Parts");
+    ChartSpan values;
+    double most = 1;
+    for (const std::size_t i : placesOf(summary, name, mostPlaces)) {
+        const CharacteristicSummary& each = summary.characteristics[i];
+        const Characteristic& of = each.characteristic;
+        for (const HistogramBar& bar : each.histogram) {
+            const auto count = static_cast<double>(bar.count);
+            values.add(bar.low);
+            values.add(bar.high);
+            most = std::max(most, count);
+            table.cells.rows.push_back(
+                {BatchText::where(of), bar.low, bar.high, unitText(of.unit), count});
+            table.places.push_back({.across = {bar.low, bar.high}, .key = partsKey});
+        }
+        grid.cells.push_back(histogram(each, tellsIndices));
+        for (const ChartRule& rule : grid.cells.back().rules) {
+            values.add(rule.at);
+        }
+        grid.caption = BatchText::axis(of);
+    }
+    for (LineChart& chart : grid.cells) {
+        chart.across = {.range = values, .hasGrid = false};
+        chart.up = {
+            .label = tr("Parts"), .range = {0, countRoom * most}, .room = 0, .isCounted = true};
+    }
+    if (!grid.cells.empty()) {
+        grid.columns = grid.cells.size();
+        grid.cells.front().table = [table] { return table; };
+    }
+    return grid;
+}
+
+CsvTable BatchCharts::histogramsTable(const BatchSummary& summary) {
+    CsvTable table;
+    table.ownUnits = true;
+    table.header << tr("Where") << tr("Characteristic") << tr("From") << tr("To") << tr("Unit")
+                 << tr("Parts");
+    for (const CharacteristicSummary& each : summary.characteristics) {
+        const Characteristic& of = each.characteristic;
+        for (const HistogramBar& bar : each.histogram) {
+            table.rows.push_back({BatchText::where(of), BatchText::name(of), bar.low, bar.high,
+                                  unitText(of.unit), static_cast<double>(bar.count)});
+        }
+    }
+    return table;
+}
 
 // --- why parts fail -----------------------------------------------------------------------------
 

@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <string>
+
 namespace sparkout {
 
 /// A factor or a characteristic of a batch: its index among the factors followed by the
@@ -16,7 +18,14 @@ using BatchQuantity = std::size_t;
 class BatchCharts {
     Q_DECLARE_TR_FUNCTIONS(BatchCharts)
 public:
-    enum Key { partsKey, sumKey, goodKey, outsideKey, worstKey, limitsKey }; ///< legend keys
+    /// Keys of the legends.
+    enum Key { partsKey, sumKey, goodKey, outsideKey, worstKey, limitsKey, meanKey };
+
+    /// A characteristic of a batch: a histogram for each place, all with the same axes, with the
+    /// drawing limits and the mean; at most `mostPlaces`, without cells if there is none.
+    static ChartGrid histograms(const BatchSummary& summary, const std::string& name,
+                                bool tellsIndices);
+    static CsvTable histogramsTable(const BatchSummary& summary); ///< all characteristics
 
     /// Causes of rejected parts: a row for each requirement, the most frequent at the top, with the
     /// cumulative share. A part that fails several counts for each. Without series if there is no
@@ -29,6 +38,9 @@ public:
     static LineChart scatter(const BatchOutcomePtr& outcome, BatchQuantity across,
                              BatchQuantity up);
     static QString quantityName(const BatchOutcome& outcome, BatchQuantity quantity);
+
+private:
+    static LineChart histogram(const CharacteristicSummary& summary, bool tellsIndices);
 };
 
 } // namespace sparkout

@@ -16,7 +16,6 @@
 #include "ui/views/batch/batch_charts.h"
 #include "ui/views/batch/batch_figures.h"
 #include "ui/views/batch/batch_text.h"
-#include "ui/views/batch/histogram_plot.h"
 #include "ui/views/batch/part_rows.h"
 #include "ui/views/batch/sensitivity_plot.h"
 
@@ -65,7 +64,7 @@ void fitColumns(QTableView& table) {
 
 BatchView::BatchView(QWidget* parent, Settings* settings, Studies* studies)
     : StudyView(QStringLiteral("batch"), parent, settings, studies)
-    , m_histograms(new HistogramPlot(this))
+    , m_histograms(new ChartPlot(this))
     , m_sensitivity(new SensitivityPlot(this))
     , m_scatter(new ChartPlot(this))
     , m_pareto(new ChartPlot(this))
@@ -84,6 +83,10 @@ BatchView::BatchView(QWidget* parent, Settings* settings, Studies* studies)
         plot->setMinimumSize(240, 120);
         addPage(*plot);
     }
+    m_histograms->setGrid([this] {
+        return m_shown ? BatchCharts::histograms(m_shown->summary, chosenName(), m_tellsIndices)
+                       : ChartGrid();
+    });
     hideUntilDrawn({m_splitter});
     setUpNotice(*m_bar->state());
     m_bar->layOut({m_worst, m_rows}, {}, stateLetters);
@@ -325,13 +328,12 @@ void BatchView::showBatch() {
     m_shown = batch();
     fillNames();
     fillQuantities();
-    std::vector<CharacteristicSummary> shown;
-    if (batch()) {
-        for (const std::size_t i : placesOf(batch()->summary, chosenName(), mostPlaces)) {
-            shown.push_back(batch()->summary.characteristics[i]);
-        }
+    m_histograms->remake();
+    if (std::exchange(m_drawn, chosenName()) == chosenName()) {
+        m_histograms->refit();
+    } else {
+        m_histograms->fit();
     }
-    m_histograms->setSummaries(std::move(shown));
     showFigures();
     m_table->horizontalHeader()->setSectionResizeMode(m_figures->columnCount() <= mostStretched
                                                           ? QHeaderView::Stretch
@@ -351,7 +353,6 @@ void BatchView::showFigures() {
 
 void BatchView::tellIndices(bool tells) {
     m_tellsIndices = tells;
-    m_histograms->tellIndices(tells);
     showBatch();
 }
 

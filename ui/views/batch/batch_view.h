@@ -16,7 +16,6 @@ namespace sparkout {
 class ValueModel;
 class ChartPlot;
 class CopyTable;
-class HistogramPlot;
 class RunBar;
 class SensitivityPlot;
 
@@ -30,7 +29,7 @@ public:
     explicit BatchView(QWidget* parent = nullptr, Settings* settings = nullptr,
                        Studies* studies = nullptr);
 
-    [[nodiscard]] HistogramPlot* histograms() const { return m_histograms; }
+    [[nodiscard]] ChartPlot* histograms() const { return m_histograms; }
     [[nodiscard]] SensitivityPlot* sensitivity() const { return m_sensitivity; }
     [[nodiscard]] ChartPlot* scatter() const { return m_scatter; }
     [[nodiscard]] const BatchOutcomePtr& batch() const { return studies().batch.result(); }
@@ -88,7 +87,7 @@ private:
     [[nodiscard]] QString contentNotice() const; ///< why the chosen content is empty
     [[nodiscard]] std::string chosenName() const;
 
-    HistogramPlot* m_histograms;
+    ChartPlot* m_histograms;
     SensitivityPlot* m_sensitivity;
     ChartPlot* m_scatter;
     ChartPlot* m_pareto;
@@ -106,6 +105,7 @@ private:
     QPushButton* m_add;
     std::string m_wanted = "diameter"; ///< characteristic the user chose
     BatchOutcomePtr m_shown;           ///< the drawn batch
+    std::string m_drawn;               ///< characteristic of the drawn histograms
     bool m_tellsIndices = true;
 };
 

@@ -25,7 +25,7 @@ void SecondAxisMenu::addRow(std::size_t row) {
         QAction* action = addAction(QString());
         action->setObjectName(QStringLiteral("second%1").arg(static_cast<int>(quantity)));
         action->setCheckable(true);
-        action->setChecked(m_plot.second(row) == quantity);
+        action->setChecked(m_plot.secondQuantity(row) == quantity);
         group->addAction(action);
         m_quantities.push_back(action);
         connect(action, &QAction::triggered, this, [this, row, quantity] {

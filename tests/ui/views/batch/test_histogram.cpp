@@ -2,20 +2,22 @@
 // Labels: numbers
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
-#include "ui/views/batch/histogram_plot.h"
+#include "ui/plot/chart_plot.h"
+#include "ui/views/batch/batch_charts.h"
 
 namespace sparkout::test_histogram {
 
-/// The mean diameter of the three zones of a batch.
-std::vector<CharacteristicSummary> diameters(int parts) {
-    std::vector<CharacteristicSummary> found;
-    for (CharacteristicSummary& row :
-         summarise(runBatch(fixtures::shaftBatch(parts))).characteristics) {
-        if (std::string(row.characteristic.name) == "diameter") {
-            found.push_back(std::move(row));
-        }
-    }
-    return found;
+BatchSummary batch() {
+    return summarise(runBatch(fixtures::shaftBatch(60)));
+}
+
+/// The mean diameter of a zone.
+const CharacteristicSummary& diameter(const BatchSummary& summary, std::size_t zone) {
+    return summary.characteristics[placesOf(summary, "diameter")[zone]];
+}
+
+void show(ChartPlot& plot, const BatchSummary& summary) {
+    plot.setGrid([summary] { return BatchCharts::histograms(summary, "diameter", true); });
 }
 
 class TestHistogram : public QObject {
@@ -24,65 +26,72 @@ class TestHistogram : public QObject {
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); }
 
-    /// All have the same axis of counts: its numbers stand once.
-    void theNumbersOfPartsStandBesideTheFirstZone() {
-        HistogramPlot plot;
-        plot.setSummaries(diameters(60));
-        plot.resize(600, 300);
-        plot.grab();
-        for (int cell = 0; cell < 3; ++cell) {
-            const QCPAxis* counts = plot.axisRects()[cell]->axis(QCPAxis::atLeft);
-            QCOMPARE(counts->tickLabels(), cell == 0);
-            QCOMPARE(counts->range(), plot.axisRects()[0]->axis(QCPAxis::atLeft)->range());
-        }
-    }
-
     void everyPartStandsInOneBarOfItsZone() {
-        const auto rows = diameters(60);
-        HistogramPlot plot;
-        plot.setSummaries(rows);
-        QCOMPARE(plot.cellCount(), 3);
-        for (int i = 0; i < 3; ++i) {
-            const CharacteristicSummary& row = rows[static_cast<std::size_t>(i)];
+        const BatchSummary summary = batch();
+        const ChartGrid grid = BatchCharts::histograms(summary, "diameter", true);
+        QCOMPARE(grid.cells.size(), 3U);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const CharacteristicSummary& row = diameter(summary, i);
+            const ChartSeries& bars = *grid.cells[i].find(BatchCharts::partsKey);
             double parts = 0;
-            for (const QCPBarsData& bar : *plot.bars(i)->data()) {
-                parts += bar.value;
-                const double half = plot.bars(i)->width() / 2;
-                QVERIFY(bar.key + half > row.least.value || bar.value == 0);
-                QVERIFY(bar.key - half <= row.most.value || bar.value == 0);
+            for (const XY& bar : bars.points) {
+                parts += bar.y;
+                QVERIFY(bar.x + bars.barWidth / 2 > row.least.value);
+                QVERIFY(bar.x - bars.barWidth / 2 <= row.most.value);
             }
             QCOMPARE(parts, 60.0);
         }
     }
 
     void limitsAndMeanStandWhereTheyAre() {
-        const auto rows = diameters(60);
-        HistogramPlot plot;
-        plot.setSummaries(rows);
-        for (int i = 0; i < 3; ++i) {
-            QCOMPARE(plot.low(i)->point1->key(), -16.0);
-            QCOMPARE(plot.high(i)->point1->key(), 0.0);
-            QCOMPARE(plot.mean(i)->point1->key(), rows[static_cast<std::size_t>(i)].moments.mean);
-            QVERIFY(plot.valueAxis(i)->range().contains(-16));
-            QVERIFY(plot.valueAxis(i)->range().contains(0));
+        const BatchSummary summary = batch();
+        ChartPlot plot;
+        show(plot, summary);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::vector<ChartRule>& rules = plot.chart(i).rules;
+            QCOMPARE(rules.size(), 3U);
+            QCOMPARE(rules[0].at, -16.0);
+            QCOMPARE(rules[1].at, 0.0);
+            QCOMPARE(rules[2].at, diameter(summary, i).moments.mean);
+            QVERIFY(plot.across(i).range().contains(-16));
+            QVERIFY(plot.across(i).range().contains(0));
         }
     }
 
     void allZonesHaveTheSameAxes() {
-        HistogramPlot plot;
-        plot.setSummaries(diameters(60));
-        plot.valueAxis(1)->setRange(-12, -4);
-        plot.countAxis(2)->setRange(0, 99);
-        for (int i = 0; i < 3; ++i) {
-            QCOMPARE(plot.valueAxis(i)->range().lower, -12.0);
-            QCOMPARE(plot.countAxis(i)->range().upper, 99.0);
+        ChartPlot plot;
+        show(plot, batch());
+        plot.across(1).setRange(-12, -4);
+        plot.up(2).setRange(0, 99);
+        for (std::size_t i = 0; i < 3; ++i) {
+            QCOMPARE(plot.across(i).range().lower, -12.0);
+            QCOMPARE(plot.up(i).range().upper, 99.0);
+            QCOMPARE(plot.up(i).tickLabels(), i == 0); // once, beside the first zone
         }
         plot.fit();
-        QVERIFY(plot.valueAxis(0)->range().contains(-16));
+        QVERIFY(plot.across().range().contains(-16));
+        const int number = QFontMetrics(plot.font()).horizontalAdvance(QStringLiteral("-16"));
+        QVERIFY(plot.cell(2).margins().right() >= number / 2); // the last one is not cut off
+    }
+
+    void theTableHasTheVisibleBars() {
+        ChartPlot plot;
+        show(plot, batch());
+        double parts = 0;
+        for (const std::vector<CsvCell>& row : plot.table().rows) {
+            parts += std::get<double>(row.back());
+        }
+        QCOMPARE(parts, 3 * 60.0);
+        plot.across().setRange(100, 200);
+        QVERIFY(plot.table().rows.empty());
+        plot.fit();
+        plot.toggleCurve(BatchCharts::partsKey);
+        QVERIFY(plot.table().rows.empty());
+        QCOMPARE(plot.table().header.size(), 5);
     }
 
     // Six cells of a small window, as a plunge with many sections has them.
-    void narrowBarsAreNotErasedByTheirOutlines() {
+    void narrowBarsAreNotErasedByTheirGaps() {
         CharacteristicSummary many;
         many.characteristic = {"diameter", "µm", Zone::section, 0, -16.0, 0.0, 0x1p-6};
         constexpr int bars = 40;
@@ -91,34 +100,38 @@ private slots:
             many.histogram.push_back({low, low + 0.125, 250});
         }
         many.histogram[20].count = 0;
-        HistogramPlot plot;
-        plot.setSummaries(std::vector(6, many));
+        BatchSummary summary;
+        summary.characteristics.assign(6, many);
+        ChartPlot plot;
+        plot.resize(900, 300);
+        show(plot, summary);
+        const auto* drawn = qobject_cast<QCPBars*>(plot.plottable(0));
         for (const double perBar : {0.4, 1.0, 2.0, 3.0, 4.0, 8.0, 20.0}) { // pixels
-            plot.resize(900, 300);
             plot.replot();
-            const double unit = plot.valueAxis(0)->axisRect()->width() / perBar * 0.125;
-            plot.valueAxis(0)->setRange(-7.5 - unit / 2, -7.5 + unit / 2);
-            for (int settling = 0; settling < 3; ++settling) { // the room of other numbers
-                plot.replot();
-            }
-            const QColor fill = plot.bars(0)->brush().color();
-            QCOMPARE(plot.bars(0)->pen().color() == fill, perBar < 6);
-            QVERIFY(perBar < 6
-                    || plot.bars(0)->pen().color() == plot.palette().color(QPalette::Base));
+            const double unit = plot.cell().width() / perBar * 0.125;
+            plot.across().setRange(-7.5 - unit / 2, -7.5 + unit / 2);
+            plot.replot();
+            QCOMPARE(drawn->pen().style() == Qt::SolidLine, perBar < 6);
+            QVERIFY(perBar > 6 || drawn->pen().color() == drawn->brush().color());
+            QCOMPARE(drawn->width(), 0.125);
         }
-        QCOMPARE(plot.bars(0)->data()->size(), bars - 1); // nor an outline where no part is
+        QCOMPARE(drawn->data()->size(), bars - 1); // no line where no part is
     }
 
     void headingsAndAxesNameWhatIsShown() {
-        const auto rows = diameters(60);
-        HistogramPlot plot;
-        plot.setSummaries(rows);
-        QVERIFY(plot.heading(0).startsWith(QStringLiteral("RZ1")));
-        QVERIFY(plot.heading(0).endsWith(QString::number(rows[0].ppk->value, 'f', 2)));
-        QCOMPARE(plot.valueAxis(0)->label(), QStringLiteral("Mean diameter, µm"));
-        QCOMPARE(plot.countAxis(0)->label(), QStringLiteral("Parts"));
-        plot.setSummaries({});
-        QCOMPARE(plot.cellCount(), 0);
+        const BatchSummary summary = batch();
+        ChartPlot plot;
+        plot.resize(900, 300);
+        show(plot, summary);
+        const QString heading = plot.heading(0)->text();
+        QVERIFY(heading.startsWith(QStringLiteral("RZ1")));
+        QVERIFY(heading.endsWith(QString::number(diameter(summary, 0).ppk->value, 'f', 2)));
+        QCOMPARE(plot.caption()->text(), QStringLiteral("Mean diameter, µm"));
+        QCOMPARE(plot.up().label(), QStringLiteral("Parts"));
+        const ChartGrid plain = BatchCharts::histograms(summary, "diameter", false);
+        QCOMPARE(plain.cells[0].heading, QStringLiteral("RZ1"));
+        show(plot, {});
+        QCOMPARE(plot.cellCount(), 0U);
         plot.fit();
     }
 };

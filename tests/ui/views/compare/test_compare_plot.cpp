@@ -10,25 +10,40 @@
 #include <QComboBox>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
+#include <vector>
 
 namespace sparkout::test_compare_plot {
 
 using namespace compare_bench;
 
-/// The curve of a quantity as the run's own feeds have it, by minutes.
-void compareWithFeeds(const QCPGraph& graph, const FeedSeries& feeds, std::size_t column,
+constexpr std::array usual{Quantity::actual, Quantity::force, Quantity::actualSum, Quantity::left};
+
+/// The curve of a quantity of a run; null: the quantity is not drawn.
+const ChartSeries* curve(const ComparePlot& plot, std::size_t run, Quantity quantity) {
+    std::vector<const ChartSeries*> found;
+    for (std::size_t row = 0; row < plot.cellCount(); ++row) {
+        for (const ChartSeries& series : plot.chart(row).series) {
+            if (series.key == static_cast<int>(quantity)) {
+                found.push_back(&series);
+            }
+        }
+    }
+    return run < found.size() ? found[found.size() - 1 - run] : nullptr; // the present one is last
+}
+
+/// It is as the run's own feeds have it, by minutes.
+void compareWithFeeds(const ChartSeries* curve, const FeedSeries& feeds, std::size_t column,
                       Quantity quantity) {
+    QVERIFY(curve);
     for (const FeedPoint& p : feeds.columns[column].strokes) {
         const double end_min = p.end_s / 60;
-        const auto at = graph.data()->findBegin(end_min * (1 - 1e-12), false);
-        bool found = false;
-        for (auto it = at; it != graph.data()->constEnd() && it->key <= end_min * (1 + 1e-12);
-             ++it) {
-            found = found || it->value == valueOf(p, quantity, Edge::mean);
-        }
-        QVERIFY(found);
+        QVERIFY(std::ranges::any_of(curve->points, [&](const XY& at) {
+            return std::abs(at.x - end_min) <= end_min * 1e-12
+                   && at.y == valueOf(p, quantity, Edge::mean);
+        }));
     }
 }
 
@@ -42,13 +57,18 @@ private slots:
         desk.keep();
         desk.change(quicker);
         QCOMPARE(desk.plot().runs().size(), 2u);
-        for (const Quantity quantity : desk.plot().quantities()) {
-            compareWithFeeds(*desk.plot().curve(0, quantity), desk.outcome->feeds, 1, quantity);
-            compareWithFeeds(*desk.plot().curve(1, quantity), first->feeds, 1, quantity);
+        for (const Quantity quantity : usual) {
+            compareWithFeeds(curve(desk.plot(), 0, quantity), desk.outcome->feeds, 1, quantity);
+            compareWithFeeds(curve(desk.plot(), 1, quantity), first->feeds, 1, quantity);
         }
-        const auto pen = [&](int run, Quantity q) { return desk.plot().curve(run, q)->pen(); };
-        QCOMPARE(pen(0, Quantity::actual).color(), pen(1, Quantity::actual).color());
-        QVERIFY(pen(0, Quantity::actual).color() != pen(0, Quantity::force).color());
+        const auto colour = [&](std::size_t run, Quantity q) {
+            return curve(desk.plot(), run, q)->colour;
+        };
+        const auto pen = [&](std::size_t run, Quantity q) {
+            return curve(desk.plot(), run, q)->pen;
+        };
+        QVERIFY(colour(0, Quantity::actual) == colour(1, Quantity::actual));
+        QVERIFY(colour(0, Quantity::actual) != colour(0, Quantity::force));
         QCOMPARE(pen(0, Quantity::actual).style(), Qt::SolidLine);
         QVERIFY(pen(1, Quantity::actual).dashPattern() != pen(0, Quantity::actual).dashPattern());
         QCOMPARE(pen(1, Quantity::force).dashPattern(), pen(1, Quantity::actual).dashPattern());
@@ -60,7 +80,8 @@ private slots:
         const OutcomePtr first = desk.outcome;
         desk.keep();
         desk.change(quicker);
-        const QCPRange feeds = desk.plot().axisOf(Quantity::actual)->range();
+        const ComparePlot& plot = desk.plot();
+        const QCPRange feeds = plot.up().range();
         const auto choose = [&](Quantity quantity) {
             desk.view
                 .findChild<QAction*>(QStringLiteral("second%1").arg(static_cast<int>(quantity)))
@@ -69,19 +90,21 @@ private slots:
         };
         choose(Quantity::axialFeed);
         choose(Quantity::programmedSum);
-        QVERIFY(!desk.plot().curve(0, Quantity::force) && !desk.plot().curve(0, Quantity::left));
-        for (const Quantity quantity : desk.plot().quantities()) {
-            compareWithFeeds(*desk.plot().curve(0, quantity), desk.outcome->feeds, 1, quantity);
-            compareWithFeeds(*desk.plot().curve(1, quantity), first->feeds, 1, quantity);
+        QVERIFY(!curve(plot, 0, Quantity::force) && !curve(plot, 0, Quantity::left));
+        for (const Quantity quantity : {Quantity::actual, Quantity::axialFeed, Quantity::actualSum,
+                                        Quantity::programmedSum}) {
+            compareWithFeeds(curve(plot, 0, quantity), desk.outcome->feeds, 1, quantity);
+            compareWithFeeds(curve(plot, 1, quantity), first->feeds, 1, quantity);
         }
-        QCPAxis* axis = desk.plot().axisOf(Quantity::axialFeed);
-        QCOMPARE(axis->axisType(), QCPAxis::atRight);
-        QVERIFY(axis->range().contains(2400)); // of the present run
-        QCOMPARE(desk.plot().axisOf(Quantity::actual)->range(), feeds);
-        const QCPGraph* curve = desk.plot().curve(0, Quantity::axialFeed);
-        QCOMPARE(axis->labelColor(), curve->pen().color());
-        QCOMPARE(axis->tickLabelColor(), curve->pen().color());
-        QVERIFY(axis->label().contains(QStringLiteral("mm/min")));
+        const QCPAxis& axis = plot.second();
+        QCOMPARE(axis.axisType(), QCPAxis::atRight);
+        QVERIFY(axis.range().contains(2400)); // of the present run
+        QCOMPARE(plot.up().range(), feeds);
+        const ChartSeries& drawn = *curve(plot, 0, Quantity::axialFeed);
+        QVERIFY(drawn.onSecond);
+        QCOMPARE(axis.labelColor(), chartColour(drawn.colour, plot.palette()));
+        QCOMPARE(axis.tickLabelColor(), axis.labelColor());
+        QVERIFY(plot.chart().second.label.contains(QStringLiteral("mm/min")));
         const QString name = QStringLiteral("axial feed");
         QVERIFY(std::ranges::any_of(desk.plot().legendEntries(),
                                     [&](const LegendEntry& e) { return e.text == name; }));
@@ -90,22 +113,32 @@ private slots:
         QVERIFY(column > 0);
         QCOMPARE(std::get<double>(table.rows[0][std::size_t(column)]), 2400.0);
         // The wheel over the axis zooms it alone.
-        const QCPAxisRect* rect = axis->axisRect();
-        const double before = axis->range().size();
+        const QCPAxisRect* rect = axis.axisRect();
+        const double before = axis.range().size();
         fixtures::wheel(&desk.plot(), QPointF(rect->right() + 12, rect->center().y()), 120);
-        QVERIFY(axis->range().size() < before);
-        QCOMPARE(desk.plot().axisOf(Quantity::actual)->range(), feeds);
+        QVERIFY(axis.range().size() < before);
+        QCOMPARE(plot.up().range(), feeds);
         Language language; // what was chosen stays, in other words
         language.apply(QStringLiteral("ru"));
         desk.settle();
-        QCOMPARE(desk.plot().second(0), Quantity::axialFeed);
-        QVERIFY(axis->label().contains(QStringLiteral("мм/мин")));
+        QCOMPARE(plot.secondQuantity(0), Quantity::axialFeed);
+        QVERIFY(plot.chart().second.label.contains(QStringLiteral("мм/мин")));
         language.apply(QStringLiteral("en"));
         desk.settle();
-        QVERIFY(axis->label().contains(QStringLiteral("mm/min")));
+        QVERIFY(plot.chart().second.label.contains(QStringLiteral("mm/min")));
         choose(Quantity::force);
-        QVERIFY(desk.plot().curve(0, Quantity::force)
-                && !desk.plot().curve(0, Quantity::axialFeed));
+        QVERIFY(curve(plot, 0, Quantity::force) && !curve(plot, 0, Quantity::axialFeed));
+    }
+
+    void theNumbersOfBothPlotsHaveRoom() {
+        Desk desk;
+        for (std::size_t row = 0; row < 2; ++row) {
+            const QFontMetrics text(desk.plot().font());
+            QVERIFY(desk.plot().cell(row).margins().top() >= text.height() / 2);
+            QCOMPARE(desk.plot().across(row).tickLabels(), row == 1);
+            QVERIFY(desk.plot().second(row).tickLabels());
+        }
+        QCOMPARE(desk.plot().caption()->text(), QStringLiteral("Time, min"));
     }
 
     void anotherZoneIsDrawnOfAllRuns() {
@@ -118,9 +151,9 @@ private slots:
         zone->setFocus();
         QTest::keyClick(zone, Qt::Key_Home);
         QTest::qWait(20);
-        compareWithFeeds(*desk.plot().curve(0, Quantity::actual), desk.outcome->feeds, 0,
+        compareWithFeeds(curve(desk.plot(), 0, Quantity::actual), desk.outcome->feeds, 0,
                          Quantity::actual);
-        compareWithFeeds(*desk.plot().curve(1, Quantity::actual), first->feeds, 0,
+        compareWithFeeds(curve(desk.plot(), 1, Quantity::actual), first->feeds, 0,
                          Quantity::actual);
     }
 
@@ -150,13 +183,15 @@ private slots:
             QTest::mouseClick(legend, Qt::LeftButton, {}, legend->entryRect(entry).center());
             QTest::qWait(20);
         };
+        QCOMPARE(desk.plot().graphCount(), 8);
         click(0);
-        QVERIFY(!desk.plot().curve(0, Quantity::actual)->visible());
-        QVERIFY(!desk.plot().curve(1, Quantity::actual)->visible());
-        QVERIFY(desk.plot().curve(1, Quantity::force)->visible());
+        QCOMPARE(desk.plot().graphCount(), 6); // of both runs
+        QVERIFY(!curve(desk.plot(), 1, Quantity::force)->points.empty());
+        QCOMPARE(desk.plot().readCurves().size(), 6u);
         click(5);
-        QVERIFY(!desk.plot().curve(1, Quantity::force)->visible());
-        QVERIFY(desk.plot().curve(0, Quantity::force)->visible());
+        QVERIFY(curve(desk.plot(), 1, Quantity::force)->points.empty());
+        QVERIFY(!curve(desk.plot(), 0, Quantity::force)->points.empty());
+        QCOMPARE(desk.plot().readCurves().size(), 3u);
         for (const std::vector<CsvCell>& row : desk.plot().table().rows) {
             QCOMPARE(std::get<QString>(row[0]), QStringLiteral("Current run"));
         }
@@ -165,26 +200,25 @@ private slots:
     void theMouseReadsBothRunsAndAClickMovesTheCycle() {
         KeptDesk desk;
         desk.change(quicker);
-        const QRect rect = desk.plot().axisRects()[1]->rect();
+        const QRect rect = desk.plot().cell(1).rect();
         const QPoint at(rect.left() + rect.width() / 4, rect.center().y());
         fixtures::hover(&desk.plot(), at);
         const QString told = desk.text("compareValues");
         QVERIFY2(told.contains(QStringLiteral("Current run, double stroke")), qPrintable(told));
         QVERIFY2(told.contains(QStringLiteral("\nRun 1, double stroke")), qPrintable(told));
         QTest::mouseClick(&desk.plot(), Qt::LeftButton, {}, at);
-        const double wanted_s =
-            desk.plot().axisRects()[1]->axis(QCPAxis::atBottom)->pixelToCoord(at.x()) * 60;
+        const double wanted_s = desk.plot().across(1).pixelToCoord(at.x()) * 60;
         QVERIFY(std::abs(desk.cursor.time_s() - wanted_s) < 2);
         QCOMPARE(desk.plot().moment_s().value(), desk.cursor.time_s());
     }
 
     void zoomGoesBackAndFits() {
         KeptDesk desk;
-        QCPAxis* const time = desk.plot().axisRects()[0]->axis(QCPAxis::atBottom);
+        const QCPAxis* const time = &desk.plot().across();
         const QCPRange all = time->range();
-        fixtures::wheel(&desk.plot(), desk.plot().axisRects()[0]->rect().center(), 240);
+        fixtures::wheel(&desk.plot(), desk.plot().cell().rect().center(), 240);
         QVERIFY(time->range().size() < 0.9 * all.size());
-        QCOMPARE(desk.plot().axisRects()[1]->axis(QCPAxis::atBottom)->range(), time->range());
+        QCOMPARE(desk.plot().across(1).range(), time->range());
         const QCPRange zoomed = time->range();
         desk.change(quicker); // a new run leaves what is in sight
         QCOMPARE(time->range(), zoomed);
