@@ -1340,7 +1340,7 @@
         <name>OperationCard</name>
         <message>
             <source>Cylindrical grinding, several surfaces</source>
-            <translation>Круглое шлифование нескольких поверхностей</translation>
+            <translation>Круглошлифовальная, несколько поверхностей</translation>
         </message>
         <message>
             <source>%1 (%2)</source>
@@ -1387,8 +1387,12 @@
             <translation>Шлифовать поверхность %1 с врезной подачей в размер %2</translation>
         </message>
         <message>
-            <source>Grind bore %1 to %2</source>
-            <translation>Шлифовать отверстие %1 в размер %2</translation>
+            <source>Grind bore %1 by traverse grinding to %2</source>
+            <translation>Шлифовать отверстие %1 с продольной подачей в размер %2</translation>
+        </message>
+        <message>
+            <source>Grind bore %1 by plunge grinding to %2</source>
+            <translation>Шлифовать отверстие %1 с врезной подачей в размер %2</translation>
         </message>
         <message>
             <source> over a length of %1</source>
@@ -2726,23 +2730,27 @@ axial feed, mm/min</source>
         <name>OperationSetup</name>
         <message>
             <source>Cylindrical traverse grinding</source>
-            <translation>Круглое наружное шлифование с продольной подачей</translation>
+            <translation>Круглошлифовальная</translation>
         </message>
         <message>
             <source>Internal traverse grinding</source>
-            <translation>Внутреннее шлифование с продольной подачей</translation>
+            <translation>Внутришлифовальная</translation>
         </message>
         <message>
             <source>Internal plunge grinding</source>
-            <translation>Внутреннее врезное шлифование</translation>
+            <translation>Внутришлифовальная</translation>
         </message>
         <message>
             <source>Cylindrical plunge grinding</source>
-            <translation>Круглое наружное врезное шлифование</translation>
+            <translation>Круглошлифовальная</translation>
         </message>
         <message>
             <source>Name of the operation</source>
             <translation>Наименование операции</translation>
+        </message>
+        <message>
+            <source>Kind of grinding</source>
+            <translation>Вид шлифования</translation>
         </message>
         <message>
             <source>Part</source>
