@@ -8027,22 +8027,6 @@ With another name both versions stay as they are.</source>
             <translation>вне диапазона</translation>
         </message>
         <message>
-            <source>%1× min</source>
-            <translation>%1×наим.</translation>
-        </message>
-        <message>
-            <source>%1× max</source>
-            <translation>%1×наиб.</translation>
-        </message>
-        <message>
-            <source>%1 × the lower limit</source>
-            <translation>%1 × нижний предел</translation>
-        </message>
-        <message>
-            <source>%1 × the upper limit</source>
-            <translation>%1 × верхний предел</translation>
-        </message>
-        <message>
             <source>double stroke %1</source>
             <comment>short</comment>
             <translation>дв. ход %1</translation>
