@@ -8274,8 +8274,32 @@ With another name both versions stay as they are.</source>
             <translation>Ступень %1: «%2» на наименьшем уровне, %3;</translation>
         </message>
         <message>
-            <source>the machine or the stage&apos;s limits allow no other.</source>
-            <translation>станок или пределы ступени дальше не пускают.</translation>
+            <source>the limits of the search, “%1”, end there;</source>
+            <translation>здесь кончаются пределы, заданные в поиске («%1»);</translation>
+        </message>
+        <message>
+            <source>no level of the search is beyond;</source>
+            <translation>дальше уровней поиска нет;</translation>
+        </message>
+        <message>
+            <source>the limits of the search, “%1”, end at %2.</source>
+            <translation>пределы, заданные в поиске («%1»), кончаются на %2.</translation>
+        </message>
+        <message>
+            <source>the machine&apos;s range ends there.</source>
+            <translation>здесь кончается диапазон станка.</translation>
+        </message>
+        <message>
+            <source>the machine allows up to %1.</source>
+            <translation>станок допускает до %1.</translation>
+        </message>
+        <message>
+            <source>the machine allows down to %1.</source>
+            <translation>станок допускает от %1.</translation>
+        </message>
+        <message>
+            <source>the machine&apos;s range is not given.</source>
+            <translation>диапазон станка не задан.</translation>
         </message>
         <message>
             <source>allowed is %1.</source>
