@@ -1875,7 +1875,7 @@
             <translation>Проходов радиусов под кругом во всех расчётах</translation>
         </message>
         <message>
-            <source>Scenarios added to hold in</source>
+            <source>Scenarios added</source>
             <translation>Добавлено сценариев</translation>
         </message>
         <message>
@@ -2014,7 +2014,7 @@
         <name>RequirementCells</name>
         <message>
             <source>not calibrated</source>
-            <translation>не калибровано</translation>
+            <translation>не откалибровано</translation>
         </message>
         <message>
             <source>Ra, µm</source>
@@ -2022,7 +2022,7 @@
         </message>
         <message>
             <source>Ra, µm, not calibrated</source>
-            <translation>Ra, мкм, не калибровано</translation>
+            <translation>Ra, мкм, не откалибровано</translation>
         </message>
     </context>
     <context>
@@ -3802,7 +3802,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Power of the work drive</source>
-            <translation>Мощность привода заготовки</translation>
+            <translation>Мощность привода изделия</translation>
         </message>
         <message>
             <source>Limiting depth of cut, wheel drive</source>
@@ -3810,7 +3810,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Limiting depth of cut, work drive</source>
-            <translation>Предельная фактическая подача по мощности привода заготовки</translation>
+            <translation>Предельная фактическая подача по мощности привода изделия</translation>
         </message>
         <message>
             <source>Normal force</source>
@@ -4445,11 +4445,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Work drive power</source>
-            <translation>Мощность привода заготовки</translation>
+            <translation>Мощность привода изделия</translation>
         </message>
         <message>
             <source>Power of the work drive.</source>
-            <translation>Мощность привода вращения заготовки.</translation>
+            <translation>Мощность привода вращения изделия.</translation>
         </message>
         <message>
             <source>Feed change delay</source>
@@ -6177,7 +6177,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Data used for the calibration.</source>
-            <translation>По каким данным калибровано.</translation>
+            <translation>По каким данным откалибровано.</translation>
         </message>
         <message>
             <source>Measured values</source>
@@ -6193,7 +6193,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>When it was calibrated, ISO 8601.</source>
-            <translation>Когда калибровано, ISO 8601.</translation>
+            <translation>Когда откалибровано, ISO 8601.</translation>
         </message>
         <message>
             <source>Measured parts</source>
@@ -9454,11 +9454,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Work drive power</source>
-            <translation>Мощность привода заготовки</translation>
+            <translation>Мощность привода изделия</translation>
         </message>
         <message>
             <source>work drive</source>
-            <translation>привод заготовки</translation>
+            <translation>привод изделия</translation>
         </message>
         <message>
             <source>Radial feed in range</source>
@@ -9573,7 +9573,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Work power</source>
-            <translation>Привод заготовки</translation>
+            <translation>Привод изделия</translation>
         </message>
         <message>
             <source>Radial feed</source>
@@ -13163,7 +13163,7 @@ With another name both versions stay as they are.</source>
             <translation>То же без трассы</translation>
         </message>
         <message>
-            <source>Results, shop&apos;s numbers and requirements</source>
+            <source>Results, shop figures and requirements</source>
             <translation>Результаты, показатели шлифования и требования</translation>
         </message>
         <message>
@@ -15179,7 +15179,7 @@ target, µm</source>
             <translation>Закончить поиск; лучший найденный цикл сохраняется и показывается</translation>
         </message>
         <message>
-            <source>Take this cycle</source>
+            <source>Apply this cycle</source>
             <translation>Применить этот цикл</translation>
         </message>
         <message>
@@ -15231,7 +15231,7 @@ target, µm</source>
             <translation>Уровни каждой подачи около текущего цикла с шагом станка, припуски, выхаживание и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; ответ годен для партии, без неё — для всех припусков; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
         </message>
         <message>
-            <source>A click or the arrow keys choose a cycle, “Take this cycle” or Enter takes it.</source>
+            <source>A click or the arrow keys choose a cycle, “Apply this cycle” or Enter applies it.</source>
             <translation>Щелчок или стрелки выбирают цикл, «Применить этот цикл» или Enter применяет его.</translation>
         </message>
         <message>
@@ -16531,9 +16531,9 @@ target, µm</source>
         <message numerus="yes">
             <source>%n double strokes</source>
             <translation>
-                <numerusform>%n дв. х.</numerusform>
-                <numerusform>%n дв. х.</numerusform>
-                <numerusform>%n дв. х.</numerusform>
+                <numerusform>%n дв. ход</numerusform>
+                <numerusform>%n дв. хода</numerusform>
+                <numerusform>%n дв. ходов</numerusform>
             </translation>
         </message>
         <message numerus="yes">
@@ -18386,7 +18386,7 @@ mm/min</source>
         <message>
             <source>min</source>
             <comment>diameter</comment>
-            <translation>мин</translation>
+            <translation>наим.</translation>
         </message>
         <message>
             <source>max</source>
@@ -19213,11 +19213,11 @@ good</source>
         <name>CalibrationText</name>
         <message>
             <source>calibrated on %1 (n = %2)</source>
-            <translation>калибровано по данным: %1 (n = %2)</translation>
+            <translation>откалибровано по данным: %1 (n = %2)</translation>
         </message>
         <message>
             <source>no longer the value calibrated on %1 (n = %2)</source>
-            <translation>уже не то значение, что калибровано по данным: %1 (n = %2)</translation>
+            <translation>уже не то значение, что откалибровано по данным: %1 (n = %2)</translation>
         </message>
         <message>
             <source>Value found: %1</source>
@@ -20040,7 +20040,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>The range in parentheses is that of the calibrated inputs at the ends of their 95 % intervals.</source>
-            <translation>В скобках – диапазон при калиброванных данных на границах их 95 %-ных интервалов.</translation>
+            <translation>В скобках – диапазон при откалиброванных данных на границах их 95 %-ных интервалов.</translation>
         </message>
     </context>
     <context>
@@ -20389,11 +20389,11 @@ The size alone gives α and β, that is the compliance with the force together; 
     <context>
         <name>sparkout::MeasuredView</name>
         <message numerus="yes">
-            <source>Predicted of %n part(s).</source>
+            <source>The prediction is of a batch of %n part(s).</source>
             <translation>
-                <numerusform>Прогноз по %n детали.</numerusform>
-                <numerusform>Прогноз по %n деталям.</numerusform>
-                <numerusform>Прогноз по %n деталям.</numerusform>
+                <numerusform>Прогноз получен по партии из %n детали.</numerusform>
+                <numerusform>Прогноз получен по партии из %n деталей.</numerusform>
+                <numerusform>Прогноз получен по партии из %n деталей.</numerusform>
             </translation>
         </message>
         <message>

@@ -89,7 +89,7 @@ std::string bandText(const ShopNumbers& shop) {
 /// cycle. `revolutions`: revolutions are counted, not double strokes.
 std::string shopText(const ShopNumbers& shop, bool revolutions) {
     std::vector<const ShopColumn*> columns;
-    std::string text = label("shop's numbers");
+    std::string text = label("shop figures");
     for (const ShopColumn& stage : shop.stages) {
         columns.push_back(&stage);
         text += cell("stage " + std::to_string(columns.size()));
@@ -233,8 +233,8 @@ std::string requirementsText(const SimulationResult& result,
     if (const auto burn = burnStateOf(result)) {
         text += "nearest to burning   " + um(burn->visit.depth_mm) + " µm cut with "
                 + um(burn->visit.stock_mm) + " µm of stock left: damaged "
-                + um(burn->damagedDepth_mm) + " µm deep, " + fixed(burn->rise_k, 0)
-                + " K hotter at the stock's end\n";
+                + um(burn->damagedDepth_mm) + " µm deep; the finished surface is "
+                + fixed(burn->rise_k, 0) + " K hotter\n";
     }
     return text;
 }

@@ -126,7 +126,8 @@ private slots:
         for (const std::string& word : samples::listOf(
                  "status|machining time|double strokes|diameter_min|diameter_max|radial_runout|"
                  "rz1|nz|rz2|cylindricity, µm|total runout, µm|taper|roundness|roughness|burn|"
-                 "nearest to burning|wheel_power|kW  met in |gauge_commands|overlap")) {
+                 "nearest to burning|the finished surface is |wheel_power|kW  met in "
+                 "|gauge_commands|overlap")) {
             QVERIFY2(has(outcome.out, word), word.c_str());
         }
     }
@@ -141,7 +142,7 @@ private slots:
     void textListsTheShopsNumbersStageByStage() {
         const std::string out = run({"simulate", samplePath("complete")}).out;
         const ShopNumbers shop = shopNumbers(simulate(projectOf(samplePath("complete"))));
-        const auto head = row(out, "shop's numbers");
+        const auto head = row(out, "shop figures");
         QCOMPARE(head.size(), 2 * shop.stages.size() + 1); // "stage 1 stage 2 … cycle"
         QCOMPARE(head.back(), std::string("cycle"));
         const auto energies = row(out, "  Energy, J/mm³");

@@ -167,7 +167,7 @@ private slots:
             m_language.apply(QString::fromLatin1(language));
             const QString said = language == std::string_view("en")
                                      ? QStringLiteral("not calibrated")
-                                     : QStringLiteral("не калибровано");
+                                     : QStringLiteral("не откалибровано");
             Outcome outcome = unlikeZones();
             outcome.constraints = {requirement(ConstraintKind::roughness, 0, 0.0046),
                                    requirement(ConstraintKind::roughness, 1, 0.274)};
