@@ -70,6 +70,7 @@ enum class IssueCode {
     sourceMissing, ///< in catalogues
     noSuchInput,   ///< in lessons
     nameTwice,     ///< in packs
+    severalFit,    ///< a part of several names of the catalogue
     notAFileName,  ///< in packs
 };
 

@@ -7434,6 +7434,10 @@ With another name both versions stay as they are.</source>
             <translation>{value} — нет такого варианта; допускаются: {limit}</translation>
         </message>
         <message>
+            <source>{value} fits several: {limit}</source>
+            <translation>{value} — подходит несколько: {limit}</translation>
+        </message>
+        <message>
             <source>{value} is unusual; usual: {limit}</source>
             <translation>{value} — необычное значение; обычно: {limit}</translation>
         </message>
