@@ -71,6 +71,7 @@ enum class IssueCode {
     noSuchInput,   ///< in lessons
     nameTwice,     ///< in packs
     severalFit,    ///< a part of several names of the catalogue
+    noLaw,         ///< of a factor of a batch
     notAFileName,  ///< in packs
 };
 

@@ -7438,6 +7438,10 @@ With another name both versions stay as they are.</source>
             <translation>{value} — подходит несколько: {limit}</translation>
         </message>
         <message>
+            <source>no law given; expected one of {limit}</source>
+            <translation>закон не задан; ожидается один из: {limit}</translation>
+        </message>
+        <message>
             <source>{value} is unusual; usual: {limit}</source>
             <translation>{value} — необычное значение; обычно: {limit}</translation>
         </message>

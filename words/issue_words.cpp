@@ -235,6 +235,8 @@ IssueWords wordsOf(IssueCode code) {
         return {"name_twice", SPARKOUT_NOOP("Issue", "{value} is named twice")};
     case IssueCode::severalFit:
         return {"several_fit", SPARKOUT_NOOP("Issue", "{value} fits several: {limit}")};
+    case IssueCode::noLaw:
+        return {"no_law", SPARKOUT_NOOP("Issue", "no law given; expected one of {limit}")};
     case IssueCode::notAFileName:
         return {"not_a_file_name",
                 SPARKOUT_NOOP("Issue", "{value} cannot be the name of a file; needed: {limit}")};

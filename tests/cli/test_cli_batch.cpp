@@ -11,6 +11,8 @@
 #include <QDir>
 #include <QFile>
 
+#include <algorithm>
+
 namespace test_cli_batch {
 
 using namespace sparkout;
@@ -371,6 +373,17 @@ private slots:
                     "/batch/factors/stock_mm/uniform/1: 0.13 is out of range; allowed: "
                     "≥ 0.15\n"));
         QCOMPARE(run({"simulate", path}).status, 0);
+        const Outcome validated = run({"validate", path});
+        QCOMPARE(validated.status, 1);
+        for (const Outcome& each : {outcome, validated}) { // an error, once
+            QCOMPARE(std::ranges::count(each.err, '\n'), 1);
+            QVERIFY2(!has(each.err, "warning"), each.err.c_str());
+        }
+        file["batch"]["factors"]["stock_mm"] = json::object();
+        const Outcome lawless = run({"validate", save("lawless.sparkout", file.dump())});
+        QVERIFY2(has(lawless.err, "/batch/factors/stock_mm: no law given; expected one of "
+                                  "uniform | normal | "),
+                 lawless.err.c_str());
         const Outcome none = run({"batch", samplePath("smallest-plunge")});
         QCOMPARE(none.status, 1);
         QVERIFY(has(none.err, ": /batch: "));
