@@ -68,7 +68,8 @@ std::string verdictText(const BatchVerdict& verdict, const BatchSummary& summary
                + " %";
     case BatchReason::ppk:
         return "conditionally fit: the lower 95 % bound of Ppk of " + of + " is "
-               + fixed(verdict.value, 2) + ", below " + limit;
+               + fixed(verdict.value, decimalsBeside(verdict.limit, verdict.value, 2)) + ", below "
+               + limit;
     case BatchReason::allHold:
         return of.empty() ? "fit: all parts are good, and none of their sizes scatters to speak of"
                           : "fit: all parts are good, and the least lower 95 % bound of Ppk, of "

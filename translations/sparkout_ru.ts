@@ -14131,6 +14131,10 @@ parts, ≤ %</source>
     <context>
         <name>sparkout::HistogramPlot</name>
         <message>
+            <source>%1, %2: Ppk %3</source>
+            <translation>%1, %2: Ppk %3</translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation>Детали</translation>
         </message>

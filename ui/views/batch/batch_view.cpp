@@ -330,6 +330,10 @@ void BatchView::showBatch() {
         for (const std::size_t i : placesOf(batch()->summary, chosenName(), mostPlaces)) {
             shown.push_back(batch()->summary.characteristics[i]);
         }
+        const auto judged = weigh(batch()->summary, batch()->result).characteristic;
+        m_histograms->nameIndices(judged
+                                  && batch()->summary.characteristics[*judged].characteristic.name
+                                         != chosenName());
     }
     m_histograms->setSummaries(std::move(shown));
     showFigures();

@@ -4,6 +4,7 @@
 #include "ui/plot/number_ticker.h"
 #include "ui/plot/plot_style.h"
 #include "ui/plot/quantity_colour.h"
+#include "ui/text/names.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_text.h"
 
@@ -268,7 +269,11 @@ QString HistogramPlot::headingOf(const CharacteristicSummary& summary) const {
     const Characteristic& of = summary.characteristic;
     const QString where = BatchText::where(of);
     const bool named = m_tellsIndices && summary.ppk && m_cells.size() <= mostNamed;
-    return named ? QStringLiteral("%1, Ppk %2").arg(where, BatchText::brief(*summary.ppk)) : where;
+    const QString ppk = named ? BatchText::brief(*summary.ppk) : QString();
+    return !named ? where
+           : m_namesIndices
+               ? tr("%1, %2: Ppk %3").arg(where, Names::inSentence(BatchText::name(of)), ppk)
+               : QStringLiteral("%1, Ppk %2").arg(where, ppk);
 }
 
 void HistogramPlot::setTexts() {

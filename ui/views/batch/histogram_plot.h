@@ -21,6 +21,8 @@ public:
     /// characteristic is the same.
     void setSummaries(std::vector<CharacteristicSummary> summaries);
     void tellIndices(bool tells) { m_tellsIndices = tells; } ///< applies to the next summaries
+    /// Whether the headings name the characteristic of their Ppk; applies to the next summaries.
+    void nameIndices(bool names) { m_namesIndices = names; }
     void fit() override;
     void restyle() override;
 
@@ -61,7 +63,7 @@ private:
     [[nodiscard]] QString headingOf(const CharacteristicSummary& summary) const;
 
     std::vector<Cell> m_cells;
-    bool m_tellsIndices = true;
+    bool m_tellsIndices = true, m_namesIndices = false;
     QCPRange m_fitted; ///< value range of the last fit
 };
 

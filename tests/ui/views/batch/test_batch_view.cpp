@@ -125,6 +125,15 @@ private slots:
         }
     }
 
+    void lowerBoundNextToItsLimitHasMoreDigits() {
+        Estimate ppk;
+        ppk.value = 1.26;
+        ppk.interval = {0.997, 1.53};
+        QCOMPARE(BatchText::capability(ppk), QStringLiteral("1.26 (1.00…1.53)"));
+        QCOMPARE(BatchText::capability(ppk, 1.0), QStringLiteral("1.260 (0.997…1.530)"));
+        QCOMPARE(BatchText::capability(ppk, 1.33), QStringLiteral("1.26 (1.00…1.53)"));
+    }
+
     void aPercentileIsToldOfEnoughValuesAlone() {
         CharacteristicSummary of;
         of.characteristic.resolution = 0.01;

@@ -2,6 +2,7 @@
 // Labels: numbers
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
+#include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/histogram_plot.h"
 
 namespace sparkout::test_histogram {
@@ -115,6 +116,10 @@ private slots:
         plot.setSummaries(rows);
         QVERIFY(plot.heading(0).startsWith(QStringLiteral("RZ1")));
         QVERIFY(plot.heading(0).endsWith(QString::number(rows[0].ppk->value, 'f', 2)));
+        plot.nameIndices(true); // the verdict states the Ppk of another characteristic
+        plot.setSummaries(rows);
+        QCOMPARE(plot.heading(0),
+                 QStringLiteral("RZ1, mean diameter: Ppk ") + BatchText::brief(*rows[0].ppk));
         QCOMPARE(plot.valueAxis(0)->label(), QStringLiteral("Mean diameter, µm"));
         QCOMPARE(plot.countAxis(0)->label(), QStringLiteral("Parts"));
         plot.setSummaries({});
