@@ -17664,6 +17664,10 @@ target, µm</source>
             <translation>Результата ещё нет.</translation>
         </message>
         <message>
+            <source>Part as stated:</source>
+            <translation>Заданная деталь:</translation>
+        </message>
+        <message>
             <source>Verdict</source>
             <translation>Заключение</translation>
         </message>
