@@ -233,7 +233,12 @@ int optimise(Project project, std::size_t surface, const std::string& name,
         printIssues(name, outcome->issues);
         printIssues(name, outcome->batchIssues);
         if (const std::string reason = searchRefusal(*outcome); !reason.empty()) {
-            print(stderr, printable(name) + ": " + reason + '\n');
+            const char* const hint =
+                project.optimisation
+                    ? ""
+                    : " sparkout-cli new writes a project with them; for this project use “Add a "
+                      "typical search” in the window.";
+            print(stderr, printable(name) + ": " + reason + hint + '\n');
         }
         return refused;
     }

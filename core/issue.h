@@ -72,6 +72,7 @@ enum class IssueCode {
     nameTwice,     ///< in packs
     severalFit,    ///< a part of several names of the catalogue
     noLaw,         ///< of a factor of a batch
+    notAProject,   ///< a text that does not even begin as one
     notAFileName,  ///< in packs
 };
 

@@ -7442,6 +7442,10 @@ With another name both versions stay as they are.</source>
             <translation>закон не задан; ожидается один из: {limit}</translation>
         </message>
         <message>
+            <source>this is not a Sparkout project: the text is not valid JSON in UTF-8: line {value}, column {limit}</source>
+            <translation>это не проект Sparkout: текст не является правильным JSON в UTF-8: строка {value}, столбец {limit}</translation>
+        </message>
+        <message>
             <source>{value} is unusual; usual: {limit}</source>
             <translation>{value} — необычное значение; обычно: {limit}</translation>
         </message>

@@ -237,6 +237,10 @@ IssueWords wordsOf(IssueCode code) {
         return {"several_fit", SPARKOUT_NOOP("Issue", "{value} fits several: {limit}")};
     case IssueCode::noLaw:
         return {"no_law", SPARKOUT_NOOP("Issue", "no law given; expected one of {limit}")};
+    case IssueCode::notAProject:
+        return {"not_a_project",
+                SPARKOUT_NOOP("Issue", "this is not a Sparkout project: the text is not valid "
+                                       "JSON in UTF-8: line {value}, column {limit}")};
     case IssueCode::notAFileName:
         return {"not_a_file_name",
                 SPARKOUT_NOOP("Issue", "{value} cannot be the name of a file; needed: {limit}")};

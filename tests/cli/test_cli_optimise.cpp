@@ -75,7 +75,8 @@ private slots:
 
     void whatCannotBeSearchedIsRefused_data() {
         addColumns<QString, QString>("patch", "path");
-        addRow("no grid", R"({"optimisation": null})", "/optimisation: ");
+        addRow("no grid", R"({"optimisation": null})",
+               "/optimisation: The inputs of the search are missing. sparkout-cli new writes ");
         addRow("no feeds", R"({"optimisation": {"radial_feed_mm": null}})",
                "/optimisation/radial_feed_mm, /optimisation/axial_feed_mm_min: ");
         addRow("no axial feeds", R"({"optimisation": {"axial_feed_mm_min": null}})",
