@@ -30,7 +30,7 @@ std::string placeOf(const Figure& figure) {
     if (figure.place.zone) {
         add(PlaceName::words()[figure.place.index()].key);
     } else if (figure.place.section) {
-        add("section " + std::to_string(*figure.place.section));
+        add("section " + std::to_string(*figure.place.section + 1));
     }
     if (figure.stage) {
         add("stage " + std::to_string(*figure.stage));

@@ -276,10 +276,10 @@ const char* keyOf(MeanPlace place) {
     return keys[static_cast<std::size_t>(place)];
 }
 
-std::string placeKey(const Project& project, int place) {
+std::string placeKey(const Project& project, int place, First first) {
     return sectionOrPart(project.operation->hasZones && place >= 0 ? static_cast<Zone>(place)
                                                                    : Zone::section,
-                         place);
+                         place, first);
 }
 
 } // namespace sparkout

@@ -132,11 +132,19 @@ private slots:
         }
     }
 
-    void sectionsAreCountedAsInTheFileAndTheTextSaysSo() {
+    void sectionsAreCountedFrom1InTextsAndFrom0InFiles() {
         const std::string out = run({"simulate", samplePath("smallest-plunge")}).out;
-        QVERIFY(has(out, "; sections from 0\n  section 0 "));
-        QVERIFY(!has(run({"simulate", samplePath("complete")}).out, "from 0"));
+        QVERIFY(has(out, "  section 1 ") && !has(out, "section 0"));
         QVERIFY(has(run({"--help"}).out, "counted from 0"));
+    }
+
+    void timesBelowTwoMinutesAreInSeconds() {
+        const std::string brief = run({"simulate", samplePath("smallest-plunge")}).out; // 21 s
+        QCOMPARE(row(brief, "machining time").back(), std::string("s"));
+        QVERIFY(!row(brief, "  Time, s").empty() && row(brief, "  Time, min").empty());
+        const std::string longer = run({"simulate", samplePath("complete")}).out; // 19 min
+        QCOMPARE(row(longer, "machining time").back(), std::string("min"));
+        QVERIFY(!row(longer, "  Time, min").empty());
     }
 
     void textListsTheShopsNumbersStageByStage() {
