@@ -91,10 +91,14 @@ QString BatchText::mark(double value, const Characteristic& characteristic) {
     return Names::fixed(value, decimalsOf(characteristic));
 }
 
-QString BatchText::percentile(const Percentile& percentile, const CharacteristicSummary& of) {
+bool BatchText::isStated(const Percentile& percentile, const CharacteristicSummary& of) {
     const double beyond = std::min(percentile.order, 1 - percentile.order);
-    const bool isStated = beyond == 0.5 || static_cast<double>(of.count) * beyond >= 1;
-    return !isStated ? QStringLiteral("–") : value(percentile.value, of.characteristic);
+    return beyond == 0.5 || static_cast<double>(of.count) * beyond >= 1;
+}
+
+QString BatchText::percentile(const Percentile& percentile, const CharacteristicSummary& of) {
+    return isStated(percentile, of) ? value(percentile.value, of.characteristic)
+                                    : QStringLiteral("–");
 }
 
 QString BatchText::range(const Interval& interval, const Characteristic& characteristic) {

@@ -26,7 +26,9 @@ public:
     /// The value with the same number of decimals for all ticks of an axis.
     static QString mark(double value, const Characteristic& characteristic);
     static QString range(const Interval& interval, const Characteristic& characteristic);
-    /// The percentile, or a dash if there are too few values to distinguish it from the extremes.
+    /// Whether there are enough values to distinguish the percentile from the extremes.
+    static bool isStated(const Percentile& percentile, const CharacteristicSummary& of);
+    /// The percentile, or a dash if it is not stated.
     static QString percentile(const Percentile& percentile, const CharacteristicSummary& of);
     /// "1.42 (1.20…1.60)"; with further digits where the lower bound would read as the limit.
     static QString capability(const std::optional<Estimate>& capability,
