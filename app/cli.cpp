@@ -219,7 +219,7 @@ int runExamples(const manual::Given& given) {
 }
 
 int runValidate(const manual::Given& given) {
-    return loadSetup(given.operands.front()) ? done : refused;
+    return loadSetup(given.operands.front(), BatchFaults::errors) ? done : refused;
 }
 
 constexpr std::pair<std::string_view, int (*)(const manual::Given&)> commands[] = {

@@ -9,6 +9,7 @@
 #include "core/format/project_file.h"
 #include "core/printable.h"
 #include "core/project/validate.h"
+#include "core/quality/result_names.h"
 
 #include <string>
 
@@ -41,11 +42,15 @@ std::string sobolText(const std::vector<SobolIndex>& indices,
     return text.empty() ? text : text + '\n';
 }
 
+std::string placeText(const Characteristic& of) {
+    return sectionOrPart(of.zone, of.section, First::inTexts);
+}
+
 /// "conditionally fit: the lower 95 % bound of Ppk of rz1 diameter is 0.73, below 1".
 std::string verdictText(const BatchVerdict& verdict, const BatchSummary& summary) {
     const std::string of =
         verdict.characteristic
-            ? placeKey(summary.characteristics[*verdict.characteristic].characteristic) + " "
+            ? placeText(summary.characteristics[*verdict.characteristic].characteristic) + " "
                   + summary.characteristics[*verdict.characteristic].characteristic.name
             : std::string();
     const std::string limit = plainNumber(verdict.limit);
@@ -68,7 +73,8 @@ std::string verdictText(const BatchVerdict& verdict, const BatchSummary& summary
                + " %";
     case BatchReason::ppk:
         return "conditionally fit: the lower 95 % bound of Ppk of " + of + " is "
-               + fixed(verdict.value, 2) + ", below " + limit;
+               + fixed(verdict.value, decimalsBeside(verdict.limit, verdict.value, 2)) + ", below "
+               + limit;
     case BatchReason::allHold:
         return of.empty() ? "fit: all parts are good, and none of their sizes scatters to speak of"
                           : "fit: all parts are good, and the least lower 95 % bound of Ppk, of "
@@ -84,7 +90,7 @@ std::string factorsText(const BatchResult& result, std::int64_t part) {
     std::string text;
     for (std::size_t i = 0; i < values.size(); ++i) {
         text += std::string(i == 0 ? ": " : ", ") + factorKey(source.factors()[i]) + " "
-                + plainNumber(values[i]);
+                + fixed(values[i], decimalsOf(values[i], 4));
     }
     return text;
 }
@@ -131,7 +137,7 @@ std::string unstatedText(const CharacteristicSummary& summary) {
 std::string characteristicText(const CharacteristicSummary& summary, bool isSample) {
     const Characteristic& of = summary.characteristic;
     const int decimals = 3;
-    std::string text = placeKey(of) + " " + of.name + ", " + of.unit + ": ";
+    std::string text = placeText(of) + " " + of.name + ", " + of.unit + ": ";
     if (summary.count == 0) {
         return text + "none" + unstatedText(summary) + '\n';
     }
@@ -172,7 +178,7 @@ std::string batchText(const BatchResult& result, const std::optional<SobolIndice
         + batchStatusKey(result.status) + "\nverdict "
         + verdictText(weigh(summary, result), summary) + "\nnot good " + shareText(summary.bad)
         + "; did not reach size " + std::to_string(summary.failed) + "\n" + strippedText(summary)
-        + "worst part " + std::to_string(summary.worstPart) + " (from 0)"
+        + "worst part " + std::to_string(summary.worstPart + 1)
         + factorsText(result, summary.worstPart) + '\n' + notCountedText(result.project);
     const auto regressions = rankRegressions(result);
     const auto factors = scatteredFactors(result.project);
@@ -192,8 +198,8 @@ std::string joinText(const JoinedBatch& joined, const std::vector<BatchResult>& 
                      const std::vector<std::string>& files) {
     const auto parts = [](const PartRange& range) {
         return range.end - range.first == 1
-                   ? "part " + std::to_string(range.first)
-                   : "parts " + std::to_string(range.first) + "…" + std::to_string(range.end - 1);
+                   ? "part " + std::to_string(range.end)
+                   : "parts " + std::to_string(range.first + 1) + "…" + std::to_string(range.end);
     };
     std::string text;
     const std::string model =

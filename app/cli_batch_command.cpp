@@ -191,7 +191,7 @@ int runBatchCommand(const manual::Given& given) {
                 && isSameFile(given.text("--rows"), given.text("--measured"))))) {
         return usageError("--rows would replace what is read: " + given.text("--rows"));
     }
-    const Surfaces surfaces(given);
+    const Surfaces surfaces(given, BatchFaults::left);
     if (surfaces.status() != done) {
         return surfaces.status();
     }

@@ -22,7 +22,7 @@ std::string endText(const Setup& setup, const WornFailure& end) {
     const std::string& surface = setup.surfaces[end.surface].name;
     std::string text = "ends by              part " + std::to_string(end.part);
     text += surface.empty() ? "" : ", " + surface;
-    text += end.scenario ? ", part " + std::to_string(*end.scenario) + " of its batch: " : ": ";
+    text += end.scenario ? ", part " + std::to_string(*end.scenario + 1) + " of its batch: " : ": ";
     if (!end.issues.empty()) {
         return text + "the worn wheel is refused\n";
     }
@@ -30,7 +30,7 @@ std::string endText(const Setup& setup, const WornFailure& end) {
         return text + "it does not reach size\n";
     }
     const Requirement& row = requirementOf(end.worst->kind);
-    return text + row.key + " in " + whereText(*end.worst) + ", "
+    return text + row.key + " in " + whereText(*end.worst, First::inTexts) + ", "
            + fixed(end.worst->value, row.digits.printed) + ' ' + row.unit + ", limit "
            + fixed(end.worst->limit, row.digits.printed) + '\n';
 }

@@ -17,11 +17,16 @@
 #include "core/project/wheel.h"
 #include "core/study/new_project.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
+#include <variant>
 
 namespace sparkout::cli {
 
@@ -29,7 +34,7 @@ namespace {
 
 /// The title made from a designation: "35k6 × 28".
 std::string titleOf(const manual::Given& given) {
-    return given.operands.front() + " × " + numberText(*given.number("--length"));
+    return given.operands.front() + " × " + plainNumber(*given.number("--length"));
 }
 
 /// The drawing described by the options; reports faults.
@@ -62,6 +67,31 @@ std::optional<StartingDrawing> drawingIn(const manual::Given& given, int& status
     return drawing;
 }
 
+/// Prints the issues of a project that is not written, with the options in the place of its inputs.
+void printRefusal(const std::string& size, Issues issues) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> options{
+        {{"/machine", "--machine"},
+         {"/wheel", "--wheel"},
+         {"/material", "--material"},
+         {"/part/length_mm", "--length"},
+         {"/part/stock_mm", "--stock"},
+         {"/part/tolerance/roughness_ra_um", "--ra"},
+         {"/part/diameter_mm", ""}}};
+    const auto optionOf = [](std::string_view path) {
+        const auto found = std::ranges::find_if(
+            options, [path](const auto& each) { return path.starts_with(each.first); });
+        return found == options.end() ? path : found->second;
+    };
+    for (Issue& issue : issues) {
+        issue.path = issue.code == IssueCode::wheelTooNarrow ? "--operation traverse, or --wheel"
+                                                             : optionOf(issue.path);
+        if (auto* const bounds = std::get_if<Bounds>(&issue.limit)) {
+            bounds->field = optionOf(bounds->field);
+        }
+    }
+    printIssues(size, issues);
+}
+
 /// "0.81 mm/min, 0.1 mm" or "spark-out of 16 revolutions, 0.001 mm".
 std::string stageText(const Project& project, const Stage& stage) {
     std::string text;
@@ -70,11 +100,11 @@ std::string stageText(const Project& project, const Stage& stage) {
                + (project.operation->travels ? " double strokes" : " revolutions");
     } else {
         for (const StageFeed& feed : project.operation->feeds) {
-            text += (text.empty() ? "" : ", ") + numberText((stage.*feed.value).value_or(0)) + ' '
+            text += (text.empty() ? "" : ", ") + plainNumber((stage.*feed.value).value_or(0)) + ' '
                     + tableOf<Stage>().find(feed.key)->unit;
         }
     }
-    return text + "; stock " + numberText(stage.stock_mm) + " mm";
+    return text + "; stock " + plainNumber(stage.stock_mm) + " mm";
 }
 
 std::string stocksText(const PhaseDecision& decision) {
@@ -106,7 +136,7 @@ std::string startText(const StartingCycle& start) {
     std::string text =
         labelled("machine", project.machine->name + ", " + project.wheel->marking + ", "
                                 + project.material->grade)
-        + labelled("work speed", numberText(project.machine->work_speed_rpm) + " rev/min");
+        + labelled("work speed", plainNumber(project.machine->work_speed_rpm) + " rev/min");
     const auto& stages = project.cycle->stages;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         text += labelled("stage " + std::to_string(i + 1), stageText(project, stages[i]));
@@ -130,7 +160,7 @@ int runNewCommand(const manual::Given& given) {
         startingEntries({given.text("--machine"), given.text("--wheel"), given.text("--material")},
                         *drawing, issues);
     if (!entries) {
-        printIssues(given.operands.front(), issues);
+        printRefusal(given.operands.front(), std::move(issues));
         return refused;
     }
     std::error_code ignored;
@@ -139,10 +169,11 @@ int runNewCommand(const manual::Given& given) {
         return refused;
     }
     const StartingAnswer answer = drawnProject(*drawing, *entries);
-    printIssues(given.operands.front(), answer.issues);
     if (!answer.start) {
+        printRefusal(given.operands.front(), answer.issues);
         return refused;
     }
+    printIssues(given.operands.front(), answer.issues);
     if (const int failed = save(given.text("-o"), writeProject(answer.start->project))) {
         return failed;
     }

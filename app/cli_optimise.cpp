@@ -20,6 +20,7 @@
 #include "core/study/kept_search.h"
 #include "core/study/search.h"
 #include "core/study/search_outputs.h"
+#include "core/units.h"
 #include "words/search_words.h"
 
 #include <span>
@@ -32,21 +33,23 @@ namespace sparkout::cli {
 
 namespace {
 
-/// "Stepless limit, min        1.552" in the unit of displayed texts; "-" without a value.
+/// "Stepless limit, s        93.12" in the unit of displayed texts; "-" without a value.
 std::string outputLine(const OutputRow& row, const OutputValue& value) {
     constexpr std::size_t labelWidth = 54;
     constexpr int digits = 4;
-    std::string line = row.label;
-    line += *row.unitShown() ? std::string(", ") + row.unitShown() : std::string();
+    const auto* const number = std::get_if<double>(&value);
+    double shown = number ? *number * row.shownFactor : 0;
+    std::string unit = row.unitShown();
+    if (unit == "min" && shown * units::secondsPerMinute < shortTime_s) {
+        unit = "s";
+        shown *= units::secondsPerMinute;
+    }
+    std::string line = row.label + (unit.empty() ? unit : ", " + unit);
     line += std::string(line.size() < labelWidth ? labelWidth - line.size() : 1, ' ');
     if (const auto* whole = std::get_if<std::int64_t>(&value)) {
         return line + std::to_string(*whole) + '\n';
     }
-    if (const auto* number = std::get_if<double>(&value)) {
-        const double shown = *number * row.shownFactor;
-        return line + fixed(shown, decimalsOf(shown, digits)) + '\n';
-    }
-    return line + "-\n";
+    return line + (number ? fixed(shown, decimalsOf(shown, digits)) : "-") + '\n';
 }
 
 /// A line for each displayed output; sparse outputs only if they have a value.
@@ -234,7 +237,12 @@ int optimise(Project project, std::size_t surface, const std::string& name,
         printIssues(name, outcome->issues);
         printIssues(name, outcome->batchIssues);
         if (const std::string reason = searchRefusal(*outcome); !reason.empty()) {
-            print(stderr, printable(name) + ": " + reason + '\n');
+            const char* const hint =
+                project.optimisation
+                    ? ""
+                    : " sparkout-cli new writes a project with them; for this project use “Add a "
+                      "typical search” in the window.";
+            print(stderr, printable(name) + ": " + reason + hint + '\n');
         }
         return refused;
     }

@@ -14,6 +14,7 @@
 #include "core/quality/requirement.h"
 #include "core/quality/result_names.h"
 #include "core/units.h"
+#include "words/search_words.h"
 
 #include <cstddef>
 #include <optional>
@@ -23,11 +24,11 @@ namespace sparkout::cli {
 
 namespace {
 
-constexpr int stockDigits = 6, deviationDigits = 2, timeDigits = 4; // nm, 10 nm, 6 ms
+constexpr int stockDigits = 6, deviationDigits = 2; // nm, 10 nm
 
 std::string placeOf(const Project& project, std::size_t place) {
     return sectionOrPart(project.operation->travels ? static_cast<Zone>(place) : Zone::section,
-                         static_cast<int>(place));
+                         static_cast<int>(place), First::inTexts);
 }
 
 std::string rangeText(const StockRange& range) {
@@ -38,7 +39,8 @@ std::string whyText(RunStatus status, const std::optional<ConstraintResult>& wor
     if (status != RunStatus::completed) {
         return "the cycle does not end by itself";
     }
-    return worst ? std::string(requirementOf(worst->kind).key) + " in " + whereText(*worst)
+    return worst ? std::string(requirementOf(worst->kind).key) + " in "
+                       + whereText(*worst, First::inTexts)
                  : std::string();
 }
 
@@ -48,7 +50,7 @@ std::string pieceText(const Project& project, const DecidedPiece& each) {
         steps += (steps.empty() ? "" : "+") + std::to_string(count);
     }
     std::string text = rangeText({each.piece.from_mm, each.piece.to_mm}) + "  " + steps + "  "
-                       + fixed(each.time_s / units::secondsPerMinute, timeDigits) + " min";
+                       + SearchWording().time(each.time_s);
     const auto um = [](double value_mm) {
         return fixed(value_mm * units::umPerMm, deviationDigits);
     };

@@ -36,8 +36,8 @@ std::string stateText(const SimulationResult& result, const RemedyResult& found,
     }
     const ConstraintResult& worst = *worstRequirement(constraints);
     return std::string(requirementOf(worst.kind).key)
-           + (worst.holds ? " is close to its limit in " : " is not met in ") + whereText(worst)
-           + '\n';
+           + (worst.holds ? " is close to its limit in " : " is not met in ")
+           + whereText(worst, First::inTexts) + '\n';
 }
 
 std::string remediesText(const Project& project, const RemedyResult& found) {

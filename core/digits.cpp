@@ -13,6 +13,16 @@ int decimalsOf(double value, int significantDigits) {
     return std::clamp(significantDigits - before, 0, 9);
 }
 
+int decimalsBeside(double limit, double value, int decimals) {
+    constexpr int more = 2;
+    int needed = decimals;
+    while (needed < decimals + more && value != limit
+           && fixed(value, needed) == fixed(limit, needed)) {
+        ++needed;
+    }
+    return needed;
+}
+
 std::string fixed(double value, int decimals) {
     const double least = 0.5 * std::pow(10.0, -decimals);
     char buffer[400]; // the largest double has 309 digits before the point

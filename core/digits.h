@@ -14,6 +14,9 @@ namespace sparkout {
 /// digit before them.
 [[nodiscard]] int decimalsOf(double value, int significantDigits);
 
+/// These decimals, or as many more, up to 2, as another value needs that would read as the limit.
+[[nodiscard]] int decimalsBeside(double limit, double value, int decimals);
+
 /// Formats with this number of decimals and a point in any locale; never "-0".
 [[nodiscard]] std::string fixed(double value, int decimals);
 

@@ -69,6 +69,9 @@ enum class IssueCode {
     sourceMissing, ///< in catalogues
     noSuchInput,   ///< in lessons
     nameTwice,     ///< in packs
+    severalFit,    ///< a part of several names of the catalogue
+    noLaw,         ///< of a factor of a batch
+    notAProject,   ///< a text that does not even begin as one
     notAFileName,  ///< in packs
 };
 

@@ -340,7 +340,7 @@ class Search:
         """Radii under the wheel in all runs."""
     @property
     def scenarios_added(self) -> int:
-        """Scenarios added to hold in."""
+        """Scenarios added."""
     @property
     def rounds(self) -> Optional[int]: ...
     @property

@@ -418,10 +418,10 @@
     <context>
         <name>sparkout::MeasuredView</name>
         <message numerus="yes">
-            <source>Predicted of %n part(s).</source>
+            <source>The prediction is of a batch of %n part(s).</source>
             <translation>
-                <numerusform>Predicted of %n part.</numerusform>
-                <numerusform>Predicted of %n parts.</numerusform>
+                <numerusform>The prediction is of a batch of %n part.</numerusform>
+                <numerusform>The prediction is of a batch of %n parts.</numerusform>
             </translation>
         </message>
     </context>

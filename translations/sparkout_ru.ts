@@ -1328,7 +1328,7 @@
         <name>OperationCard</name>
         <message>
             <source>Cylindrical grinding, several surfaces</source>
-            <translation>Круглое шлифование нескольких поверхностей</translation>
+            <translation>Круглошлифовальная, несколько поверхностей</translation>
         </message>
         <message>
             <source>%1 (%2)</source>
@@ -1375,8 +1375,12 @@
             <translation>Шлифовать поверхность %1 с врезной подачей в размер %2</translation>
         </message>
         <message>
-            <source>Grind bore %1 to %2</source>
-            <translation>Шлифовать отверстие %1 в размер %2</translation>
+            <source>Grind bore %1 by traverse grinding to %2</source>
+            <translation>Шлифовать отверстие %1 с продольной подачей в размер %2</translation>
+        </message>
+        <message>
+            <source>Grind bore %1 by plunge grinding to %2</source>
+            <translation>Шлифовать отверстие %1 с врезной подачей в размер %2</translation>
         </message>
         <message>
             <source> over a length of %1</source>
@@ -1859,7 +1863,7 @@
             <translation>Проходов радиусов под кругом во всех расчётах</translation>
         </message>
         <message>
-            <source>Scenarios added to hold in</source>
+            <source>Scenarios added</source>
             <translation>Добавлено сценариев</translation>
         </message>
         <message>
@@ -1962,7 +1966,7 @@
         <name>RequirementCells</name>
         <message>
             <source>not calibrated</source>
-            <translation>не калибровано</translation>
+            <translation>не откалибровано</translation>
         </message>
         <message>
             <source>Ra, µm</source>
@@ -1970,7 +1974,7 @@
         </message>
         <message>
             <source>Ra, µm, not calibrated</source>
-            <translation>Ra, мкм, не калибровано</translation>
+            <translation>Ra, мкм, не откалибровано</translation>
         </message>
     </context>
     <context>
@@ -2678,23 +2682,27 @@ axial feed, mm/min</source>
         <name>OperationSetup</name>
         <message>
             <source>Cylindrical traverse grinding</source>
-            <translation>Круглое наружное шлифование с продольной подачей</translation>
+            <translation>Круглошлифовальная</translation>
         </message>
         <message>
             <source>Internal traverse grinding</source>
-            <translation>Внутреннее шлифование с продольной подачей</translation>
+            <translation>Внутришлифовальная</translation>
         </message>
         <message>
             <source>Internal plunge grinding</source>
-            <translation>Внутреннее врезное шлифование</translation>
+            <translation>Внутришлифовальная</translation>
         </message>
         <message>
             <source>Cylindrical plunge grinding</source>
-            <translation>Круглое наружное врезное шлифование</translation>
+            <translation>Круглошлифовальная</translation>
         </message>
         <message>
             <source>Name of the operation</source>
             <translation>Наименование операции</translation>
+        </message>
+        <message>
+            <source>Kind of grinding</source>
+            <translation>Вид шлифования</translation>
         </message>
         <message>
             <source>Part</source>
@@ -3746,7 +3754,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Power of the work drive</source>
-            <translation>Мощность привода заготовки</translation>
+            <translation>Мощность привода изделия</translation>
         </message>
         <message>
             <source>Limiting depth of cut, wheel drive</source>
@@ -3754,7 +3762,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Limiting depth of cut, work drive</source>
-            <translation>Предельная фактическая подача по мощности привода заготовки</translation>
+            <translation>Предельная фактическая подача по мощности привода изделия</translation>
         </message>
         <message>
             <source>Normal force</source>
@@ -4389,11 +4397,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Work drive power</source>
-            <translation>Мощность привода заготовки</translation>
+            <translation>Мощность привода изделия</translation>
         </message>
         <message>
             <source>Power of the work drive.</source>
-            <translation>Мощность привода вращения заготовки.</translation>
+            <translation>Мощность привода вращения изделия.</translation>
         </message>
         <message>
             <source>Feed change delay</source>
@@ -6121,7 +6129,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Data used for the calibration.</source>
-            <translation>По каким данным калибровано.</translation>
+            <translation>По каким данным откалибровано.</translation>
         </message>
         <message>
             <source>Measured values</source>
@@ -6137,7 +6145,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>When it was calibrated, ISO 8601.</source>
-            <translation>Когда калибровано, ISO 8601.</translation>
+            <translation>Когда откалибровано, ISO 8601.</translation>
         </message>
         <message>
             <source>Measured parts</source>
@@ -7262,6 +7270,18 @@ With another name both versions stay as they are.</source>
             <translation>{value} — нет такого варианта; допускаются: {limit}</translation>
         </message>
         <message>
+            <source>{value} fits several: {limit}</source>
+            <translation>{value} — подходит несколько: {limit}</translation>
+        </message>
+        <message>
+            <source>no law given; expected one of {limit}</source>
+            <translation>закон не задан; ожидается один из: {limit}</translation>
+        </message>
+        <message>
+            <source>this is not a Sparkout project: the text is not valid JSON in UTF-8: line {value}, column {limit}</source>
+            <translation>это не проект Sparkout: текст не является правильным JSON в UTF-8: строка {value}, столбец {limit}</translation>
+        </message>
+        <message>
             <source>{value} is unusual; usual: {limit}</source>
             <translation>{value} — необычное значение; обычно: {limit}</translation>
         </message>
@@ -7851,22 +7871,6 @@ With another name both versions stay as they are.</source>
             <translation>вне диапазона</translation>
         </message>
         <message>
-            <source>%1× min</source>
-            <translation>%1×наим.</translation>
-        </message>
-        <message>
-            <source>%1× max</source>
-            <translation>%1×наиб.</translation>
-        </message>
-        <message>
-            <source>%1 × the lower limit</source>
-            <translation>%1 × нижний предел</translation>
-        </message>
-        <message>
-            <source>%1 × the upper limit</source>
-            <translation>%1 × верхний предел</translation>
-        </message>
-        <message>
             <source>double stroke %1</source>
             <comment>short</comment>
             <translation>дв. ход %1</translation>
@@ -8109,8 +8113,32 @@ With another name both versions stay as they are.</source>
             <translation>Ступень %1: «%2» на наименьшем уровне, %3;</translation>
         </message>
         <message>
-            <source>the machine or the stage&apos;s limits allow no other.</source>
-            <translation>станок или пределы ступени дальше не пускают.</translation>
+            <source>the limits of the search, “%1”, end there;</source>
+            <translation>здесь кончаются пределы, заданные в поиске («%1»);</translation>
+        </message>
+        <message>
+            <source>no level of the search is beyond;</source>
+            <translation>дальше уровней поиска нет;</translation>
+        </message>
+        <message>
+            <source>the limits of the search, “%1”, end at %2.</source>
+            <translation>пределы, заданные в поиске («%1»), кончаются на %2.</translation>
+        </message>
+        <message>
+            <source>the machine&apos;s range ends there.</source>
+            <translation>здесь кончается диапазон станка.</translation>
+        </message>
+        <message>
+            <source>the machine allows up to %1.</source>
+            <translation>станок допускает до %1.</translation>
+        </message>
+        <message>
+            <source>the machine allows down to %1.</source>
+            <translation>станок допускает от %1.</translation>
+        </message>
+        <message>
+            <source>the machine&apos;s range is not given.</source>
+            <translation>диапазон станка не задан.</translation>
         </message>
         <message>
             <source>allowed is %1.</source>
@@ -9265,11 +9293,11 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Work drive power</source>
-            <translation>Мощность привода заготовки</translation>
+            <translation>Мощность привода изделия</translation>
         </message>
         <message>
             <source>work drive</source>
-            <translation>привод заготовки</translation>
+            <translation>привод изделия</translation>
         </message>
         <message>
             <source>Radial feed in range</source>
@@ -9376,7 +9404,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Work power</source>
-            <translation>Привод заготовки</translation>
+            <translation>Привод изделия</translation>
         </message>
         <message>
             <source>Radial feed</source>
@@ -12922,7 +12950,7 @@ With another name both versions stay as they are.</source>
             <translation>То же без трассы</translation>
         </message>
         <message>
-            <source>Results, shop&apos;s numbers and requirements</source>
+            <source>Results, shop figures and requirements</source>
             <translation>Результаты, показатели шлифования и требования</translation>
         </message>
         <message>
@@ -14891,7 +14919,7 @@ target, µm</source>
             <translation>Закончить поиск; лучший найденный цикл сохраняется и показывается</translation>
         </message>
         <message>
-            <source>Take this cycle</source>
+            <source>Apply this cycle</source>
             <translation>Применить этот цикл</translation>
         </message>
         <message>
@@ -14943,7 +14971,7 @@ target, µm</source>
             <translation>Уровни каждой подачи около текущего цикла с шагом станка, припуски, выхаживание и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; ответ годен для партии, без неё — для всех припусков; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
         </message>
         <message>
-            <source>A click or the arrow keys choose a cycle, “Take this cycle” or Enter takes it.</source>
+            <source>A click or the arrow keys choose a cycle, “Apply this cycle” or Enter applies it.</source>
             <translation>Щелчок или стрелки выбирают цикл, «Применить этот цикл» или Enter применяет его.</translation>
         </message>
         <message>
@@ -16275,9 +16303,9 @@ target, µm</source>
         <message numerus="yes">
             <source>%n double strokes</source>
             <translation>
-                <numerusform>%n дв. х.</numerusform>
-                <numerusform>%n дв. х.</numerusform>
-                <numerusform>%n дв. х.</numerusform>
+                <numerusform>%n дв. ход</numerusform>
+                <numerusform>%n дв. хода</numerusform>
+                <numerusform>%n дв. ходов</numerusform>
             </translation>
         </message>
         <message numerus="yes">
@@ -17392,6 +17420,10 @@ target, µm</source>
             <translation>Результата ещё нет.</translation>
         </message>
         <message>
+            <source>Part as stated:</source>
+            <translation>Заданная деталь:</translation>
+        </message>
+        <message>
             <source>Verdict</source>
             <translation>Заключение</translation>
         </message>
@@ -18126,7 +18158,7 @@ mm/min</source>
         <message>
             <source>min</source>
             <comment>diameter</comment>
-            <translation>мин</translation>
+            <translation>наим.</translation>
         </message>
         <message>
             <source>max</source>
@@ -18953,11 +18985,11 @@ good</source>
         <name>CalibrationText</name>
         <message>
             <source>calibrated on %1 (n = %2)</source>
-            <translation>калибровано по данным: %1 (n = %2)</translation>
+            <translation>откалибровано по данным: %1 (n = %2)</translation>
         </message>
         <message>
             <source>no longer the value calibrated on %1 (n = %2)</source>
-            <translation>уже не то значение, что калибровано по данным: %1 (n = %2)</translation>
+            <translation>уже не то значение, что откалибровано по данным: %1 (n = %2)</translation>
         </message>
         <message>
             <source>Value found: %1</source>
@@ -19780,7 +19812,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>The range in parentheses is that of the calibrated inputs at the ends of their 95 % intervals.</source>
-            <translation>В скобках – диапазон при калиброванных данных на границах их 95 %-ных интервалов.</translation>
+            <translation>В скобках – диапазон при откалиброванных данных на границах их 95 %-ных интервалов.</translation>
         </message>
     </context>
     <context>
@@ -20129,11 +20161,11 @@ The size alone gives α and β, that is the compliance with the force together; 
     <context>
         <name>sparkout::MeasuredView</name>
         <message numerus="yes">
-            <source>Predicted of %n part(s).</source>
+            <source>The prediction is of a batch of %n part(s).</source>
             <translation>
-                <numerusform>Прогноз по %n детали.</numerusform>
-                <numerusform>Прогноз по %n деталям.</numerusform>
-                <numerusform>Прогноз по %n деталям.</numerusform>
+                <numerusform>Прогноз получен по партии из %n детали.</numerusform>
+                <numerusform>Прогноз получен по партии из %n деталей.</numerusform>
+                <numerusform>Прогноз получен по партии из %n деталей.</numerusform>
             </translation>
         </message>
         <message>

@@ -5,6 +5,8 @@
 #include "core/project/validate.h"
 #include "core/text.h"
 
+#include <cmath>
+
 namespace sparkout {
 
 namespace {
@@ -226,6 +228,14 @@ IssueWords wordsOf(IssueCode code) {
                 SPARKOUT_NOOP("Issue", "{value} is not an input of this project; needed: {limit}")};
     case IssueCode::nameTwice:
         return {"name_twice", SPARKOUT_NOOP("Issue", "{value} is named twice")};
+    case IssueCode::severalFit:
+        return {"several_fit", SPARKOUT_NOOP("Issue", "{value} fits several: {limit}")};
+    case IssueCode::noLaw:
+        return {"no_law", SPARKOUT_NOOP("Issue", "no law given; expected one of {limit}")};
+    case IssueCode::notAProject:
+        return {"not_a_project",
+                SPARKOUT_NOOP("Issue", "this is not a Sparkout project: the text is not valid "
+                                       "JSON in UTF-8: line {value}, column {limit}")};
     case IssueCode::notAFileName:
         return {"not_a_file_name",
                 SPARKOUT_NOOP("Issue", "{value} cannot be the name of a file; needed: {limit}")};
@@ -298,9 +308,16 @@ std::string Wording::text(const Count& count) const {
            + inBrackets(count.field, {});
 }
 std::string Wording::text(const Bounds& bounds) const {
-    const auto written = [this](double value) { return number(value); };
+    const auto written = [&](double value) {
+        if (bounds.formula.empty()) {
+            return number(value);
+        }
+        constexpr int digits = 8; // a computed end has rounding errors
+        const double scale = std::pow(10.0, decimalsOf(value, digits));
+        return number(std::round(value * scale) / scale);
+    };
     const std::string range =
-        bounds.highOpen ? "< " + number(bounds.range.high) : rangeText(bounds.range, "", written);
+        bounds.highOpen ? "< " + written(bounds.range.high) : rangeText(bounds.range, "", written);
     return range.empty() ? range
                          : withUnit(range, bounds.unit) + inBrackets(bounds.field, bounds.formula);
 }

@@ -34,7 +34,7 @@ std::string JudgementWording::requirement(ConstraintKind kind) const {
 }
 
 std::string JudgementWording::where(const ConstraintResult& constraint) const {
-    return whereText(constraint);
+    return whereText(constraint, First::inTexts);
 }
 
 std::string JudgementWording::amount(const ConstraintResult& constraint) const {

@@ -30,7 +30,7 @@ std::string placeOf(const Figure& figure) {
     if (figure.place.zone) {
         add(PlaceName::words()[figure.place.index()].key);
     } else if (figure.place.section) {
-        add("section " + std::to_string(*figure.place.section));
+        add("section " + std::to_string(*figure.place.section + 1));
     }
     if (figure.stage) {
         add("stage " + std::to_string(*figure.stage));
@@ -71,7 +71,7 @@ std::string figureSentence(const Figure& figure, const GoalResult& result, const
 std::string orderSentence(const OrderPrediction& goal, const GoalResult& result) {
     std::string text = std::string(rowOf(goal.figure.name).choice.key) + ", largest first:";
     for (const std::size_t place : result.order) {
-        text += ' ' + std::to_string(place);
+        text += ' ' + std::to_string(place + 1);
     }
     return text;
 }

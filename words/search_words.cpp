@@ -528,13 +528,32 @@ void SearchWording::addLevels(const SearchOutcome& outcome, std::vector<std::str
             edge.isMost ? SPARKOUT_NOOP("Search", "Stage %1: “%2” has the maximum level, %3;")
                         : SPARKOUT_NOOP("Search", "Stage %1: “%2” has the minimum level, %3;"),
             {whole(std::int64_t(edge.stage) + 1), feed(*edge.feed), value(edge.level)});
-        const std::string allowed =
-            edge.isLimit ? translated(
-                SPARKOUT_NOOP("Search", "the machine or the stage's limits allow no other."))
-            : edge.limit ? filled(SPARKOUT_NOOP("Search", "allowed is %1."), {value(*edge.limit)})
-                         : translated(SPARKOUT_NOOP("Search", "smaller values are allowed."));
+        const std::string own = setting(("stage_" + std::string(edge.feed->key)).c_str());
+        if (edge.isOfStage && edge.isLimit) {
+            line += ' '
+                    + filled(SPARKOUT_NOOP("Search", "the limits of the search, “%1”, end there;"),
+                             {own});
+        } else if (!edge.isLimit) {
+            line += ' ' + translated(SPARKOUT_NOOP("Search", "no level of the search is beyond;"));
+        }
         line += ' ';
-        line += allowed;
+        line += edge.isOfStage && !edge.isLimit
+                    ? filled(SPARKOUT_NOOP("Search", "the limits of the search, “%1”, end at %2."),
+                             {own, value(*edge.limit)})
+                : edge.isLimit && !edge.isOfStage
+                    ? translated(edge.machine
+                                     ? SPARKOUT_NOOP("Search", "the machine's range ends there.")
+                                     : SPARKOUT_NOOP("Search", "no other is allowed."))
+                : edge.machine && edge.isMost
+                    ? filled(SPARKOUT_NOOP("Search", "the machine allows up to %1."),
+                             {value(*edge.machine)})
+                : edge.machine ? filled(SPARKOUT_NOOP("Search", "the machine allows down to %1."),
+                                        {value(*edge.machine)})
+                : edge.isOfStage
+                    ? translated(SPARKOUT_NOOP("Search", "the machine's range is not given."))
+                : edge.limit
+                    ? filled(SPARKOUT_NOOP("Search", "allowed is %1."), {value(*edge.limit)})
+                    : translated(SPARKOUT_NOOP("Search", "smaller values are allowed."));
         lines.push_back(std::move(line));
     }
     addSettingEdges(outcome, lines);

@@ -6,11 +6,13 @@
 #include "core/files/file_system.h"
 #include "core/format/project_file.h"
 #include "core/printable.h"
+#include "core/project/batch_rules.h"
 #include "core/setup/setup_file.h"
 #include "core/study/recalled_run.h"
 #include "words/issue_words.h"
 #include "words/lesson_words.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -101,17 +103,37 @@ std::optional<std::string> readOrSay(const std::string& file, std::size_t most) 
     return std::get<std::string>(std::move(content));
 }
 
-std::optional<Setup> loadSetup(const std::string& file) {
+namespace {
+
+bool isOfBatch(const Issue& issue, const Setup& setup) {
+    return std::ranges::any_of(setup.surfaces, [&issue](const GroundSurface& surface) {
+        return std::ranges::any_of(batchFaults(surface.project), [&issue](const Issue& fault) {
+            return fault.code == issue.code && issue.path.ends_with(fault.path);
+        });
+    });
+}
+
+} // namespace
+
+std::optional<Setup> loadSetup(const std::string& file, BatchFaults faults) {
     const auto content = readOrSay(file, limits::fileBytes);
     if (!content) {
         return std::nullopt;
     }
     ReadSetup read = readSetup(*content);
+    if (read.setup && faults == BatchFaults::left) {
+        std::erase_if(read.issues,
+                      [&read](const Issue& issue) { return isOfBatch(issue, *read.setup); });
+    } else if (read.setup && faults == BatchFaults::errors) {
+        for (Issue& issue : read.issues) {
+            issue.severity = isOfBatch(issue, *read.setup) ? Severity::error : issue.severity;
+        }
+    }
     printIssues(file, read.issues);
     if (read.issues.size() == limits::issues) {
         print(stderr, printable(file) + ": no further faults are listed\n");
     }
-    return std::move(read.setup);
+    return hasErrors(read.issues) ? std::nullopt : std::move(read.setup);
 }
 
 int save(const std::string& file, const std::string& content) {

@@ -70,8 +70,13 @@ std::vector<std::string> printUntrueRuns(const std::string& file, const Project&
 /// The bytes of a file; if it cannot be read, reports it and returns an empty value.
 [[nodiscard]] std::optional<std::string> readOrSay(const std::string& file, std::size_t most);
 
+/// The faults of a batch that cannot be run, in a file whose cycle can: warnings where the batch is
+/// not used, errors that refuse the file, or left to the command that runs the batch.
+enum class BatchFaults { warnings, errors, left };
+
 /// Reads and checks a set-up of one surface or several; prints each fault on a line.
-[[nodiscard]] std::optional<Setup> loadSetup(const std::string& file);
+[[nodiscard]] std::optional<Setup> loadSetup(const std::string& file,
+                                             BatchFaults faults = BatchFaults::warnings);
 
 /// Writes a file; returns the exit status.
 [[nodiscard]] int save(const std::string& file, const std::string& content);

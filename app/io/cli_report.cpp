@@ -12,14 +12,17 @@
 #include "core/quality/ranges.h"
 #include "core/quality/result_names.h"
 #include "core/quality/shop_numbers.h"
-#include "core/quality/shop_numbers.h"
 #include "core/tables/csv_line.h"
 #include "core/units.h"
 #include "words/issue_words.h"
+#include "words/search_words.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
+#include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace sparkout::cli {
@@ -88,7 +91,7 @@ std::string bandText(const ShopNumbers& shop) {
 /// cycle. `revolutions`: revolutions are counted, not double strokes.
 std::string shopText(const ShopNumbers& shop, bool revolutions) {
     std::vector<const ShopColumn*> columns;
-    std::string text = label("shop's numbers");
+    std::string text = label("shop figures");
     for (const ShopColumn& stage : shop.stages) {
         columns.push_back(&stage);
         text += cell("stage " + std::to_string(columns.size()));
@@ -100,9 +103,16 @@ std::string shopText(const ShopNumbers& shop, bool revolutions) {
         if (row.detail || (row.sparse && std::ranges::none_of(columns, has))) {
             continue;
         }
-        text += label(nameOf(row, revolutions));
+        const bool isInSeconds =
+            std::string_view(row.unit) == "min" && shop.cycle.time_s < shortTime_s;
+        text += label(isInSeconds ? std::string("  ") + row.labelOf(revolutions) + ", s"
+                                  : nameOf(row, revolutions));
         for (const ShopColumn* column : columns) {
-            text += cell(marked(row.bandOf(*column), valueText(row.of(*column))));
+            OutputValue value = row.of(*column);
+            if (auto* const number = std::get_if<double>(&value); number && isInSeconds) {
+                *number *= units::secondsPerMinute;
+            }
+            text += cell(marked(row.bandOf(*column), valueText(value)));
         }
         text += '\n';
     }
@@ -134,10 +144,10 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
     }
     std::string text = "deviations, µm       min, max of the diameter; radial runout; roundness by "
                        "minimum zone, least squares";
-    text += result.project.operation->travels ? "\n" : "; sections from 0\n";
+    text += '\n';
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const SectionResult& section = result.sections[i];
-        text += padded("  " + sectionName(section.zone, static_cast<int>(i)))
+        text += padded("  " + sectionName(section.zone, static_cast<int>(i), First::inTexts))
                 + um(section.diameterDeviationMin_mm) + ", " + um(section.diameterDeviationMax_mm)
                 + "; " + um(section.radialRunout_mm) + "; "
                 + um(accuracy.sections[i].minimumZone.deviation()) + ", "
@@ -150,10 +160,11 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
     for (std::size_t i = 0; i < accuracy.zones.size(); ++i) {
         const ZoneForm& zone = accuracy.zones[i];
         const std::size_t inZone = result.zoneSections.size() / accuracy.zones.size();
-        text += padded("  " + sectionName(result.sections[i].zone, static_cast<int>(i)))
-                + std::to_string(inZone) + " sections: cylindricity " + um(zone.cylindricity_mm)
-                + ", total runout " + um(zone.totalRunout_mm) + ", taper "
-                + um(zone.profile.taper_mm) + '\n';
+        text +=
+            padded("  " + sectionName(result.sections[i].zone, static_cast<int>(i), First::inTexts))
+            + std::to_string(inZone) + " sections: cylindricity " + um(zone.cylindricity_mm)
+            + ", total runout " + um(zone.totalRunout_mm) + ", taper " + um(zone.profile.taper_mm)
+            + '\n';
     }
     if (const double engaged = engagedShare(*result.project.part); engaged < 1) {
         text += "interrupted surface  " + fixed(engaged * 100, 1) + " % of the turn is ground\n";
@@ -184,25 +195,26 @@ std::string constraintLine(const ConstraintResult& constraint) {
     const std::string unit = row.unit, name = padded(std::string("  ") + row.key);
     if (!constraint.isWhole) {
         return name + "not known: strips uncut, " + fixed(constraint.limit, decimals) + " " + unit
-               + "  " + metText(false) + " in " + whereText(constraint) + '\n';
+               + "  " + metText(false) + " in " + whereText(constraint, First::inTexts) + '\n';
     }
     if (constraint.mostValue) {
         return name + fixed(constraint.value, decimals) + "…"
                + fixed(*constraint.mostValue, decimals) + " estimated, "
                + fixed(constraint.limit, decimals) + " " + unit + "  "
                + (isOpen(constraint) ? "not decided" : metText(constraint.holds)) + " in "
-               + whereText(constraint) + '\n';
+               + whereText(constraint, First::inTexts) + '\n';
     }
     const std::string value = fixed(constraint.value, decimals);
     const std::string limit = fixed(constraint.limit, decimals);
     const std::string margin = fixed(constraint.margin, decimals);
     if (isLowerBound(constraint)) {
         return name + "≥ " + value + ", " + limit + ", ≤ " + margin + ' ' + unit
-               + "  not decided in " + whereText(constraint) + ", machine not known\n";
+               + "  not decided in " + whereText(constraint, First::inTexts)
+               + unknownText(constraint) + '\n';
     }
     return name + value + ", " + limit + ", " + margin + (unit.empty() ? "" : " ") + unit + "  "
-           + metText(constraint.holds) + " in " + whereText(constraint)
-           + (constraint.knowsMachine ? "" : ", machine not known") + '\n';
+           + metText(constraint.holds) + " in " + whereText(constraint, First::inTexts)
+           + unknownText(constraint) + '\n';
 }
 
 std::string requirementsText(const SimulationResult& result,
@@ -214,8 +226,8 @@ std::string requirementsText(const SimulationResult& result,
     if (const auto burn = burnStateOf(result)) {
         text += "nearest to burning   " + um(burn->visit.depth_mm) + " µm cut with "
                 + um(burn->visit.stock_mm) + " µm of stock left: damaged "
-                + um(burn->damagedDepth_mm) + " µm deep, " + fixed(burn->rise_k, 0)
-                + " K hotter at the stock's end\n";
+                + um(burn->damagedDepth_mm) + " µm deep; the finished surface is "
+                + fixed(burn->rise_k, 0) + " K hotter\n";
     }
     return text;
 }
@@ -253,7 +265,8 @@ std::string setupText(const Setup& setup, const SetupRun& run) {
                                    {"with share of Tp", run.time.calculation_min}});
     }
     for (const auto& [name, minutes] : times) {
-        text += padded(std::string("  ") + name) + fixed(minutes, 3) + " min\n";
+        text += padded(std::string("  ") + name)
+                + SearchWording().time(minutes * units::secondsPerMinute) + '\n';
     }
     return text;
 }
@@ -289,16 +302,16 @@ std::string resultText(const SimulationResult& result,
     std::string text = printable(result.project.title) + '\n';
     text += "status               " + statusSentence(result) + '\n';
     text += "judged               " + headline + '\n';
-    text += "machining time       " + fixed(result.time_s / units::secondsPerMinute, 4) + " min\n";
+    text += "machining time       " + SearchWording().time(result.time_s) + '\n';
     text += result.project.operation->travels ? "double strokes       " : "revolutions          ";
     text += std::to_string(result.cycleCount) + " (by stage:";
     for (const int count : result.countsByStage) {
         text += ' ' + std::to_string(count);
     }
     text += ")\npeak normal force    " + fixed(result.peakNormalForce_n, 2) + " N at "
-            + placeText(result.peakNormalForceAt) + '\n';
+            + placeText(result.peakNormalForceAt, First::inTexts) + '\n';
     text += "peak power           " + fixed(result.peakPower_w, 1) + " W at "
-            + placeText(result.peakPowerAt) + '\n';
+            + placeText(result.peakPowerAt, First::inTexts) + '\n';
     text += accuracyText(result, accuracyOf(result)) + requirementsText(result, constraints);
     return text + shopText(shopNumbers(result), !result.project.operation->travels);
 }

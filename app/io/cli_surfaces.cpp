@@ -12,9 +12,10 @@
 
 namespace sparkout::cli {
 
-Surfaces::Surfaces(const manual::Given& given) : m_given(given), m_file(given.operands.front()) {
+Surfaces::Surfaces(const manual::Given& given, BatchFaults faults)
+    : m_given(given), m_file(given.operands.front()) {
     const std::string& surface = given.text("--surface");
-    auto setup = loadSetup(m_file);
+    auto setup = loadSetup(m_file, faults);
     m_status = setup ? done : refused;
     if (!setup) {
         return;

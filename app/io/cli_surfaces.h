@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/io/cli_io.h"
 #include "app/manual/given.h"
 #include "core/setup/setup.h"
 
@@ -16,7 +17,7 @@ namespace sparkout::cli {
 class Surfaces {
 public:
     /// Reads the file; reports its faults, or that it has no such surface.
-    explicit Surfaces(const manual::Given& given);
+    explicit Surfaces(const manual::Given& given, BatchFaults faults = BatchFaults::warnings);
 
     [[nodiscard]] int status() const { return m_status; } ///< `done` if surfaces were chosen
     [[nodiscard]] const Setup& setup() const { return m_setup; }

@@ -594,11 +594,11 @@ const Program& commandLineProgram() {
           "remedies, optimize, batch, sweep, phases и measured берут их все по порядку или ту, что "
           "названа в --surface; круг приходит к ней таким, каким его оставили предыдущие. Предел "
           "времени действует для каждой поверхности."},
-         {"Sections of a plunge and parts of a batch are counted from 0, as in the file; in the "
-          "window "
-          "and its reports from 1.",
-          "Сечения при врезном шлифовании и детали партии считаются с 0, как в файле; в окне и его "
-          "отчётах — с 1."},
+         {"In JSON and CSV the sections of a plunge and the parts of a batch are counted from 0, "
+          "as "
+          "in the file; in texts, in the window and in its reports from 1.",
+          "В JSON и CSV сечения при врезном шлифовании и детали партии считаются с 0, как в файле; "
+          "в текстах, в окне и его отчётах — с 1."},
          {"A batch on a cluster, here with Slurm: batch.sbatch, beside the examples of the "
           "installation and in resources/help of the source.",
           "Партия на кластере со Slurm: batch.sbatch, рядом с примерами установленной программы и "

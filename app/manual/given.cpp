@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <type_traits>
 
 namespace sparkout::manual {
 
@@ -54,8 +55,12 @@ std::string refusalOf(const Option& option, const std::string* given) {
            + (given ? ", not “" + *given + "”" : "");
 }
 
+/// A number that is not an integer may have a decimal comma.
 template <class Number>
-std::optional<Number> numberIn(std::string_view text, const Value& value) {
+std::optional<Number> numberIn(std::string text, const Value& value) {
+    if constexpr (std::is_floating_point_v<Number>) {
+        std::ranges::replace(text, ',', '.');
+    }
     Number number{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     const bool isWhole = error == std::errc() && end == text.data() + text.size();
@@ -68,7 +73,7 @@ std::vector<int> integersIn(std::string_view text, const Value& value) {
     std::vector<int> numbers;
     while (true) {
         const std::size_t comma = std::min(text.find(','), text.size());
-        const auto number = numberIn<int>(text.substr(0, comma), value);
+        const auto number = numberIn<int>(std::string(text.substr(0, comma)), value);
         if (!number) {
             return {};
         }

@@ -57,7 +57,7 @@ bool readInto(Project& project, const std::string& file) {
 
 std::string rowText(const Project& project, const AdequacyRow& row) {
     const MeasuredStatistics& parts = row.measured;
-    std::string text = placeKey(project, parts.place) + ", " + keyOf(parts.quantity)
+    std::string text = placeKey(project, parts.place, First::inTexts) + ", " + keyOf(parts.quantity)
                        + ": n = " + std::to_string(parts.count) + ", mean " + fixed(parts.mean, 2);
     if (row.mean95) {
         text += " ± " + fixed((row.mean95->high - row.mean95->low) / 2, 2);

@@ -94,13 +94,13 @@ int stateRoundness(const Project& project, const std::string& name, const manual
     std::string text;
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const std::vector<double>& radii = result.sections[i].radii_mm;
-        const std::string where = sectionName(
-            project.operation->travels ? static_cast<Zone>(i) : Zone::section, static_cast<int>(i));
-        json["roundness"].push_back({{"where", where},
+        const Zone zone = project.operation->travels ? static_cast<Zone>(i) : Zone::section;
+        const int section = static_cast<int>(i);
+        json["roundness"].push_back({{"where", sectionName(zone, section)},
                                      {"radii", radii.size()},
                                      {"resolved_upr", resolvedUndulations(radii.size())},
                                      {"readings", readingsJson(radii)}});
-        text += readingsText(where, radii);
+        text += readingsText(sectionName(zone, section, First::inTexts), radii);
     }
     if (recorded) {
         json["recorded"] = {{"points", recorded->rows},

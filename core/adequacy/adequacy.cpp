@@ -276,9 +276,10 @@ const char* keyOf(MeanPlace place) {
     return keys[static_cast<std::size_t>(place)];
 }
 
-std::string placeKey(const Project& project, int place) {
-    return sectionOrPart(
-        project.operation->travels && place >= 0 ? static_cast<Zone>(place) : Zone::section, place);
+std::string placeKey(const Project& project, int place, First first) {
+    return sectionOrPart(project.operation->travels && place >= 0 ? static_cast<Zone>(place)
+                                                                  : Zone::section,
+                         place, first);
 }
 
 } // namespace sparkout

@@ -4,6 +4,7 @@
 #include "core/adequacy/measured_statistics.h"
 #include "core/adequacy/prediction.h"
 #include "core/project/project.h"
+#include "core/quality/result_names.h"
 #include "core/result.h"
 #include "core/statistics/intervals.h"
 
@@ -87,6 +88,6 @@ struct AdequacyOf {
 [[nodiscard]] const char* keyOf(AdequacyVerdict verdict);
 [[nodiscard]] const char* keyOf(MeanPlace place);
 /// A zone or section by its name in JSON, or the part.
-[[nodiscard]] std::string placeKey(const Project& project, int place);
+[[nodiscard]] std::string placeKey(const Project& project, int place, First first = First::inFiles);
 
 } // namespace sparkout

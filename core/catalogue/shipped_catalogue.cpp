@@ -59,25 +59,31 @@ const std::vector<Entry>& shippedEntries() {
 }
 
 template <class Entry>
-const Entry* entryMeant(const std::vector<Entry>& entries, std::string_view text) {
+std::vector<const Entry*> entriesMeant(const std::vector<Entry>& entries, std::string_view text) {
     const std::string wanted = comparable(text);
-    const Entry* part = nullptr;
-    int parts = 0;
+    std::vector<const Entry*> parts;
     for (const Entry& entry : entries) {
         const std::string name = comparable(entry.name);
         if (name == wanted) {
-            return &entry;
+            return {&entry};
         }
         if (!wanted.empty() && name.find(wanted) != std::string::npos) {
-            part = &entry;
-            ++parts;
+            parts.push_back(&entry);
         }
     }
-    return parts == 1 ? part : nullptr;
+    return parts;
+}
+
+template <class Entry>
+const Entry* entryMeant(const std::vector<Entry>& entries, std::string_view text) {
+    const std::vector<const Entry*> meant = entriesMeant(entries, text);
+    return meant.size() == 1 ? meant.front() : nullptr;
 }
 
 #define SPARKOUT_SHIPPED(Entry)                                                                    \
     template const std::vector<Entry>& shippedEntries<Entry>();                                    \
+    template std::vector<const Entry*> entriesMeant<Entry>(const std::vector<Entry>&,              \
+                                                           std::string_view);                      \
     template const Entry* entryMeant<Entry>(const std::vector<Entry>&, std::string_view)
 SPARKOUT_SHIPPED(MaterialEntry);
 SPARKOUT_SHIPPED(WheelEntry);

@@ -16,9 +16,13 @@ namespace sparkout {
 template <class Entry>
 [[nodiscard]] const std::vector<Entry>& shippedEntries();
 
-/// Finds the entry with this name, or the only one whose name contains the text. Cyrillic letters
-/// that look like Latin ones, × and x, case and spaces make no difference. Null if there is none,
-/// or several.
+/// Finds the entry with this name, or those whose name contains the text. Cyrillic letters that
+/// look like Latin ones, × and x, case and spaces make no difference.
+template <class Entry>
+[[nodiscard]] std::vector<const Entry*> entriesMeant(const std::vector<Entry>& entries,
+                                                     std::string_view text);
+
+/// The only one of these; null if there is none, or several.
 template <class Entry>
 [[nodiscard]] const Entry* entryMeant(const std::vector<Entry>& entries, std::string_view text);
 

@@ -118,6 +118,12 @@ struct Judgement {
     [[nodiscard]] bool isNominalGood() const {
         return state != JudgedState::notComputed && state != JudgedState::fails;
     }
+    /// Whether the state is that of the stocks or of the batch, not only of the part that was run.
+    [[nodiscard]] bool isOfMoreParts() const {
+        using enum JudgedState;
+        return state == stocksFail || state == batchFails || state == batchHolds
+               || state == stocksHold || (state == close && batch && batch->lowPpk);
+    }
 };
 
 /// Judges a run by its requirements and, where given, its stocks and its batch.

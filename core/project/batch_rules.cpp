@@ -54,7 +54,9 @@ private:
             + static_cast<int>(law.triangular.has_value())
             + static_cast<int>(law.measured.has_value()) + static_cast<int>(law.grows.has_value());
         if (forms != 1) {
-            add(IssueCode::wrongCount, path, Count{forms},
+            const bool isNone = forms == 0;
+            add(isNone ? IssueCode::noLaw : IssueCode::wrongCount, path,
+                isNone ? Detail() : Count{forms},
                 Keys{{"uniform", "normal", "triangular", "measured", "grows"},
                      Keys::Kind::alternatives});
             return;

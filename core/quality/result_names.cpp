@@ -35,27 +35,28 @@ const char* formKey(LongitudinalForm form) {
     return keys[static_cast<std::size_t>(form)];
 }
 
-std::string sectionName(Zone zone, int section) {
-    return zone == Zone::section ? "section " + std::to_string(section) : zoneKey(zone);
+std::string sectionName(Zone zone, int section, First first) {
+    return zone == Zone::section ? "section " + std::to_string(section + static_cast<int>(first))
+                                 : zoneKey(zone);
 }
 
-std::string sectionOrPart(Zone zone, int section) {
-    return section < 0 ? "part" : sectionName(zone, section);
+std::string sectionOrPart(Zone zone, int section, First first) {
+    return section < 0 ? "part" : sectionName(zone, section, first);
 }
 
-std::string placeText(const Place& place) {
+std::string placeText(const Place& place, First first) {
     const bool plunge = place.zone == Zone::section;
-    return sectionName(place.zone, place.section) + (plunge ? "" : " ") + stepKey(place.step)
+    return sectionName(place.zone, place.section, first) + (plunge ? "" : " ") + stepKey(place.step)
            + " stage " + std::to_string(place.stage) + (plunge ? " revolution " : " double stroke ")
            + std::to_string(place.cycleCount);
 }
 
-std::string whereText(const ConstraintResult& constraint) {
+std::string whereText(const ConstraintResult& constraint, First first) {
     if (constraint.at) {
-        return placeText(*constraint.at);
+        return placeText(*constraint.at, first);
     }
     switch (requirementOf(constraint.kind).scope) {
-    case ConstraintScope::section: return sectionName(constraint.zone, constraint.section);
+    case ConstraintScope::section: return sectionName(constraint.zone, constraint.section, first);
     case ConstraintScope::part: return "part";
     case ConstraintScope::pass:
     case ConstraintScope::setting: break;

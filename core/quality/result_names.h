@@ -14,16 +14,20 @@ namespace sparkout {
 [[nodiscard]] const char* statusKey(RunStatus status);
 [[nodiscard]] const char* formKey(LongitudinalForm form);
 
-/// "nz", "section 2" (from 0).
-[[nodiscard]] std::string sectionName(Zone zone, int section);
+/// The number of the first section, and of the first part of a batch: in files 0, in texts 1.
+enum class First { inFiles, inTexts };
 
-/// "rz1", "section 3" (from 0), or "part" for a section below 0.
-[[nodiscard]] std::string sectionOrPart(Zone zone, int section);
+/// "nz", "section 2".
+[[nodiscard]] std::string sectionName(Zone zone, int section, First first = First::inFiles);
+
+/// "rz1", "section 3", or "part" for a section below 0.
+[[nodiscard]] std::string sectionOrPart(Zone zone, int section, First first = First::inFiles);
 
 /// A place in the cycle: "nz E1 stage 1 double stroke 27".
-[[nodiscard]] std::string placeText(const Place& place);
+[[nodiscard]] std::string placeText(const Place& place, First first = First::inFiles);
 
 /// The worst place of a requirement: a place in the cycle, "rz1", "part", "stage 2", "cycle".
-[[nodiscard]] std::string whereText(const ConstraintResult& constraint);
+[[nodiscard]] std::string whereText(const ConstraintResult& constraint,
+                                    First first = First::inFiles);
 
 } // namespace sparkout

@@ -9,6 +9,7 @@
 #include "core/setup/split_project.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -250,6 +251,13 @@ ReadSetup readSetup(std::string_view text, const std::stop_token& stop) {
         return {};
     }
     if (!root) {
+        constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n"; // and the mark of UTF-8
+        text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+        for (Issue& issue : issues) {
+            if (issue.code == IssueCode::notJson && !text.starts_with('{')) {
+                issue.code = IssueCode::notAProject;
+            }
+        }
         return {std::nullopt, std::nullopt, std::move(issues)};
     }
     if (const Issues header = checkHeader(*root, newestVersion); !header.empty()) {

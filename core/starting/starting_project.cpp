@@ -53,20 +53,25 @@ const WheelEntry* usualWheel(const std::vector<WheelEntry>& wheels,
     return &*std::ranges::max_element(wheels, {}, fit_mm);
 }
 
-/// The named entry, or the usual one without a name; the known names if none matches.
+/// The named entry, or the usual one without a name; the names that match if there are several, all
+/// known names if none matches.
 template <class Entry>
 const Entry* chosen(const std::string& name, const Entry* usual, const char* path, Issues& issues) {
     const std::vector<Entry>& entries = shippedEntries<Entry>();
-    const Entry* const entry = name.empty() ? usual : entryMeant(entries, name);
-    if (!entry) {
-        Keys known{{}, Keys::Kind::choices};
-        for (const Entry& each : entries) {
+    const std::vector<const Entry*> meant =
+        name.empty() ? std::vector{usual} : entriesMeant(entries, name);
+    if (meant.size() == 1) {
+        return meant.front();
+    }
+    Keys known{{}, Keys::Kind::choices};
+    for (const Entry& each : entries) {
+        if (meant.empty() || std::ranges::count(meant, &each) > 0) {
             known.keys.push_back(each.name);
         }
-        issues.push_back({IssueCode::notOneOf, Severity::error, path, Quoted{'"' + name + '"'},
-                          std::move(known)});
     }
-    return entry;
+    issues.push_back({meant.empty() ? IssueCode::notOneOf : IssueCode::severalFit, Severity::error,
+                      path, Quoted{'"' + name + '"'}, std::move(known)});
+    return nullptr;
 }
 
 /// A cylinder without steps, ground along its whole length.

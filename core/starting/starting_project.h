@@ -46,9 +46,9 @@ struct StartingEntries {
     MaterialEntry material;
 };
 
-/// The entries with these names; if a name matches none or several, the known names instead. The
-/// usual ones are 3М151, for a bore 3К227; the first wheel of the catalogue, for a bore the widest
-/// that fits; hardened 40Х.
+/// The entries with these names; if a name matches none or several, the known or these names
+/// instead. The usual ones are 3М151, for a bore 3К227; the first wheel of the catalogue, for a
+/// bore the widest that fits; hardened 40Х.
 [[nodiscard]] std::optional<StartingEntries>
 startingEntries(const StartingNames& names, const StartingDrawing& drawing, Issues& issues);
 

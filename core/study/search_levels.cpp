@@ -128,8 +128,11 @@ std::vector<LevelEdge> edgesReached(const Project& searched, const Cycle& cycle)
                     const double limit = limitOf(search, feed, z, range, isMost);
                     const bool isLimit =
                         isMost ? limit <= level * (1 + lastBits) : limit >= level * (1 - lastBits);
+                    const double end = isMost ? range.high : range.low;
                     edges.push_back({&feed, z, level, isMost,
-                                     limit > 0 ? std::optional(limit) : std::nullopt, isLimit});
+                                     limit > 0 ? std::optional(limit) : std::nullopt, isLimit,
+                                     limit != end,
+                                     range.isOfMachine ? std::optional(end) : std::nullopt});
                 }
             }
         }

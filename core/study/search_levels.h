@@ -18,9 +18,11 @@ struct LevelEdge {
     const StageFeed* feed = nullptr;
     std::size_t stage = 0; ///< counted from 0
     double level = 0;
-    bool isMost = false;         ///< the greatest, otherwise the least
-    std::optional<double> limit; ///< limit of the machine or of the stage's own bounds
-    bool isLimit = false;        ///< the level itself is the limit, which no grid exceeds
+    bool isMost = false;           ///< the greatest, otherwise the least
+    std::optional<double> limit;   ///< limit of the machine or of the stage's own bounds
+    bool isLimit = false;          ///< the level itself is the limit, which no grid exceeds
+    bool isOfStage = false;        ///< the limit is that of the stage's own bounds
+    std::optional<double> machine; ///< end of the machine's range, where it is given
 };
 
 /// Returns the edges that a cycle found by a search of this project reaches, by stage; a stage

@@ -98,7 +98,7 @@ constexpr Output<Found> searchRows[] = {
      [](const Found& f) { return std::int64_t(f.evaluations()); }},
     {{.key = "visits", .label = SPARKOUT_NOOP("Output", "Radii under the wheel in all runs")},
      [](const Found& f) { return std::int64_t(f.visits()); }},
-    {{.key = "scenarios_added", .label = SPARKOUT_NOOP("Output", "Scenarios added to hold in")},
+    {{.key = "scenarios_added", .label = SPARKOUT_NOOP("Output", "Scenarios added")},
      [](const Found& f) {
          return f.robust ? std::int64_t(f.robust->added.size()) : std::int64_t{0};
      }},

@@ -10,6 +10,9 @@
 
 #include <QDir>
 #include <QFile>
+#include <QRegularExpression>
+
+#include <algorithm>
 
 namespace test_cli_batch {
 
@@ -222,6 +225,11 @@ private slots:
               "Sobol indices, first and total"}) {
             QVERIFY2(has(outcome.out, word), word);
         }
+        const json told = json::parse(run({"batch", m_file, "--json"}).out);
+        const int worst = told.at("worst").at("part").get<int>(); // an index
+        QVERIFY(has(outcome.out, "worst part " + std::to_string(worst + 1) + ": "));
+        static const QRegularExpression allDigits(QStringLiteral("\\d\\.\\d{8}"));
+        QVERIFY(!QString::fromStdString(outcome.out).contains(allDigits));
     }
 
     void mergedShardsPrintWhatOneRunPrints() {
@@ -240,8 +248,8 @@ private slots:
             return outcome.status == 1 && outcome.out.empty() && has(outcome.err, why);
         };
         const QString copy = save("copy.json", samples::readText(first.toStdString()));
-        QVERIFY(refuses({first}, "parts 25…49 of 50 are in no shard"));
-        QVERIFY(refuses({first, second, copy}, "copy.json: holds parts 0…24, as does "));
+        QVERIFY(refuses({first}, "parts 26…50 of 50 are in no shard"));
+        QVERIFY(refuses({first, second, copy}, "copy.json: holds parts 1…25, as does "));
         QVERIFY(refuses({first, second, copy}, first.toUtf8()));
         QVERIFY(refuses({first, m_file}, "not a shard of a batch"));
         std::string changed = samples::readText(second.toStdString());
@@ -286,7 +294,7 @@ private slots:
         }
         const Outcome failed = job({"MERGE=1"});
         QCOMPARE(failed.status, 1);
-        QVERIFY2(has(failed.err, "parts 6…12 of 20 are in no shard"), failed.err.c_str());
+        QVERIFY2(has(failed.err, "parts 7…13 of 20 are in no shard"), failed.err.c_str());
         QCOMPARE(written(), (QStringList{"shard-1-of-3.json", "shard-3-of-3.json"}));
         QCOMPARE(job(array(2, 2, 2) + QStringList{"SHARDS=3"}).status, 0); // the one that failed
         QCOMPARE(job({"MERGE=1"}).status, 0);
@@ -374,6 +382,17 @@ private slots:
                     "/batch/factors/stock_mm/uniform/1: 0.13 is out of range; allowed: "
                     "≥ 0.15\n"));
         QCOMPARE(run({"simulate", path}).status, 0);
+        const Outcome validated = run({"validate", path});
+        QCOMPARE(validated.status, 1);
+        for (const Outcome& each : {outcome, validated}) { // an error, once
+            QCOMPARE(std::ranges::count(each.err, '\n'), 1);
+            QVERIFY2(!has(each.err, "warning"), each.err.c_str());
+        }
+        file["batch"]["factors"]["stock_mm"] = json::object();
+        const Outcome lawless = run({"validate", save("lawless.sparkout", file.dump())});
+        QVERIFY2(has(lawless.err, "/batch/factors/stock_mm: no law given; expected one of "
+                                  "uniform | normal | "),
+                 lawless.err.c_str());
         const Outcome none = run({"batch", samplePath("smallest-plunge")});
         QCOMPARE(none.status, 1);
         QVERIFY(has(none.err, ": /batch: "));

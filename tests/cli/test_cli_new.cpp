@@ -102,15 +102,24 @@ private slots:
         addColumns<QStringList, QString, QString>("arguments", "named", "allowed");
         const QStringList size{"--length", "28", "--stock", "0.15"};
         addRow("field", QStringList{"30z6"} + size, QString("30z6"), QString("IT4…IT14"));
-        addRow("machine", QStringList{"35k6", "--machine", "3М15"} + size, QString("/machine/name"),
+        addRow("machine", QStringList{"35k6", "--machine", "3М15"} + size,
+               QString("--machine: \"3М15\" fits several: "),
+               QString("several: \"3М151\", \"3М151Ф2\", \"3М153\"\n"));
+        addRow("no machine", QStringList{"35k6", "--machine", "lathe"} + size, QString("--machine"),
                QString("3М151"));
-        addRow("wheel", QStringList{"35k6", "--wheel", "25А"} + size, QString("/wheel/marking"),
+        addRow("wheel", QStringList{"35k6", "--wheel", "25А"} + size, QString("--wheel"),
                QString("600×63×305"));
-        addRow("material", QStringList{"35k6", "--material", "gold"} + size,
-               QString("/material/grade"), QString("ШХ15"));
+        addRow("material", QStringList{"35k6", "--material", "gold"} + size, QString("--material"),
+               QString("ШХ15"));
         addRow("room",
                QStringList{"40h6", "--length", "80", "--stock", "0.15", "--shoulder", "both"},
-               QString("/part/length_mm"), QString("100"));
+               QString("--length"), QString("100"));
+        addRow("narrow wheel",
+               QStringList{"40h6", "--length", "80", "--stock", "0.15", "--operation", "plunge"},
+               QString("--operation traverse, or --wheel: 50 mm does not cover "),
+               QString("≥ 80 mm (--length)"));
+        addRow("rounding", QStringList{"6H7", "--length", "10", "--stock", "0.05"},
+               QString("--wheel: 20 mm does not fit"), QString("< 5.866 mm"));
     }
 
     void whatIsRefusedIsNamedWithWhatIsAllowed() {

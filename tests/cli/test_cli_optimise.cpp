@@ -77,7 +77,8 @@ private slots:
 
     void whatCannotBeSearchedIsRefused_data() {
         addColumns<QString, QString>("patch", "path");
-        addRow("no grid", R"({"optimisation": null})", "/optimisation: ");
+        addRow("no grid", R"({"optimisation": null})",
+               "/optimisation: The inputs of the search are missing. sparkout-cli new writes ");
         addRow("no feeds", R"({"optimisation": {"radial_feed_mm": null}})",
                "/optimisation/radial_feed_mm, /optimisation/axial_feed_mm_min: ");
         addRow("no axial feeds", R"({"optimisation": {"axial_feed_mm_min": null}})",
@@ -386,6 +387,18 @@ private slots:
         QVERIFY(fixed.at("edges").at(0).at("is_allowed_end") == false);
         const std::string text = optimize({saved}).out;
         QVERIFY2(has(text, "has the maximum level, "), text.c_str());
+        QVERIFY2(has(text, "no level of the search is beyond; the machine allows "), text.c_str());
+        json bound = file;
+        const std::size_t stages = bound["cycle"]["stages"].size();
+        bound["optimisation"]["stage_axial_feed_mm_min"] =
+            std::vector<std::vector<double>>(stages, {900, 1200});
+        const std::string own = optimize({save("bound.sparkout", bound)}).out;
+        QVERIFY2(has(own, "the limits of the search, “stage_axial_feed_mm_min”, end there; "
+                          "the machine allows "),
+                 own.c_str());
+        bound["machine"]["limits"]["axial_feed_mm_min"] = {900, 1200, 50};
+        const std::string end = optimize({save("end.sparkout", bound)}).out;
+        QVERIFY2(has(end, "the machine's range ends there."), end.c_str());
         file["optimisation"]["adaptive"] = true;
         const QString following = save("adaptive.sparkout", file);
         const json adaptive = answerOf({following, "--json"});

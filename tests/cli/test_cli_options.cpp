@@ -237,6 +237,11 @@ private slots:
         QCOMPARE(twice.given.operands, std::vector<std::string>{"-o"});
         const Reading phases(program, {"phases", "a", "--from", "0.125"});
         QCOMPARE(phases.given.number("--from").value(), 0.125);
+        const Reading comma(program, {"phases", "a", "--from", "0,125"});
+        QVERIFY2(comma.fault.empty(), comma.fault.c_str());
+        QCOMPARE(comma.given.number("--from").value(), 0.125);
+        QCOMPARE(faultOf(program, {"phases", "a", "--from=0,1,2"}).section(u',', -3),
+                 QString(" not “0,1,2”"));
         QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)phases.given.has("--csv"));
         QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)phases.given.integer("--from"));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the command line refuses, and in which words: usage, unreadable and faulty files.
 #include "core/files/safe_file.h"
+#include "core/project/batch_rules.h"
 #include "core/version.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
@@ -54,10 +55,20 @@ private slots:
     void validFilesPass() {
         QFETCH(QString, file);
         const Outcome outcome = run({"validate", file});
-        QCOMPARE(outcome.status, 0);
+        const ReadResult read = readProject(samples::readText(file.toStdString()));
+        QCOMPARE(outcome.status, batchFaults(*read.project).empty() ? 0 : 1);
         QVERIFY(outcome.out.empty());
-        const Issues warnings = readProject(samples::readText(file.toStdString())).issues;
-        QCOMPARE(lines(outcome.err), warnings.size());
+        QCOMPARE(lines(outcome.err), read.issues.size());
+    }
+
+    void aFileThatIsNoProjectIsSaidToBeNone() {
+        const Outcome picture = run({"validate", save("a.png", "\x89PNG\r\n\x1a\n")});
+        QCOMPARE(picture.status, 1);
+        QVERIFY2(has(picture.err, "this is not a Sparkout project: the text is not valid JSON"),
+                 picture.err.c_str());
+        const Outcome slip = run({"validate", save("slip.sparkout", "{\n  \"part\": }")});
+        QVERIFY2(has(slip.err, "slip.sparkout: the text is not valid JSON in UTF-8: line 2"),
+                 slip.err.c_str());
     }
 
     void refusedFileNamesPathValueAndRange() {

@@ -126,22 +126,31 @@ private slots:
         for (const std::string& word : samples::listOf(
                  "status|machining time|double strokes|diameter_min|diameter_max|radial_runout|"
                  "rz1|nz|rz2|cylindricity, µm|total runout, µm|taper|roundness|roughness|burn|"
-                 "nearest to burning|wheel_power|kW  met in |gauge_commands|overlap")) {
+                 "nearest to burning|the finished surface is |wheel_power|kW  met in "
+                 "|gauge_commands|overlap")) {
             QVERIFY2(has(outcome.out, word), word.c_str());
         }
     }
 
-    void sectionsAreCountedAsInTheFileAndTheTextSaysSo() {
+    void sectionsAreCountedFrom1InTextsAndFrom0InFiles() {
         const std::string out = run({"simulate", samplePath("smallest-plunge")}).out;
-        QVERIFY(has(out, "; sections from 0\n  section 0 "));
-        QVERIFY(!has(run({"simulate", samplePath("complete")}).out, "from 0"));
+        QVERIFY(has(out, "  section 1 ") && !has(out, "section 0"));
         QVERIFY(has(run({"--help"}).out, "counted from 0"));
+    }
+
+    void timesBelowTwoMinutesAreInSeconds() {
+        const std::string brief = run({"simulate", samplePath("smallest-plunge")}).out; // 21 s
+        QCOMPARE(row(brief, "machining time").back(), std::string("s"));
+        QVERIFY(!row(brief, "  Time, s").empty() && row(brief, "  Time, min").empty());
+        const std::string longer = run({"simulate", samplePath("complete")}).out; // 19 min
+        QCOMPARE(row(longer, "machining time").back(), std::string("min"));
+        QVERIFY(!row(longer, "  Time, min").empty());
     }
 
     void textListsTheShopsNumbersStageByStage() {
         const std::string out = run({"simulate", samplePath("complete")}).out;
         const ShopNumbers shop = shopNumbers(simulate(projectOf(samplePath("complete"))));
-        const auto head = row(out, "shop's numbers");
+        const auto head = row(out, "shop figures");
         QCOMPARE(head.size(), 2 * shop.stages.size() + 1); // "stage 1 stage 2 … cycle"
         QCOMPARE(head.back(), std::string("cycle"));
         const auto energies = row(out, "  Energy, J/mm³");

@@ -49,11 +49,11 @@ std::tuple<bool, bool, double> rankOf(const ConstraintResult& c) {
 
 QString rangeText(const ConstraintResult& c) {
     if (!c.otherEnd) {
-        return Names::inRange(c, false);
+        return Names::margin(c);
     }
     const auto [low, high] = std::minmax(c.limit, *c.otherEnd);
     return MarginModel::tr("%1, range %2…%3 %4")
-        .arg(Names::inRange(c, false), Names::amount(c.kind, low, false),
+        .arg(Names::margin(c), Names::amount(c.kind, low, false),
              Names::amount(c.kind, high, false), unitText(requirementOf(c.kind).unit));
 }
 
@@ -106,7 +106,7 @@ QString MarginModel::text(const ConstraintResult& c, int column) {
     case requirement:
         return QStringLiteral("%1, %2").arg(Names::constraint(c.kind),
                                             Names::within(Names::where(c)));
-    case usage: return Names::isRange(c.kind) ? Names::inRange(c, true) : usageText(c);
+    case usage: return Names::isRange(c.kind) ? Names::margin(c) : usageText(c);
     case value:
         return QStringLiteral("%1 / %2 %3")
             .arg(Names::value(c), Names::limit(c), unitText(requirementOf(c.kind).unit))

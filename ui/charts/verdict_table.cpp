@@ -93,7 +93,7 @@ std::vector<CsvCell> copiedCells(const ConstraintResult& c) {
             requirementName(c, Names::constraint(c.kind), Names::where(c)),
             Names::value(c),
             Names::limit(c),
-            withoutPlus(Names::besideLimit(c)),
+            withoutPlus(Names::margin(c)),
             unitText(requirementOf(c.kind).unit),
             lightName(c)};
 }
@@ -168,7 +168,7 @@ ValueTable verdictTable(const Outcome* outcome, const LightIcons& icons) {
                      {nameCell(c, outcome->result.project, icons),
                       {.text = Names::value(c)},
                       {.text = Names::limit(c)},
-                      {.text = Names::besideLimit(c)}});
+                      {.text = Names::margin(c)}});
     }
     return table;
 }

@@ -45,11 +45,6 @@ QString times(double ratio) {
     return withoutZeros(Names::significant(ratio, digits));
 }
 
-// c.value over the nearer end, above 0, of its range.
-QString timesOfEnd(const ConstraintResult& c) {
-    return times(c.value / c.limit);
-}
-
 } // namespace
 
 QString Names::zone(Zone zone, int section) {
@@ -196,6 +191,12 @@ QString Names::limit(const ConstraintResult& c) {
 }
 
 QString Names::margin(const ConstraintResult& c) {
+    if (isRange(c.kind)) {
+        return c.limit > 0 && c.value > 0
+                   ? times(c.isLeast ? c.value / c.limit : c.limit / c.value) + u'×'
+               : c.holds ? tr("in range")
+                         : tr("out of range");
+    }
     switch (marginKnown(c)) {
     case MarginKnown::exactly: break;
     case MarginKnown::atMost: return QStringLiteral("≤ ") + amount(c.kind, c.margin, false);
@@ -203,27 +204,7 @@ QString Names::margin(const ConstraintResult& c) {
     }
     const double left = statedMargin(c);
     const bool none = std::abs(left) < roundOff * std::abs(c.limit);
-    return isRange(c.kind) ? inRange(c, true) : amount(c.kind, none ? 0 : left, true);
-}
-
-QString Names::inRange(const ConstraintResult& c, bool brief) {
-    if (c.limit <= 0) {
-        return c.holds ? tr("in range") : tr("out of range");
-    }
-    const QString times = timesOfEnd(c);
-    if (brief) {
-        return (c.isLeast ? tr("%1× min") : tr("%1× max")).arg(times);
-    }
-    return (c.isLeast ? tr("%1 × the lower limit") : tr("%1 × the upper limit")).arg(times);
-}
-
-QString Names::besideLimit(const ConstraintResult& c) {
-    if (!isRange(c.kind)) {
-        return margin(c);
-    }
-    const bool isBelow = !c.isLeast && c.value > 0; // an upper limit: the ratio to it
-    return c.limit > 0 ? times(isBelow ? c.limit / c.value : c.value / c.limit) + u'×'
-                       : inRange(c, true);
+    return amount(c.kind, none ? 0 : left, true);
 }
 
 QString Names::value(const ConstraintResult& c) {

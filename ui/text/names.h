@@ -43,20 +43,15 @@ public:
     static QString amount(ConstraintKind kind, double value, bool withSign);
     static QString limit(const ConstraintResult& c); ///< for a range "≥50" or "≤500"
     static bool isRange(ConstraintKind kind);        ///< range of the machine, with two ends
-    /// The ratio of a setting to the nearer end of its range: "2 × lower limit"; brief "2× min".
-    /// For a range from 0, whether it is inside.
-    static QString inRange(const ConstraintResult& c, bool brief);
     /// "0.3…0.9": the interval of an estimate.
     static QString estimate(double least, double most);
     /// The value of a result: "0.54"; "≥ 0.54" where the machine's own form is not known; a dash
     /// where a part of the surface was not cut.
     static QString value(const ConstraintResult& c);
-    /// The margin: "+1.25"; "≤ 5.46" beside a lower bound; that of a range as by inRange(); a dash
-    /// where it is not known.
+    /// The margin: "+1.25"; "≤ 5.46" beside a lower bound; a dash where it is not known. That of a
+    /// setting is a ratio without a unit: "2×" is twice the lower end of its range, or half of the
+    /// upper one; for an end at 0, whether it is inside.
     static QString margin(const ConstraintResult& c);
-    /// The margin in a column next to that of the limit, which shows the end of a range: "2×" is
-    /// the ratio to a lower limit, or of an upper limit to the setting.
-    static QString besideLimit(const ConstraintResult& c);
     static QString issue(const Issue& issue); ///< the sentence after its place
     /// A remark that strips stay uncut in a traverse cycle; otherwise empty.
     static QString uncutStrips(const Project& project);

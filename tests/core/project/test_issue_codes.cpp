@@ -89,6 +89,8 @@ private slots:
         row("least of an input", Bounds{{40}, "mm", "/part/length_mm"},
             "≥ 40 mm (/part/length_mm)");
         row("less than", Bounds{{.high = 50}, "mm", {}, "2R_t", true}, "< 50 mm (2R_t)");
+        row("with a rounding error", Bounds{{.high = 5.8660000000000005}, "mm", {}, "2R_t", true},
+            "< 5.866 mm (2R_t)");
         row("no range", Bounds{{}, "mm"}, "");
         row("members", Keys{{"rz1", "nz"}}, "rz1, nz");
         row("choices", Keys{{"min", "max"}, Keys::Kind::choices}, "\"min\", \"max\"");

@@ -358,6 +358,8 @@ private slots:
                                "/part/length_mm"));
         QVERIFY(!startingEntries({"no such machine", {}, {}}, drawing, issues));
         QVERIFY(samples::holds(issues, IssueCode::notOneOf, "/machine/name"));
+        QVERIFY(!startingEntries({"3М", {}, {}}, drawing, issues));
+        QVERIFY(samples::holds(issues, IssueCode::severalFit, "/machine/name"));
         QVERIFY(!drawingOf({.nominal_mm = 30, .letters = "z", .grade = 6}));
     }
 

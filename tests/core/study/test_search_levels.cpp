@@ -118,11 +118,12 @@ private slots:
         p.optimisation->stage_radial_feed_mm_min =
             std::vector<std::vector<double>>{{0.1, 0.6}, {0.05, 0.6}};
         edges = edgesReached(p, cycle);
-        QVERIFY(edges[0].isLimit); // the stage's own
-        QVERIFY(!edges[1].isLimit && *edges[1].limit == 0.05);
+        QVERIFY(edges[0].isLimit && edges[0].isOfStage && *edges[0].machine == 5);
+        QVERIFY(!edges[1].isLimit && edges[1].isOfStage && *edges[1].limit == 0.05);
         p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.1, 0.6, 0.01};
         edges = edgesReached(p, cycle);
         QVERIFY(edges[0].isLimit && edges[1].isLimit);
+        QVERIFY(!edges[0].isOfStage && !edges[1].isOfStage); // the machine's range ends there, too
         p.optimisation->radial_feed_mm_min = std::vector<double>{0.6}; // not searched
         QVERIFY(edgesReached(p, cycle).empty());
     }

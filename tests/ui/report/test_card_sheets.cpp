@@ -526,6 +526,28 @@ private slots:
         QCOMPARE(head.letter, QStringLiteral("А"));
     }
 
+    void operationIsNamedByTheFormAndItsKindStandsInTheContent() {
+        const auto transitionsOf = [](const Setup& setup) {
+            const SetupRun run = runSetup(setup);
+            QStringList texts;
+            for (const CardRow& row : CardRows::of(operationCard(setup, run), setup, run)) {
+                texts << row.text;
+            }
+            return texts.join(u'\n');
+        };
+        const Setup shaft = setupOf("spindle"), bore = setupOf("sleeve");
+        QCOMPARE(CardRows::operation(shaft), QStringLiteral("Круглошлифовальная"));
+        QCOMPARE(CardRows::operation(bore), QStringLiteral("Внутришлифовальная"));
+        QVERIFY(transitionsOf(shaft).contains(QStringLiteral("Шлифовать поверхность 1")));
+        const QString kind = bore.surfaces.front().project.operation->travels
+                                 ? QStringLiteral(" с продольной подачей в размер ")
+                                 : QStringLiteral(" с врезной подачей в размер ");
+        const QString content = transitionsOf(bore);
+        QVERIFY2(content.contains(QStringLiteral("Шлифовать отверстие 1"))
+                     && content.contains(kind),
+                 qPrintable(content));
+    }
+
     void theWebPageHasTheRows() {
         const Setup setup = setupOf("sleeve");
         const SetupRun run = runSetup(setup);

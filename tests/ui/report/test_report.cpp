@@ -98,6 +98,9 @@ private slots:
         QCOMPARE(html.count("<svg"), 2);
         QCOMPARE(raggedRow(markdown), QString());
         QVERIFY(markdown.count(QStringLiteral("\n|")) > 10);
+        static const QRegularExpression twice(QStringLiteral("^\\*(.+): \\1\\*$"),
+                                              QRegularExpression::MultilineOption);
+        QVERIFY(!markdown.contains(twice));
     }
 
     void theRussianCardHasNoEnglishWord_data() {

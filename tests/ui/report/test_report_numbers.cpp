@@ -167,7 +167,7 @@ private slots:
             m_language.apply(QString::fromLatin1(language));
             const QString said = language == std::string_view("en")
                                      ? QStringLiteral("not calibrated")
-                                     : QStringLiteral("не калибровано");
+                                     : QStringLiteral("не откалибровано");
             Outcome outcome = unlikeZones();
             outcome.constraints = {requirement(ConstraintKind::roughness, 0, 0.0046),
                                    requirement(ConstraintKind::roughness, 1, 0.274)};
@@ -180,11 +180,11 @@ private slots:
             const QString range = u'0' + point + QStringLiteral("3…0") + point + u'8';
             for (const report::Table& table :
                  {CycleCard::requirements(outcome), PassportPrediction::requirements(outcome)}) {
-                QCOMPARE(table.rows.at(0).value(2),
+                QCOMPARE(table.rows.at(0).value(3),
                          u'0' + point + QStringLiteral("005…0") + point + QStringLiteral("014"));
-                QCOMPARE(table.rows.at(1).value(2), range);
+                QCOMPARE(table.rows.at(1).value(3), range);
                 for (const QStringList& row : table.rows) {
-                    QCOMPARE(row.value(4), QStringLiteral("–"));
+                    QCOMPARE(row.value(5), QStringLiteral("–"));
                     QVERIFY2(row.last().contains(said), qPrintable(row.last()));
                 }
             }
@@ -196,7 +196,7 @@ private slots:
                 each.mostValue.reset();
             }
             QVERIFY(!CycleCard::accuracy(outcome).head.last().contains(said));
-            QCOMPARE(CycleCard::requirements(outcome).rows.at(1).value(2),
+            QCOMPARE(CycleCard::requirements(outcome).rows.at(1).value(3),
                      u'0' + point + QStringLiteral("27"));
         }
     }
@@ -208,10 +208,11 @@ private slots:
                                requirement(ConstraintKind::radialRunout, 0, 2.75)};
         for (const report::Table& table :
              {CycleCard::requirements(outcome), PassportPrediction::requirements(outcome)}) {
-            QCOMPARE(table.head.value(2), QStringLiteral("Value"));
-            QCOMPARE(table.rows.at(0).value(2), QStringLiteral("+1.25"));
-            QCOMPARE(table.rows.at(1).value(2), QStringLiteral("+3.50"));
-            QCOMPARE(table.rows.at(2).value(2), QStringLiteral("2.75"));
+            QCOMPARE(table.head.value(2), QStringLiteral("Unit")); // not beside a margin as a ratio
+            QCOMPARE(table.head.value(3), QStringLiteral("Value"));
+            QCOMPARE(table.rows.at(0).value(3), QStringLiteral("+1.25"));
+            QCOMPARE(table.rows.at(1).value(3), QStringLiteral("+3.50"));
+            QCOMPARE(table.rows.at(2).value(3), QStringLiteral("2.75"));
         }
     }
 

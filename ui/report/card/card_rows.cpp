@@ -107,11 +107,11 @@ QString CardRows::fixture(const Setup& setup) {
 QString CardRows::grind(const CardLine& line, const Setup& setup, const Project& project) {
     const Part& part = *project.part;
     const QString name = surfaceName(setup, *line.surface);
-    QString text = project.operation->travels ? tr("Grind surface %1 by traverse grinding to %2")
-                                              : tr("Grind surface %1 by plunge grinding to %2");
-    if (isBore(project)) {
-        text = tr("Grind bore %1 to %2");
-    }
+    const bool travels = project.operation->travels;
+    QString text = isBore(project) ? (travels ? tr("Grind bore %1 by traverse grinding to %2")
+                                              : tr("Grind bore %1 by plunge grinding to %2"))
+                                   : (travels ? tr("Grind surface %1 by traverse grinding to %2")
+                                              : tr("Grind surface %1 by plunge grinding to %2"));
     text = text.arg(name, drawnSize(part))
            + tr(" over a length of %1").arg(printedNumber(part.length_mm, 6));
     const QStringList limits = tolerances(part);

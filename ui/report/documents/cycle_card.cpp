@@ -112,14 +112,13 @@ Table CycleCard::zoneForms(const Outcome& outcome) {
 
 Table CycleCard::requirements(const Outcome& outcome) {
     Table table;
-    table.head = {tr("Zone or section"), tr("Requirement"), tr("Value"),  tr("Limit"),
-                  tr("Margin"),          tr("Unit"),        tr("Verdict")};
-    table.texts = {true, true, false, false, false, true, true};
+    table.head = {tr("Zone or section"), tr("Requirement"), tr("Unit"),   tr("Value"),
+                  tr("Limit"),           tr("Margin"),      tr("Verdict")};
+    table.texts = {true, true, true, false, false, false, true};
     for (const ConstraintResult& c : outcome.constraints) {
         const RequirementCells cells(c);
-        table.rows.push_back({Names::where(c), Names::constraint(c.kind), cells.value(),
-                              Names::limit(c), cells.margin(), requirementUnit(c.kind),
-                              cells.verdict()});
+        table.rows.push_back({Names::where(c), Names::constraint(c.kind), requirementUnit(c.kind),
+                              cells.value(), Names::limit(c), cells.margin(), cells.verdict()});
     }
     return table;
 }

@@ -167,21 +167,16 @@ std::vector<Block> PassportPrediction::worst(const Subject& subject) {
 
 Table PassportPrediction::requirements(const Outcome& outcome) {
     Table table;
-    table.head = {tr("Zone or section"),
-                  tr("Requirement"),
-                  tr("Value"),
-                  tr("Limit"),
-                  tr("Margin"),
-                  tr("Unit"),
-                  tr("Where in the cycle"),
-                  tr("Verdict")};
-    table.texts = {true, true, false, false, false, true, true, true};
+    table.head = {
+        tr("Zone or section"), tr("Requirement"),        tr("Unit"),   tr("Value"), tr("Limit"),
+        tr("Margin"),          tr("Where in the cycle"), tr("Verdict")};
+    table.texts = {true, true, true, false, false, false, true, true};
     for (const ConstraintResult& c : outcome.constraints) {
         if (!isSetting(c)) {
             const RequirementCells cells(c);
             table.rows.push_back(
-                {Names::where(c), Names::constraint(c.kind), cells.value(), Names::limit(c),
-                 cells.margin(), requirementUnit(c.kind),
+                {Names::where(c), Names::constraint(c.kind), requirementUnit(c.kind), cells.value(),
+                 Names::limit(c), cells.margin(),
                  c.at ? Names::moment(*c.at, outcome.result.project.operation) : tr("at the end"),
                  cells.verdict()});
         }
@@ -191,14 +186,14 @@ Table PassportPrediction::requirements(const Outcome& outcome) {
 
 Table PassportPrediction::settings(const Outcome& outcome) {
     Table table;
-    table.head = {tr("Stage or cycle"), tr("Requirement"), tr("Value"),  tr("Limit"),
-                  tr("Margin"),         tr("Unit"),        tr("Verdict")};
-    table.texts = {true, true, false, false, false, true, true};
+    table.head = {tr("Stage or cycle"), tr("Requirement"), tr("Unit"),   tr("Value"),
+                  tr("Limit"),          tr("Margin"),      tr("Verdict")};
+    table.texts = {true, true, true, false, false, false, true};
     for (const ConstraintResult& c : outcome.constraints) {
         if (isSetting(c)) {
-            table.rows.push_back({Names::where(c), Names::constraint(c.kind), Names::value(c),
-                                  Names::limit(c), Names::margin(c), requirementUnit(c.kind),
-                                  lightName(c)});
+            table.rows.push_back({Names::where(c), Names::constraint(c.kind),
+                                  requirementUnit(c.kind), Names::value(c), Names::limit(c),
+                                  Names::margin(c), lightName(c)});
         }
     }
     return table;

@@ -216,8 +216,10 @@ public:
     void operator()(const Figure& figure) {
         const QString name = QStringLiteral("figure-%1").arg(++m_figures);
         m_text += QStringLiteral("![%1][%2]").arg(plain(figure.caption), name) + end();
-        m_text += QStringLiteral("*%1: %2*").arg(plain(figure.caption), plain(figure.description))
-                  + end();
+        const QString said = figure.description == figure.caption
+                                 ? figure.caption
+                                 : figure.caption + QStringLiteral(": ") + figure.description;
+        m_text += QStringLiteral("*%1*").arg(plain(said)) + end();
         m_pictures += QStringLiteral("[%1]: data:image/svg+xml;base64,").arg(name)
                       + QString::fromLatin1(drawn(figure).toBase64()) + u'\n';
     }

@@ -36,6 +36,7 @@ QString OperationSetup::operation(const Project& project) {
 Facts OperationSetup::header(const Project& project, const QDate& date) {
     const Part& part = *project.part;
     return {{{tr("Name of the operation"), operation(project)},
+             {tr("Kind of grinding"), inputFact(project, "/operation").second},
              {tr("Part"), cell(oneLine(part.name))},
              {tr("Equipment"), cell(oneLine(project.machine->name))},
              {tr("Size by the drawing"), drawnSize(part)},

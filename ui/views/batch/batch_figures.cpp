@@ -159,8 +159,9 @@ CsvTable batchFiguresTable(const BatchSummary& summary) {
         row.push_back(normality ? CsvCell(BatchText::test(normality->test)) : CsvCell());
         for (const Percentile& percentile : figures.of->percentiles) {
             if (summary.isSample) {
-                row.emplace_back(percentile.value);
-                addIntervalCells(row, percentile.interval);
+                const bool isStated = BatchText::isStated(percentile, *figures.of);
+                row.push_back(isStated ? CsvCell(percentile.value) : CsvCell());
+                addIntervalCells(row, isStated ? percentile.interval : std::nullopt);
             }
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/batch/batch_text.h"
 
+#include "core/digits.h"
 #include "core/project/batch.h"
 #include "core/quality/constraints.h"
 #include "core/quality/roughness.h"
@@ -90,10 +91,14 @@ QString BatchText::mark(double value, const Characteristic& characteristic) {
     return Names::fixed(value, decimalsOf(characteristic));
 }
 
-QString BatchText::percentile(const Percentile& percentile, const CharacteristicSummary& of) {
+bool BatchText::isStated(const Percentile& percentile, const CharacteristicSummary& of) {
     const double beyond = std::min(percentile.order, 1 - percentile.order);
-    const bool isStated = beyond == 0.5 || static_cast<double>(of.count) * beyond >= 1;
-    return !isStated ? QStringLiteral("–") : value(percentile.value, of.characteristic);
+    return beyond == 0.5 || static_cast<double>(of.count) * beyond >= 1;
+}
+
+QString BatchText::percentile(const Percentile& percentile, const CharacteristicSummary& of) {
+    return isStated(percentile, of) ? value(percentile.value, of.characteristic)
+                                    : QStringLiteral("–");
 }
 
 QString BatchText::range(const Interval& interval, const Characteristic& characteristic) {
@@ -103,11 +108,16 @@ QString BatchText::range(const Interval& interval, const Characteristic& charact
     return low == high ? low : low + u'…' + (high.startsWith(sign) ? high.mid(sign.size()) : high);
 }
 
-QString BatchText::capability(const std::optional<Estimate>& capability) {
-    return capability ? QStringLiteral("%1 (%2…%3)")
-                            .arg(brief(*capability), Names::fixed(capability->interval.low, 2),
-                                 Names::fixed(capability->interval.high, 2))
-                      : QStringLiteral("–");
+QString BatchText::capability(const std::optional<Estimate>& capability,
+                              std::optional<double> limit) {
+    if (!capability) {
+        return QStringLiteral("–");
+    }
+    const Interval& bounds = capability->interval;
+    const int decimals = limit ? decimalsBeside(*limit, bounds.low, 2) : 2;
+    return QStringLiteral("%1 (%2…%3)")
+        .arg(Names::fixed(capability->value, decimals), Names::fixed(bounds.low, decimals),
+             Names::fixed(bounds.high, decimals));
 }
 
 QString BatchText::brief(const Estimate& capability) {
@@ -190,11 +200,11 @@ QString BatchText::decision(const BatchOutcome& outcome) {
             .arg(Names::significant(100 * verdict.value, 2), limitPercent(), inSentence());
     case BatchReason::ppk:
         return tr("Ppk %1, its lower bound below %2: %3")
-            .arg(capability(of->ppk), limit(), inSentence());
+            .arg(capability(of->ppk, verdict.limit), limit(), inSentence());
     case BatchReason::allHold:
         return of ? tr("every part is good, and the lower bound of Ppk is at least %1 everywhere; "
                        "lowest Ppk %2, %3")
-                        .arg(limit(), capability(of->ppk), inSentence())
+                        .arg(limit(), capability(of->ppk, verdict.limit), inSentence())
                   : tr("every part is good, and the sizes hardly scatter");
     }
     return {};

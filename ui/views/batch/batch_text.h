@@ -26,11 +26,15 @@ public:
     /// The value with the same number of decimals for all ticks of an axis.
     static QString mark(double value, const Characteristic& characteristic);
     static QString range(const Interval& interval, const Characteristic& characteristic);
-    /// The percentile, or a dash if there are too few values to distinguish it from the extremes.
+    /// Whether there are enough values to distinguish the percentile from the extremes.
+    static bool isStated(const Percentile& percentile, const CharacteristicSummary& of);
+    /// The percentile, or a dash if it is not stated.
     static QString percentile(const Percentile& percentile, const CharacteristicSummary& of);
-    static QString capability(const std::optional<Estimate>& capability); ///< "1.42 (1.2…1.6)"
-    static QString brief(const Estimate& capability);                     ///< "1.42"
-    static QString share(const Share& share); ///< "3 (6 %; 1.3…16.5 %)"
+    /// "1.42 (1.20…1.60)"; with further digits where the lower bound would read as the limit.
+    static QString capability(const std::optional<Estimate>& capability,
+                              std::optional<double> limit = std::nullopt);
+    static QString brief(const Estimate& capability); ///< "1.42"
+    static QString share(const Share& share);         ///< "3 (6 %; 1.3…16.5 %)"
     static QString normality(const CharacteristicSummary& summary);
 
     /// "50 parts, Latin hypercube, seed 1."

@@ -292,8 +292,8 @@ QString MeasuredView::stateText() const {
     }
     const auto agreeing =
         std::ranges::count(m_rows, AdequacyVerdict::adequate, &AdequacyRow::verdict);
-    const QString predicted =
-        tr("Predicted of %n part(s).", nullptr, static_cast<int>(batch()->summary.parts));
+    const QString predicted = tr("The prediction is of a batch of %n part(s).", nullptr,
+                                 static_cast<int>(batch()->summary.parts));
     return predicted + u' '
            + (speaksForModel(m_rows)
                   ? tr("No contradiction with the model; %1 of %2 comparisons agree.")

@@ -26,7 +26,8 @@ protected:
         return printedNumber(value).toStdString();
     }
     [[nodiscard]] std::string whole(std::int64_t count) const override {
-        return QLocale().toString(qlonglong(count)).toStdString();
+        const QLocale grouping(QLocale().language(), QLocale().territory());
+        return grouping.toString(qlonglong(count)).toStdString();
     }
     [[nodiscard]] std::string fixed(double value, int decimals) const override {
         return Names::fixed(value, decimals).toStdString();

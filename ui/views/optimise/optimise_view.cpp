@@ -543,8 +543,8 @@ QString OptimiseView::hint() const {
     if (&front() == m_margins) {
         return !isFound() ? QString()
                : m_margins->hasFront()
-                   ? tr("A click or the arrow keys choose a cycle, “Take this cycle” or Enter "
-                        "takes it.")
+                   ? tr("A click or the arrow keys choose a cycle, “Apply this cycle” or Enter "
+                        "applies it.")
                          + u' ' + OptimiseText::front(*search())
                    : OptimiseText::front(*search());
     }
@@ -652,7 +652,7 @@ void OptimiseView::nameRun() {
 
 void OptimiseView::nameButtons() {
     tellButton(*m_bar->stop(), tr("Stop"), tr("End the search; the best so far is kept and shown"));
-    tellButton(*m_take, tr("Take this cycle"),
+    tellButton(*m_take, tr("Apply this cycle"),
                tr("Put the chosen cycle in the place of the current one; undo brings yours back"));
     tellButton(*m_phases, tr("For every stock"),
                tr("The cycle must be fit for stocks spread over one feed step of every stage too: "

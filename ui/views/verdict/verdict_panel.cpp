@@ -84,6 +84,7 @@ void VerdictPanel::build() {
     m_off->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     connect(m_off, &QLabel::linkActivated, this,
             [this](const QString& path) { emit pathAsked(path.toStdString()); });
+    m_partOnly = addText(m_layout, "partOnly");
     m_model = new ValueModel(this);
     m_table = new CopyTable(*m_model, page);
     m_layout->addWidget(m_table);
@@ -215,7 +216,7 @@ void VerdictPanel::showTexts() {
     m_notice->setText(notice);
     m_notice->setVisible(!notice.isEmpty());
     for (QWidget* w : std::initializer_list<QWidget*>{m_time, m_status, m_light, m_overall,
-                                                      m_stocks, m_batch, m_table}) {
+                                                      m_stocks, m_batch, m_partOnly, m_table}) {
         w->setVisible(m_good != nullptr);
     }
     m_off->clear(); // links keep an old palette until the text changes
@@ -262,6 +263,8 @@ void VerdictPanel::showJudged() {
     m_batch->setVisible(judged.hasBatch);
     m_stocks->setEnabled(!isOld && !judged.areStocksComing);
     m_batch->setEnabled(!isOld && !judged.isBatchComing);
+    m_partOnly->setText(tr("Part as stated:"));
+    m_partOnly->setVisible(judgement.isOfMoreParts());
 }
 
 const ConstraintResult* VerdictPanel::explained() const {
@@ -296,7 +299,7 @@ void VerdictPanel::grey(bool on) {
     if (on) {
         own.setColor(QPalette::WindowText, colour);
     }
-    for (QLabel* label : {m_time, m_status, m_overall, m_why, m_off}) {
+    for (QLabel* label : {m_time, m_status, m_overall, m_why, m_off, m_partOnly}) {
         label->setPalette(own);
     }
     QPalette ground;

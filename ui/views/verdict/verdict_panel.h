@@ -81,7 +81,8 @@ private:
     QLabel* m_stocks = nullptr;
     QLabel* m_batch = nullptr;
     QLabel* m_why = nullptr;
-    QLabel* m_off = nullptr; ///< what is not checked
+    QLabel* m_off = nullptr;      ///< what is not checked
+    QLabel* m_partOnly = nullptr; ///< above the table, where the headline is not only of this part
     QWidget *m_head = nullptr, *m_page = nullptr;
     QVBoxLayout* m_layout = nullptr;
     RemedySection* m_remedies = nullptr;

@@ -113,7 +113,7 @@ void ExportDialog::offerContents() {
         offer(tr("The same without the trace"), withoutTrace);
         break;
     case ExportFormat::json:
-        offer(tr("Results, shop's numbers and requirements"), withoutTrace);
+        offer(tr("Results, shop figures and requirements"), withoutTrace);
         break;
     default:
         offer(partName(ResultPart::trace, operation), {ResultPart::trace});

@@ -124,6 +124,15 @@ private slots:
         }
     }
 
+    void lowerBoundNextToItsLimitHasMoreDigits() {
+        Estimate ppk;
+        ppk.value = 1.26;
+        ppk.interval = {0.997, 1.53};
+        QCOMPARE(BatchText::capability(ppk), QStringLiteral("1.26 (1.00…1.53)"));
+        QCOMPARE(BatchText::capability(ppk, 1.0), QStringLiteral("1.260 (0.997…1.530)"));
+        QCOMPARE(BatchText::capability(ppk, 1.33), QStringLiteral("1.26 (1.00…1.53)"));
+    }
+
     void aPercentileIsToldOfEnoughValuesAlone() {
         CharacteristicSummary of;
         of.characteristic.resolution = 0.01;
@@ -146,10 +155,14 @@ private slots:
         const QStringList lines = QGuiApplication::clipboard()->text().trimmed().split(u'\n');
         const BatchSummary engine = summarise(runBatch(project));
         QCOMPARE(lines.size(), static_cast<qsizetype>(engine.characteristics.size()) + 1);
-        const qsizetype mean = lines.first().split(u'\t').indexOf(QStringLiteral("Mean"));
+        const QStringList heads = lines.first().split(u'\t');
+        const qsizetype mean = heads.indexOf(QStringLiteral("Mean"));
+        const qsizetype low = heads.indexOf(QStringLiteral("Percentile 0.135 %"));
+        QVERIFY(low >= 0);
         for (std::size_t i = 0; i < engine.characteristics.size(); ++i) {
             const QStringList cells = lines[static_cast<qsizetype>(i) + 1].split(u'\t');
             QCOMPARE(cells[mean].toDouble(), engine.characteristics[i].moments.mean);
+            QVERIFY(cells[low].isEmpty()); // of 50 parts it would be the minimum
         }
     }
 

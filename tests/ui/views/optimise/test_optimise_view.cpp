@@ -33,6 +33,7 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QStatusBar>
 #include <QTest>
 
@@ -159,6 +160,15 @@ class TestOptimiseView : public QObject {
     Q_OBJECT
 
 private slots:
+    void countsOfCyclesAreGrouped() {
+        const QLocale before;
+        const auto back = qScopeGuard([&before] { QLocale::setDefault(before); });
+        QLocale english(QLocale::English, QLocale::UnitedStates);
+        english.setNumberOptions(QLocale::OmitGroupSeparator); // as the program sets it
+        QLocale::setDefault(english);
+        QCOMPARE(OptimiseText::gridSize(1'072'512), QStringLiteral("1,072,512 cycles"));
+    }
+
     void theQuickestCycleOfTheEngineIsFirstAndIsDrawnBesideThePresentOne() {
         const Project project = fixtures::searchedShaft();
         const SearchSummary engine = optimise(project);

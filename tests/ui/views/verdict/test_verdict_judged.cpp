@@ -69,6 +69,10 @@ private slots:
         QCOMPARE(bench.label("overall").text().replace(u'\u00a0', u' '), words);
         QVERIFY(bench.label("judgedStocks").isVisible());
         QVERIFY(bench.label("judgedBatch").isVisible());
+        const bool isOfMoreParts =
+            words.contains(QStringLiteral("tock")) || words.contains(QStringLiteral("batch"));
+        QCOMPARE(bench.label("partOnly").text(), QStringLiteral("Part as stated:"));
+        QCOMPARE(!bench.label("partOnly").isHidden(), isOfMoreParts); // the table is of it alone
     }
 
     /// Distinct without colour, too; the states of one light share their mark.
