@@ -129,7 +129,7 @@ QString englishIn(QString text) {
             "Sparkout English Qt QCustomPlot GNU General Public License Debian Linux bookworm "
             "Ctrl Alt Shift Ins Del Esc Home End PgUp PgDown Tab Enter Space Meta Return Backspace "
             "Excel Slurm CNC HRC Cp Cpk Pp Ppk Eigen Boost NLopt qpdf zlib Snowball "
-            "GPL GCC Clang AVX SSE MODEL ISO DIN SAE FEPA UPR MZC LSC MIC MCC cos sin tan exp "
+            "GPL GCC Clang AVX SSE MODEL ISO DIN SAE FEPA UPR RONt MZC LSC MIC MCC cos sin tan exp "
             "log max min JSON HTML Markdown CSV TSV PNG JPEG SVG PDF XLSX ODT SHA Inkscape")
             .split(u' ');
     text.replace(QStringLiteral("&nbsp;"), QStringLiteral(" "));
