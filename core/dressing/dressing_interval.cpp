@@ -233,7 +233,10 @@ constexpr Output<WornFailureOf> failureRows[] = {
          return ofWorst<std::string>(
              f, [](auto& c) { return std::string(requirementOf(c.kind).key); });
      }},
-    {{.key = "where"}, [](const WornFailureOf& f) { return ofWorst<std::string>(f, whereText); }},
+    {{.key = "where"},
+     [](const WornFailureOf& f) {
+         return ofWorst<std::string>(f, [](auto& c) { return whereText(c); });
+     }},
     {{.key = "value", .hint = "in the unit of the requirement"},
      [](const WornFailureOf& f) { return ofWorst<double>(f, [](auto& c) { return c.value; }); }},
     {{.key = "limit", .hint = "in the unit of the requirement"},
