@@ -385,7 +385,7 @@ private slots:
         const Outcome validated = run({"validate", path});
         QCOMPARE(validated.status, 1);
         for (const Outcome& each : {outcome, validated}) { // an error, once
-            QCOMPARE(std::ranges::count(each.err, '\n'), 1);
+            QVERIFY(std::ranges::count(each.err, '\n') == 1);
             QVERIFY2(!has(each.err, "warning"), each.err.c_str());
         }
         file["batch"]["factors"]["stock_mm"] = json::object();
