@@ -210,11 +210,11 @@ std::string constraintLine(const ConstraintResult& constraint) {
     if (isLowerBound(constraint)) {
         return name + "≥ " + value + ", " + limit + ", ≤ " + margin + ' ' + unit
                + "  not decided in " + whereText(constraint, First::inTexts)
-               + unknownText(constraint) + '\n';
+               + ", machine not known\n";
     }
     return name + value + ", " + limit + ", " + margin + (unit.empty() ? "" : " ") + unit + "  "
            + metText(constraint.holds) + " in " + whereText(constraint, First::inTexts)
-           + unknownText(constraint) + '\n';
+           + (constraint.knowsMachine ? "" : ", machine not known") + '\n';
 }
 
 std::string requirementsText(const SimulationResult& result,
