@@ -383,6 +383,9 @@ void ChartPlot::followValues() {
 }
 
 void ChartPlot::resizeEvent(QResizeEvent* event) {
+    if (event->size().isEmpty()) {
+        return; // there is nothing to paint on
+    }
     followValues();
     ViewPlot::resizeEvent(event);
 }
