@@ -17460,6 +17460,10 @@ target, µm</source>
             <translation>Поля с непринятым текстом</translation>
         </message>
         <message>
+            <source>What the table is of</source>
+            <translation>К чему относится таблица</translation>
+        </message>
+        <message>
             <source>Where the value comes from</source>
             <translation>Откуда берётся значение</translation>
         </message>

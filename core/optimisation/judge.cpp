@@ -112,7 +112,8 @@ bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int me
     bool best = false;
     for (int more = 0; margin && more <= all; ++more) {
         found.leastRelativeMargin = *margin;
-        if (*margin >= demandedMargin() && holdsOnScenarios(found) && holdsOnAll(found)) {
+        if (*margin >= demandedMargin() && !isRejected(found) && holdsOnScenarios(found)
+            && holdsOnAll(found)) {
             if (waits) {
                 m_waiting.push_back(found);
             }
@@ -123,6 +124,12 @@ bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int me
         }
     }
     return best;
+}
+
+bool Judge::isRejected(const FeasibleCycle& found) const {
+    return std::ranges::any_of(m_options.rejected, [&found](const FeasibleCycle& each) {
+        return each.variant == found.variant && each.cycle == found.cycle;
+    });
 }
 
 bool Judge::holdsOnScenarios(FeasibleCycle& found) {

@@ -71,6 +71,7 @@ private:
     /// Returns whether a cycle that would be the best is fit for the further parts.
     bool holdsOnAll(FeasibleCycle& found);
     void demandMargin();
+    [[nodiscard]] bool isRejected(const FeasibleCycle& found) const;
     bool isChallenged(const FeasibleCycle& found);
     void put(const FeasibleCycle& found);
     /// Returns the least relative margin; nullopt if a requirement is not met.

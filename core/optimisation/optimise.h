@@ -147,7 +147,8 @@ struct SearchOptions {
     /// Pruned search: returns why a cycle that would be the best is rejected, or nullopt. A part on
     /// which it fails joins the scenarios, its case the cases.
     std::function<std::optional<FailingPart>(const FeasibleCycle&)> challenge;
-    std::int64_t quickest_us = 0; ///< proved earlier: no feasible cycle is quicker
+    std::vector<FeasibleCycle> rejected; ///< cycles that are no answer although they are feasible
+    std::int64_t quickest_us = 0;        ///< proved earlier: no feasible cycle is quicker
     /// Rejects a cycle with a stage that makes no step on the part since size is reached before it:
     /// it is one with fewer stages.
     bool everyStageSteps = false;

@@ -257,12 +257,12 @@ private:
 /// Returns the first drawn scenario in which the cycle fails, then a stock for which it fails, or
 /// one of the fresh phases, then a bad fresh part; none if there is none, or after a stop. Counts
 /// the cycles tested on fresh phases.
-FreshPartsTrial triedOnOthers(const Project& project, const Cycle& cycle,
+FreshPartsTrial triedOnOthers(const Project& project, const RefineSummary& found,
                               const RefineOptions& options, int round, int& candidates) {
     Project best = project;
-    *best.cycle = cycle;
+    *best.cycle = found.cycle;
     for (Project& scenario : options.source(best, round)) {
-        *scenario.cycle = cycle;
+        *scenario.cycle = found.cycle;
         const SimulationResult result = simulateUnchecked(scenario, nullptr, options.stop);
         const std::vector<ConstraintResult> all = evaluateConstraints(result);
         if (result.status == RunStatus::stopped) {
@@ -280,7 +280,7 @@ FreshPartsTrial triedOnOthers(const Project& project, const Cycle& cycle,
                    : failingPhase(best, otherThanTheSearch + static_cast<std::uint32_t>(round),
                                   options.stop);
     return bad ? FreshPartsTrial{std::move(bad), {}}
-               : triedOnFreshParts(best, candidates, options.stop);
+               : triedOnFreshParts(best, freshDraw(found.time_us), options.stop);
 }
 
 } // namespace
@@ -304,7 +304,7 @@ RefineSummary refine(const Project& project, const Cycle& cycle, const RefineOpt
         if (!options.source) {
             return summary;
         }
-        FreshPartsTrial trial = triedOnOthers(project, summary.cycle, options, round, candidates);
+        FreshPartsTrial trial = triedOnOthers(project, summary, options, round, candidates);
         if (options.stop.stop_requested()
             || (!trial.bad && options.asksCapability && !trial.good.isCapable)) {
             break; // a stopped test proves nothing

@@ -249,7 +249,7 @@ public:
         , m_stop(options.search.stop)
         , m_mostRounds(options.mostRounds)
         , m_search(options.search)
-        , m_asksCapability(m_search.method == SearchMethod::pruned)
+        , m_asksCapability(!isHeuristic(m_search.method))
         , m_variants(project, m_stop) {
         m_search.everyStageSteps = true;
     }
@@ -276,6 +276,7 @@ private:
         }
         if (mustTakeIncapable()) {
             m_asksCapability = false;
+            m_search.rejected.clear();
             m_search.incumbent.reset(); // slower than those that were rejected
             return false;
         }
@@ -374,8 +375,7 @@ private:
     /// capable. A cycle that passes is held.
     std::optional<FailingPart> failsOnParts(const FeasibleCycle& found,
                                             const std::stop_token& stop) {
-        FreshPartsTrial trial =
-            triedOnFreshParts(projectOf(found), placeOf(found, m_candidates), stop);
+        FreshPartsTrial trial = triedOnFreshParts(projectOf(found), freshDraw(found.time_us), stop);
         if (stop.stop_requested()) {
             return std::nullopt;
         }
@@ -383,6 +383,7 @@ private:
         m_summary.freshFailures += failing ? 1 : 0;
         if (!failing && !trial.good.isCapable && m_asksCapability) {
             m_asksCapability = ++m_summary.incapable < mostIncapable;
+            m_search.rejected.push_back(found);
             failing = FailingPart{};
         }
         if (!failing) {
@@ -459,8 +460,7 @@ private:
     std::stop_token m_stop;
     int m_mostRounds;
     SearchOptions m_search;
-    bool m_asksCapability; ///< other methods cannot leave out a cycle without a part on which it
-                           ///< fails
+    bool m_asksCapability;         ///< a heuristic does not leave out cycles that are rejected
     bool m_takesIncapable = false; ///< the search was repeated without asking for capability
     Variants m_variants;
     RobustSummary m_summary;
@@ -474,6 +474,11 @@ private:
 };
 
 } // namespace
+
+int freshDraw(std::int64_t time_us) {
+    constexpr std::int64_t draws = 1'000'000;
+    return static_cast<int>(time_us % draws) + 1;
+}
 
 FreshPartsTrial triedOnFreshParts(const Project& best, int draw, const std::stop_token& stop) {
     if (!best.batch || best.optimisation->scenarios != OptimisationScenarios::corners) {

@@ -37,6 +37,9 @@ struct FreshPartsTrial {
     FreshParts good;            ///< otherwise
 };
 
+/// The draw of fresh parts for a cycle, from its time alone: every method draws the same.
+[[nodiscard]] int freshDraw(std::int64_t time_us);
+
 /// Tries a cycle that is searched for the corners of its batch on the first freshPartCount parts of
 /// the batch itself, whose verdict is shown beside the answer, then on as many drawn at random for
 /// it. A search for other scenarios is not tried. After a stop the result means nothing.
@@ -76,8 +79,8 @@ struct RobustSummary {
 /// passed. A stop keeps the best cycle so far that passed all of its trials.
 ///
 /// With the corners of a batch, a cycle that holds in all of them is tried by triedOnFreshParts(),
-/// because a part between the corners may be bad. A failing part joins the scenarios. The pruned
-/// search also rejects a cycle whose fresh parts are all good, but which is not "fit" by weigh():
+/// because a part between the corners may be bad. A failing part joins the scenarios. A search that
+/// proves also rejects a cycle whose fresh parts are all good, but which is not "fit" by weigh():
 /// its P_pk or its expected share outside misses the batch's limit. No other cycle is dropped for
 /// that. Where all cycles of the grid are so rejected, or the first 20, the answer is the quickest
 /// without this requirement, and its FreshParts::isCapable is false.

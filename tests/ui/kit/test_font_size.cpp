@@ -37,8 +37,12 @@ Sizes sizesOf(const MainWindow& window) {
                     if (!axis->visible()) {
                         continue;
                     }
-                    sizes.insert(QStringLiteral("%1 axis %2").arg(plot->objectName()).arg(++number),
-                                 axis->tickLabelFont().pointSizeF());
+                    ++number;
+                    const double size = axis->tickLabelFont().pointSizeF();
+                    if (size >= plot->font().pointSizeF()) { // else it is smaller for want of room
+                        sizes.insert(
+                            QStringLiteral("%1 axis %2").arg(plot->objectName()).arg(number), size);
+                    }
                 }
             }
         }
