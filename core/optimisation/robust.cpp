@@ -3,7 +3,6 @@
 
 #include "core/batch/batch_summary.h"
 #include "core/batch/scenario_source.h"
-#include "core/grace_stop.h"
 #include "core/optimisation/cycle_runner.h"
 #include "core/phases/cycle_trial.h"
 #include "core/project/batch.h"
@@ -97,7 +96,7 @@ int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candid
 
 /// Number of cycles that may be rejected for their batch's forecast alone: each costs a trial on
 /// all fresh parts.
-constexpr int mostIncapable = 20;
+constexpr int mostIncapable = 50;
 
 /// Runs a batch up to its first bad part, at most freshPartCount parts.
 FreshPartsTrial triedOnParts(const Project& batch, const std::stop_token& stop) {
@@ -281,15 +280,6 @@ private:
             return false;
         }
         std::optional<FeasibleCycle>& best = m_summary.search.best;
-        if (best && m_untried && isSame(*best, *m_untried) && !heldOf(*best)) {
-            const GraceStop grace(m_stop);
-            auto failing = failsOnParts(*std::exchange(m_untried, {}), grace.token());
-            if (failing && !m_stop.stop_requested()) {
-                add(std::move(*failing));
-                m_search.incumbent.reset();
-                return false;
-            }
-        }
         if (!best || m_summary.search.status == SearchStatus::stopped) {
             if (m_summary.search.isStale) {
                 best.reset(); // it fails in a scenario
@@ -313,7 +303,7 @@ private:
             m_proved_s = best->time_s;
         }
         if (m_search.method == SearchMethod::pruned) {
-            m_search.incumbent = m_untried = ownCycle();
+            m_search.incumbent = ownCycle();
             m_search.challenge = [this](const FeasibleCycle& found) { return challenge(found); };
         }
         return false;
@@ -348,8 +338,7 @@ private:
 
     std::optional<FailingPart> challenge(const FeasibleCycle& found) {
         auto failing = failsBeforeParts(found);
-        return failing || m_stop.stop_requested() ? std::move(failing)
-                                                  : failsOnParts(found, m_stop);
+        return failing || m_stop.stop_requested() ? std::move(failing) : failsOnParts(found);
     }
 
     /// A part on which a cycle fails: of a case, of the source's scenarios or of fresh phases.
@@ -373,10 +362,10 @@ private:
 
     /// A fresh part of the batch on which a cycle fails; none, but a rejection, if the cycle is not
     /// capable. A cycle that passes is held.
-    std::optional<FailingPart> failsOnParts(const FeasibleCycle& found,
-                                            const std::stop_token& stop) {
-        FreshPartsTrial trial = triedOnFreshParts(projectOf(found), freshDraw(found.time_us), stop);
-        if (stop.stop_requested()) {
+    std::optional<FailingPart> failsOnParts(const FeasibleCycle& found) {
+        FreshPartsTrial trial =
+            triedOnFreshParts(projectOf(found), freshDraw(found.time_us), m_stop);
+        if (m_stop.stop_requested()) {
             return std::nullopt;
         }
         auto failing = failingPart(std::move(trial.bad));
@@ -392,11 +381,16 @@ private:
         return failing;
     }
 
-    /// The project's own cycle, if it may be the answer as far as is known before the trial on
-    /// fresh parts. The search goes from the quickest cycle upwards and has no answer before its
-    /// end: this one is to be beaten, and the answer if the search is stopped.
+    /// The project's own cycle, if it passes all tests of an answer. The search goes from the
+    /// quickest cycle upwards and has no answer before its end: this one is to be beaten, and the
+    /// answer if the search is stopped. One that is much slower than the quickest for the part
+    /// alone is neither.
     std::optional<FeasibleCycle> ownCycle() {
+        constexpr double mostTimes = 2;
         std::optional<FeasibleCycle> own = feasibleIn(m_variants, m_project, m_stop);
+        if (own && own->time_s > mostTimes * m_summary.nominalTime_s) {
+            return std::nullopt;
+        }
         for (const Project& scenario : m_search.scenarios) {
             Project part = scenario;
             part.cycle = m_project.cycle;
@@ -410,7 +404,7 @@ private:
         if (!own || (m_search.beyondMargin && own->leastRelativeMargin <= *m_search.beyondMargin)) {
             return std::nullopt;
         }
-        auto failing = failsBeforeParts(*own);
+        auto failing = challenge(*own);
         if (!failing) {
             return m_stop.stop_requested() ? std::nullopt : own;
         }
@@ -470,7 +464,6 @@ private:
     CaseOrder m_cases;
     std::vector<FeasibleCycle> m_candidates; ///< in the order of their tests on fresh phases
     std::vector<Held> m_held;
-    std::optional<FeasibleCycle> m_untried; ///< the incumbent, not yet tried on fresh parts
 };
 
 } // namespace

@@ -82,7 +82,7 @@ struct RobustSummary {
 /// because a part between the corners may be bad. A failing part joins the scenarios. A search that
 /// proves also rejects a cycle whose fresh parts are all good, but which is not "fit" by weigh():
 /// its P_pk or its expected share outside misses the batch's limit. No other cycle is dropped for
-/// that. Where all cycles of the grid are so rejected, or the first 20, the answer is the quickest
+/// that. Where all cycles of the grid are so rejected, or the first 50, the answer is the quickest
 /// without this requirement, and its FreshParts::isCapable is false.
 ///
 /// Every stage of the answer makes a step on the part itself (SearchOptions::everyStageSteps). A

@@ -113,40 +113,45 @@ private slots:
         QVERIFY(search.work_speed_rpm == Levels());
     }
 
-    void itsGridHasTheCycle() {
-        for (const Project& p : {journal(), example("shaft-30h6-factory"), surfaceOfTrial(0)}) {
-            const Project with = usualSearch(p);
-            const Variants variants(with);
-            bool has = false;
-            for (std::size_t v = 0; v < variants.count(); ++v) {
-                const Grid& grid = variants.grid(v);
-                if (const auto found = grid.find(*p.cycle)) {
-                    has = true;
-                    QVERIFY(grid.contains(*found));
-                    Project same = p;
-                    *same.cycle = grid.cycle(*found);
-                    QCOMPARE(simulate(same).time_s, simulate(p).time_s);
+    void itsLevelsHaveTheFeedsOfTheCycle() {
+        for (const Project& p : {journal(), surfaceOfTrial(0), example("shaft-30h6-factory")}) {
+            const Optimisation search = *usualSearch(p).optimisation;
+            for (const Stage& stage : p.cycle->stages) {
+                for (const StageFeed& feed : p.operation->feeds) {
+                    const std::vector<double> levels = levelValues(search.*feed.levels);
+                    QVERIFY(!stage.feeds() || std::ranges::count(levels, *(stage.*feed.value)) > 0);
                 }
-                Cycle other = *p.cycle;
-                other.stages.front().stock_mm += 0.0004; // between two steps of the grid
-                QVERIFY(!grid.find(other));
             }
-            QVERIFY(has);
         }
     }
 
+    // The answer, once it is the project's cycle, is the one to beat when it is searched again.
     void stoppedBeforeItHasAnotherItAnswersWithTheCycle() {
-        const Project p = example("shaft-30h6-factory");
+        const auto before = search(usualSearch(example("shaft-38-74h6")), {});
+        const Project p = withFound(before->project, *before->answer());
+        const Variants variants(p);
+        bool has = false;
+        for (std::size_t v = 0; v < variants.count(); ++v) {
+            const Grid& grid = variants.grid(v);
+            const auto found = grid.find(*p.cycle);
+            has = has || found;
+            QVERIFY(!found || grid.contains(*found));
+            Cycle other = *p.cycle;
+            other.stages.front().stock_mm += 0.0004; // between two steps of the grid
+            QVERIFY(!grid.find(other));
+        }
+        QVERIFY(has);
         std::stop_source stop;
         SearchEvents events;
-        events.note = [&stop](const SearchState& state) {
-            if (state.best_s) {
+        const double own_s = simulate(p).time_s;
+        events.note = [&](const SearchState& state) {
+            if (state.best_s && std::abs(*state.best_s - own_s) < 1e-6) {
                 stop.request_stop();
             }
         };
-        const auto outcome = search(usualSearch(p), {}, stop.get_token(), events);
-        QVERIFY(outcome->stopped() && outcome->best());
-        QVERIFY(outcome->best()->time_s <= simulate(p).time_s);
+        const auto outcome = search(p, {}, stop.get_token(), events);
+        QVERIFY(outcome->stopped() && outcome->answer());
+        QVERIFY(std::abs(outcome->answer()->time_s - own_s) < 1e-6);
         QVERIFY(!outcome->proved());
     }
 
@@ -254,8 +259,7 @@ private slots:
         QVERIFY(capable->robust->incapable > 0);
         QVERIFY(capable->answer()->time_s > usual->answer()->time_s);
         QVERIFY(!none->answer()->freshParts.isCapable);
-        QCOMPARE(none->answer()->time_s, usual->answer()->time_s);
-        QVERIFY(none->search.best->cycle == usual->search.best->cycle);
+        QVERIFY(none->robust->incapable > 0 && none->answer()->time_s >= usual->answer()->time_s);
     }
 
     // The same as the search of the nominal part with every stock wished.

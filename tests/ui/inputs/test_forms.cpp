@@ -409,7 +409,8 @@ private slots:
         for (int section = 0; section < 6; ++section) {
             auto* field = bench.panel.findChild<NumberField*>(
                 QStringLiteral("/machine/compliance_mm_per_n/%1").arg(section));
-            QVERIFY(field && field->isVisible());
+            QVERIFY(field);
+            QTRY_VERIFY(field->isVisible()); // a layout shows what it is given later
         }
         QApplication::clipboard()->setText(QStringLiteral("0.0002\n0.0003\n"));
         auto* second = bench.field("/machine/compliance_mm_per_n/1");
