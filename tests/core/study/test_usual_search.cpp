@@ -115,7 +115,8 @@ private slots:
 
     void itsLevelsHaveTheFeedsOfTheCycle() {
         for (const Project& p : {journal(), surfaceOfTrial(0), example("shaft-30h6-factory")}) {
-            const Optimisation search = *usualSearch(p).optimisation;
+            const Project with = usualSearch(p);
+            const Optimisation& search = *with.optimisation;
             for (const Stage& stage : p.cycle->stages) {
                 for (const StageFeed& feed : p.operation->feeds) {
                     const std::vector<double> levels = levelValues(search.*feed.levels);
