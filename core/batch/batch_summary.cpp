@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_summary.h"
 
+#include "core/batch/capability.h"
+
 #include "core/project/batch.h"
 
 #include <algorithm>
@@ -139,7 +141,6 @@ private:
         return found;
     }
 
-    // P_p = (U − L)/(6s), P_pk = min(U − mean, mean − L)/(3s); with one limit only P_pk.
     void addEstimates(CharacteristicSummary& summary, const ValueStatistics& values) const {
         const Characteristic& of = summary.characteristic;
         const double s = summary.moments.deviation, mean = summary.moments.mean;
@@ -153,22 +154,7 @@ private:
                     ? shapiroWilk(m_sorted)
                     : andersonDarling(values.bins, of.resolution, summary.count, mean, s);
         }
-        if (!hasCapability(of) || summary.unstated > 0) {
-            return;
-        }
-        const double above = of.high ? *of.high - mean : std::numeric_limits<double>::max();
-        const double under = of.low ? mean - *of.low : std::numeric_limits<double>::max();
-        const double ppk = std::min(above, under) / (3 * s);
-        if (ppk > mostIndex) {
-            return;
-        }
-        summary.ppk = Estimate{ppk, ppkInterval(ppk, summary.count, confidence95)};
-        if (of.low && of.high) {
-            const double pp = (*of.high - *of.low) / (6 * s);
-            summary.pp = Estimate{pp, ppInterval(pp, summary.count, confidence95)};
-        }
-        summary.expectedOutside =
-            (of.high ? normalShare(-above / s) : 0) + (of.low ? normalShare(-under / s) : 0);
+        addCapability(summary);
     }
 
     const BatchStatistics& m_statistics;
@@ -229,6 +215,29 @@ BatchVerdict weighExpected(const BatchSummary& summary, const Batch& limits) {
 }
 
 } // namespace
+
+// P_p = (U − L)/(6s), P_pk = min(U − mean, mean − L)/(3s); with one limit only P_pk.
+void addCapability(CharacteristicSummary& summary) {
+    const Characteristic& of = summary.characteristic;
+    const double s = summary.moments.deviation, mean = summary.moments.mean;
+    if (!hasCapability(of) || summary.unstated > 0 || summary.count < 2
+        || s <= negligible * of.resolution) {
+        return;
+    }
+    const double above = of.high ? *of.high - mean : std::numeric_limits<double>::max();
+    const double under = of.low ? mean - *of.low : std::numeric_limits<double>::max();
+    const double ppk = std::min(above, under) / (3 * s);
+    if (ppk > mostIndex) {
+        return;
+    }
+    summary.ppk = Estimate{ppk, ppkInterval(ppk, summary.count, confidence95)};
+    if (of.low && of.high) {
+        const double pp = (*of.high - *of.low) / (6 * s);
+        summary.pp = Estimate{pp, ppInterval(pp, summary.count, confidence95)};
+    }
+    summary.expectedOutside =
+        (of.high ? normalShare(-above / s) : 0) + (of.low ? normalShare(-under / s) : 0);
+}
 
 BatchSummary summarise(const BatchResult& result) {
     const ScenarioSource source(result.project);

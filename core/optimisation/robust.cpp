@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/robust.h"
 
-#include "core/batch/batch_summary.h"
+#include "core/batch/capability.h"
 #include "core/batch/scenario_source.h"
 #include "core/optimisation/cycle_runner.h"
 #include "core/phases/cycle_trial.h"
@@ -101,26 +101,51 @@ constexpr int mostIncapable = 50;
 /// Runs a batch up to its first bad part, at most freshPartCount parts.
 FreshPartsTrial triedOnParts(const Project& batch, const std::stop_token& stop) {
     const ScenarioSource source(batch);
-    FreshPartsTrial trial;
-    BatchOptions options;
-    options.range = PartRange{0, std::min<std::int64_t>(source.parts(), freshPartCount)};
-    options.stop = stop;
-    options.sink = [&](const PartRecord& part) {
-        if (!part.outcome.good) {
-            trial.bad = source.project(part.part);
+    BatchSummary summary;
+    summary.isSample = source.isSample();
+    const std::vector<Characteristic> characteristics = characteristicsOf(source.nominal());
+    for (const Characteristic& each : characteristics) {
+        summary.characteristics.emplace_back().characteristic = each;
+    }
+    std::vector<double> squares(characteristics.size()); // of the distances from the mean, summed
+    PartOutcome outcome;
+    for (; summary.parts < std::min<std::int64_t>(source.parts(), freshPartCount);
+         ++summary.parts) {
+        Project part = source.project(summary.parts);
+        const SimulationResult result = simulateUnchecked(part, nullptr, stop);
+        if (result.status == RunStatus::stopped) {
+            return {};
         }
-        return part.outcome.good;
-    };
-    const BatchResult result = runBatchUnchecked(batch, options);
-    const BatchSummary summary = summarise(result);
+        measure(result, characteristics, outcome);
+        if (!outcome.good) {
+            return {std::move(part), {}};
+        }
+        for (std::size_t i = 0; i < squares.size(); ++i) {
+            CharacteristicSummary& of = summary.characteristics[i];
+            const double from = outcome.values[i] - of.moments.mean;
+            if (std::isfinite(from)) {
+                of.moments.mean += from / static_cast<double>(++of.count);
+                squares[i] += from * (outcome.values[i] - of.moments.mean);
+            }
+        }
+    }
+    FreshPartsTrial trial;
     trial.good.tried = static_cast<int>(summary.parts);
-    trial.good.isCapable = !weigh(summary, result).missesForecast();
-    for (const CharacteristicSummary& each : summary.characteristics) {
-        if (each.ppk) {
-            const double low = each.ppk->interval.low;
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+        CharacteristicSummary& of = summary.characteristics[i];
+        of.moments.deviation =
+            std::sqrt(squares[i] / static_cast<double>(std::max<std::int64_t>(of.count - 1, 1)));
+        if (summary.isSample) {
+            addCapability(of);
+        }
+        if (of.ppk) {
+            const double low = of.ppk->interval.low;
             trial.good.ppk = std::min(trial.good.ppk.value_or(low), low);
         }
     }
+    BatchResult result;
+    result.project = batch;
+    trial.good.isCapable = !weigh(summary, result).missesForecast();
     return trial;
 }
 
