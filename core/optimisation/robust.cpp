@@ -78,7 +78,7 @@ std::vector<Project> partsOfBatch(Project sampled, OptimisationScenarios asked, 
     return parts;
 }
 
-bool isSame(const FeasibleCycle& a, const FeasibleCycle& b) {
+bool areSame(const FeasibleCycle& a, const FeasibleCycle& b) {
     return a.variant == b.variant && a.cycle == b.cycle;
 }
 
@@ -87,7 +87,7 @@ bool isSame(const FeasibleCycle& a, const FeasibleCycle& b) {
 int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candidates) {
     const auto last =
         std::find_if(candidates.rbegin(), candidates.rend(),
-                     [&cycle](const FeasibleCycle& each) { return isSame(each, cycle); });
+                     [&cycle](const FeasibleCycle& each) { return areSame(each, cycle); });
     const auto place = last == candidates.rend()
                            ? candidates.size()
                            : static_cast<std::size_t>(candidates.rend() - last);
@@ -463,7 +463,7 @@ private:
 
     [[nodiscard]] const Held* heldOf(const FeasibleCycle& cycle) const {
         const auto held = std::ranges::find_if(
-            m_held, [&](const Held& each) { return isSame(each.cycle, cycle); });
+            m_held, [&](const Held& each) { return areSame(each.cycle, cycle); });
         return held == m_held.end() ? nullptr : &*held;
     }
 
