@@ -13682,8 +13682,8 @@ yours, %</source>
             <translation>Ppk не ниже %1</translation>
         </message>
         <message>
-            <source>Ppk at least %1, too low for the batch: no cycle found has more</source>
-            <translation>Ppk не ниже %1, для партии мало: цикла с большим не найдено</translation>
+            <source>Ppk at least %1, too low for the batch: no cycle found meets it</source>
+            <translation>Ppk не ниже %1, для партии мало: цикла с достаточным не найдено</translation>
         </message>
         <message>
             <source>continuous infeed up to %1 mm/min</source>

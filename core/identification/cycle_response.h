@@ -25,11 +25,10 @@ struct CycleFactors {
 /// Multiplies γ place by place; a computed γ becomes a given one.
 void scalePlaceCompliances(Project& project, const std::vector<double>& factors);
 
-/// Where the force has a threshold alpha is the factor of K and beta that of F'_0.
-///
-/// The project whose cycle has these α and β in every balance; with a wheel contact, whose balance
-/// is no sum of the two, α and β are to be 1. Its forces are not those of the
-/// factors: they follow from the depths of cut.
+/// Returns the project whose cycle has the factors α and β in every balance. With a wheel contact
+/// the balance cannot be split between the two, and both must be 1. The forces are not multiplied:
+/// they follow from the depths of cut. Where the force has a threshold, α is the factor of K and β
+/// that of F'_0.
 [[nodiscard]] Project scaledProject(const Project& project, const CycleFactors& factors);
 
 /// The expected signals of gauge, drive and force sensor in a cycle, one value for each step: a

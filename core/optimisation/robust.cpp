@@ -279,7 +279,8 @@ public:
     }
 
     RobustSummary run() {
-        while (m_summary.rounds < m_mostRounds && !isDone()) {
+        // Other methods than the pruned one repeat the search for each rejected cycle.
+        while (m_summary.rounds < m_mostRounds + m_summary.incapable && !isDone()) {
         }
         return std::move(m_summary);
     }

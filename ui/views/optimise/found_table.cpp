@@ -266,7 +266,7 @@ QStringList robustBasis(const SearchOutcome& outcome, const FoundCycle& answer) 
             basis << (parts.isCapable
                           ? FoundTable::tr("Ppk at least %1")
                           : FoundTable::tr("Ppk at least %1, too low for the batch: no cycle "
-                                           "found has more"))
+                                           "found meets it"))
                          .arg(Names::fixed(*parts.ppk, 2));
         }
     }
