@@ -13631,11 +13631,11 @@ yours, %</source>
         </message>
         <message>
             <source>proved for the part, the scenarios added (%1) and the required Ppk: none of %2 is quicker</source>
-            <translation>доказано для детали, добавленных сценариев (%1) и требуемого Ppk: из %2 быстрее нет</translation>
+            <translation>быстрее нет: доказано для детали, добавленных сценариев (%1) и требуемого Ppk; %2</translation>
         </message>
         <message>
             <source>proved for the part and the scenarios added (%1): none of %2 is quicker</source>
-            <translation>доказано для детали и добавленных сценариев (%1): из %2 быстрее нет</translation>
+            <translation>быстрее нет: доказано для детали и добавленных сценариев (%1); %2</translation>
         </message>
         <message>
             <source>none is quicker, proved: %1</source>
