@@ -4,7 +4,6 @@
 #include "core/format/project_file.h"
 #include "core/project/gauge.h"
 #include "core/study/search_edits.h"
-#include "ui/dynamic_programming/grid_moment.h"
 #include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"

@@ -2,7 +2,7 @@
 #include "ui/window/main_window.h"
 
 #include "core/project/gauge.h"
-#include "ui/charts/verdict_why.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/dialogs/file_questions.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/identification/calibration_dialog.h"

@@ -5,7 +5,7 @@
 #include "core/quality/shop_numbers.h"
 #include "core/study/outcome.h"
 #include "tests/core/support/project_samples.h"
-#include "ui/charts/shop_table.h"
+#include "ui/charts/result_tables.h"
 #include "ui/text/output_text.h"
 
 #include <QLocale>

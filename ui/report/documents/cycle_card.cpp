@@ -4,7 +4,7 @@
 #include "core/project/machine.h"
 #include "core/quality/finished_surface.h"
 #include "core/units.h"
-#include "ui/charts/verdict_why.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/report/documents/outcome_remarks.h"
 #include "ui/report/parts/begun_report.h"
 #include "ui/report/parts/calibrated_table.h"

@@ -2,7 +2,7 @@
 #include "ui/report/documents/outcome_remarks.h"
 
 #include "core/units.h"
-#include "ui/charts/shop_table.h"
+#include "ui/charts/result_tables.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/calibration_text.h"
 #include "ui/text/names.h"

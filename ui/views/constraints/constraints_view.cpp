@@ -3,7 +3,7 @@
 
 #include "ui/charts/light_icon.h"
 #include "ui/charts/margin_model.h"
-#include "ui/charts/verdict_why.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"

@@ -3,9 +3,7 @@
 
 #include "ui/charts/light_icon.h"
 #include "ui/charts/result_tables.h"
-#include "ui/charts/shop_table.h"
 #include "ui/charts/verdict_table.h"
-#include "ui/charts/verdict_why.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/kit/font_size.h"

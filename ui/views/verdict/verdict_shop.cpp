@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict/verdict_shop.h"
 
-#include "ui/charts/shop_table.h"
+#include "ui/charts/result_tables.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/views/verdict/narrow_table.h"
