@@ -2,8 +2,8 @@
 #include "ui/plot/cursor_strip.h"
 
 #include "ui/dialogs/copy_table.h"
+#include "ui/fields/mark.h"
 #include "ui/fields/number_field.h"
-#include "ui/fields/reason_label.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/plot/cursor_model.h"

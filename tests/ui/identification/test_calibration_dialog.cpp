@@ -6,7 +6,7 @@
 #include "tests/registry.h"
 #include "tests/ui/identification/calibration_bench.h"
 #include "tests/ui/support/languages.h"
-#include "ui/fields/calibrated_mark.h"
+#include "ui/fields/input_marks.h"
 #include "ui/fields/number_field.h"
 #include "ui/identification/calibration_dialog.h"
 #include "ui/inputs/inputs_panel.h"

@@ -3,10 +3,8 @@
 
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/member.h"
-#include "ui/fields/calibrated_mark.h"
+#include "ui/fields/input_marks.h"
 #include "ui/fields/number_field.h"
-#include "ui/fields/reset_mark.h"
-#include "ui/fields/shared_mark.h"
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/editors/hint_strip.h"
 #include "ui/inputs/forms/input_rank.h"
