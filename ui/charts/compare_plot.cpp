@@ -7,7 +7,7 @@
 #include "ui/plot/plot_style.h"
 #include "ui/plot/run_dash.h"
 #include "ui/text/names.h"
-#include "ui/text/time_unit.h"
+#include "ui/text/number_text.h"
 
 #include <QMouseEvent>
 

@@ -12,9 +12,9 @@
 #include "ui/charts/verdict_table.h"
 #include "ui/tables/output_cells.h"
 #include "ui/text/names.h"
+#include "ui/text/number_text.h"
 #include "ui/text/output_text.h"
 #include "ui/text/texts.h"
-#include "ui/text/time_unit.h"
 
 #include <QCoreApplication>
 

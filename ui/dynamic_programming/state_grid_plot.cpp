@@ -8,7 +8,6 @@
 #include "ui/plot/painted_layer.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
-#include "ui/text/time_unit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "core/dynamic_programming/exact_answer.h"
 #include "core/dynamic_programming/state_grid.h"
 #include "ui/dynamic_programming/state_grid_outcome.h"
-#include "ui/text/time_unit.h"
+#include "ui/text/number_text.h"
 
 #include <QCoreApplication>
 #include <QString>

@@ -13,8 +13,8 @@
 #include "ui/kit/help_topic.h"
 #include "ui/part/part_drawing.h"
 #include "ui/session/surface_edits.h"
+#include "ui/text/designation_text.h"
 #include "ui/text/number_text.h"
-#include "ui/text/size_field.h"
 #include "ui/text/texts.h"
 
 #include <QCheckBox>

@@ -6,7 +6,7 @@
 #include "ui/kit/theme.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/plot/hair_line.h"
-#include "ui/tables/copied_cells.h"
+#include "ui/tables/pasted_cells.h"
 
 #include <QApplication>
 #include <QClipboard>

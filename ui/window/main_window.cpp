@@ -24,7 +24,7 @@
 #include "ui/session/kept_runs.h"
 #include "ui/session/part_runs.h"
 #include "ui/step/step_sheet.h"
-#include "ui/text/stock_reading.h"
+#include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/views/compare/compare_view.h"

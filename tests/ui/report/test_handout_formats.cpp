@@ -9,7 +9,7 @@
 #include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/report/format/formula_markup.h"
 #include "ui/report/format/pages.h"
-#include "ui/text/source_names.h"
+#include "ui/text/texts.h"
 
 #include <QRegularExpression>
 

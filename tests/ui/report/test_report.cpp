@@ -15,7 +15,6 @@
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/output_text.h"
-#include "ui/text/time_unit.h"
 #include "ui/views/verdict/verdict_text.h"
 #include "ui/window/dialogs/examples_dialog.h"
 

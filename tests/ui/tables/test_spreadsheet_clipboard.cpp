@@ -6,7 +6,6 @@
 #include "tests/ui/inputs/stage_table_bench.h"
 #include "tests/ui/support/on_disk.h"
 #include "ui/fields/number_field.h"
-#include "ui/tables/copied_cells.h"
 #include "ui/tables/pasted_cells.h"
 
 #include <QClipboard>

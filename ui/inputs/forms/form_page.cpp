@@ -21,7 +21,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/session/document.h"
 #include "ui/session/settings.h"
-#include "ui/text/help_fields.h"
+#include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
 
 #include <QGridLayout>

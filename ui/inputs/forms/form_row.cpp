@@ -12,9 +12,9 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/text/calibration_text.h"
-#include "ui/text/defaults.h"
+#include "ui/text/field_text.h"
 #include "ui/text/hint_text.h"
-#include "ui/text/stock_reading.h"
+#include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
 
 #include <QComboBox>

@@ -26,7 +26,7 @@
 #include "ui/text/formula_text.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
-#include "ui/text/source_names.h"
+#include "ui/text/texts.h"
 
 #include <QLocale>
 

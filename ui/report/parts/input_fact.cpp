@@ -6,9 +6,9 @@
 #include "core/project/part.h"
 #include "core/units.h"
 #include "ui/report/parts/cell_text.h"
+#include "ui/text/designation_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_scale.h"
-#include "ui/text/size_field.h"
 #include "ui/text/texts.h"
 
 #include <QStringList>

@@ -15,7 +15,6 @@
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/output_text.h"
-#include "ui/text/time_unit.h"
 
 #include <cmath>
 #include <numbers>

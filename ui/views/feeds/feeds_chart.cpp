@@ -5,7 +5,7 @@
 #include "ui/plot/plot_style.h"
 #include "ui/plot/quantity_line.h"
 #include "ui/text/names.h"
-#include "ui/text/time_unit.h"
+#include "ui/text/number_text.h"
 
 #include <algorithm>
 #include <utility>

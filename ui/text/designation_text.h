@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/project/iso286.h"
+#include "core/project/project.h"
+#include "core/project/wheel_marking.h"
 
 #include <QString>
 
@@ -26,5 +28,12 @@ struct TypedSize {
 
 /// The standard field with the limits of a part, "30h6"; empty if there is none.
 [[nodiscard]] QString fieldOf(const Part& part);
+
+/// The parts of a wheel's marking in words: "25А white fused alumina; grit F60, …".
+[[nodiscard]] QString markingExplained(const WheelMarking& marking);
+
+/// The changes that filling in a wheel from its marking would make: "Grain size 0.25 → 0.26 mm";
+/// empty if there are none.
+[[nodiscard]] QString markingChanges(const WheelMarking& marking, const Wheel& wheel);
 
 } // namespace sparkout
