@@ -2,7 +2,6 @@
 #include "ui/identification/fit_result.h"
 
 #include "core/identification/fit_data.h"
-#include "ui/identification/fit_table.h"
 #include "ui/identification/fit_words.h"
 #include "ui/kit/copyable_label.h"
 #include "ui/kit/font_size.h"

@@ -5,7 +5,6 @@
 #include "core/project/operation.h"
 #include "core/project/validate.h"
 #include "core/units.h"
-#include "ui/identification/fit_table.h"
 #include "ui/identification/fit_words.h"
 #include "ui/kit/copyable_label.h"
 #include "ui/kit/metrics.h"

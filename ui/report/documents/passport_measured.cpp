@@ -3,7 +3,6 @@
 
 #include "core/identification/hold_out.h"
 #include "core/project/project.h"
-#include "ui/measured/adequacy_table.h"
 #include "ui/measured/measured_boxes.h"
 #include "ui/measured/measured_text.h"
 #include "ui/report/documents/passport_figures.h"

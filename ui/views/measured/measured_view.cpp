@@ -8,7 +8,6 @@
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/kit/tool_row.h"
-#include "ui/measured/adequacy_table.h"
 #include "ui/measured/measured_boxes.h"
 #include "ui/measured/measured_text.h"
 #include "ui/plot/legend_strip.h"
