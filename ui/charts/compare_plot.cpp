@@ -2,10 +2,10 @@
 #include "ui/charts/compare_plot.h"
 
 #include "ui/plot/feed_text.h"
-#include "ui/plot/hair_line.h"
+#include "ui/plot/painted_layer.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/plot/plot_style.h"
-#include "ui/plot/run_dash.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 

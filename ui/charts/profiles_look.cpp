@@ -2,7 +2,7 @@
 #include "ui/charts/profiles_look.h"
 
 #include "ui/plot/plot_style.h"
-#include "ui/plot/quantity_line.h"
+#include "ui/plot/quantity_colour.h"
 
 namespace sparkout {
 

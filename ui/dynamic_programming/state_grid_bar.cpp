@@ -8,8 +8,8 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
+#include "ui/plot/plot_view.h"
 #include "ui/plot/run_bar.h"
-#include "ui/plot/study_view.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

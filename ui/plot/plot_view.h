@@ -3,11 +3,14 @@
 
 #include "ui/plot/plot_tools.h"
 #include "ui/plot/view.h"
+#include "ui/session/document.h"
+#include "ui/session/studies.h"
 
 #include <QComboBox>
 
 #include <functional>
 #include <initializer_list>
+#include <memory>
 #include <vector>
 
 class QAbstractButton;
@@ -168,6 +171,40 @@ private:
     std::vector<QWidget*> m_hidden, m_disabled; ///< hidden or disabled until there are curves
     OutcomePtr m_good;
     double m_lastUpdate_ms = 0;
+};
+
+/// A view of a study that is computed on demand and shown until the next one, faint when the inputs
+/// have changed.
+class StudyView : public PlotView {
+    Q_OBJECT
+public:
+    /// The notice over outdated results; `button` computes new ones.
+    [[nodiscard]] static QString staleText(bool isRunning, const QString& button) {
+        return isRunning ? tr("These results are for the inputs before the last edit; those for "
+                              "the current inputs are being computed.")
+                         : tr("These results are for the inputs before the last edit. Press “%1” "
+                              "to compute them for the current inputs.")
+                               .arg(button);
+    }
+
+signals:
+    /// An edit of the document is requested.
+    void editWanted(const std::function<sparkout::Project(sparkout::Project)>& edit,
+                    const sparkout::EditText& text);
+    void ended(); ///< the result, or its refusal, has been drawn
+
+protected:
+    /// Without studies of the window it creates its own.
+    StudyView(const QString& name, QWidget* parent, Settings* settings, Studies* studies)
+        : PlotView(name, parent, settings)
+        , m_own(studies ? nullptr : std::make_unique<Studies>())
+        , m_studies(studies ? *studies : *m_own) {}
+
+    [[nodiscard]] Studies& studies() const { return m_studies; }
+
+private:
+    std::unique_ptr<Studies> m_own;
+    Studies& m_studies;
 };
 
 } // namespace sparkout

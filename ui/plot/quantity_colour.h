@@ -3,6 +3,10 @@
 
 #include "ui/kit/theme.h"
 
+#include <QColor>
+#include <QPen>
+#include <QPixmap>
+
 #include <cstddef>
 #include <optional>
 
@@ -83,4 +87,24 @@ enum class Drawn {
 /// readers despite pale fills.
 [[nodiscard]] Tone stepOfStroke(std::size_t index, const QPalette& palette);
 
+// A dash pattern and width for each curve in addition to its colour, so that curves differ in
+// black and white print, too.
+
+/// A solid line of the usual width for a curve without neighbours.
+[[nodiscard]] QPen line(Drawn what, const QColor& colour);
+/// The line of a limit of the depth of cut, by its order; later ones repeat the last.
+[[nodiscard]] QPen lineOfDepthLimit(std::size_t index, const QColor& colour);
+
 } // namespace sparkout::style
+
+namespace sparkout {
+
+/// The line of one of several runs: the current run, number 0, is solid; the others have different
+/// dashes, and wider lines once these repeat.
+[[nodiscard]] QVector<qreal> runDash(int number); ///< in pen widths; empty: solid
+[[nodiscard]] QPen runPen(int number, const QColor& colour);
+
+/// A sample of the line for a list.
+[[nodiscard]] QPixmap runSample(int number, const QColor& colour, const QSize& size, qreal ratio);
+
+} // namespace sparkout

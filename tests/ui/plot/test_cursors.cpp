@@ -9,7 +9,6 @@
 #include "tests/ui/support/window_bench.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/fields/number_field.h"
-#include "ui/plot/cursor_model.h"
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/feed_text.h"
 #include "ui/plot/plot_cursors.h"

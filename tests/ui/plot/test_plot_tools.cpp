@@ -3,9 +3,9 @@
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/plot/legend_strip.h"
-#include "ui/plot/plot_history.h"
 #include "ui/plot/plot_style.h"
 #include "ui/plot/plot_tools.h"
+#include "ui/plot/view_plot.h"
 #include "ui/text/names.h"
 
 #include <QClipboard>

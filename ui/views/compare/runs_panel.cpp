@@ -8,7 +8,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/plot/plot_tools.h"
-#include "ui/plot/run_dash.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/judgement_text.h"
 #include "ui/text/names.h"

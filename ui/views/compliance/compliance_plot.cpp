@@ -5,7 +5,7 @@
 #include "core/project/part.h"
 #include "core/study/length_lines.h"
 #include "ui/charts/longitudinal_layers.h"
-#include "ui/plot/band_layer.h"
+#include "ui/plot/painted_layer.h"
 #include "ui/views/compliance/shaft_scene.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "core/project/part.h"
 #include "core/units.h"
-#include "ui/plot/quantity_line.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 #include "ui/views/compliance/length_curves.h"
 

@@ -4,7 +4,7 @@
 #include "core/process/system_compliance.h"
 #include "core/project/part.h"
 #include "core/units.h"
-#include "ui/plot/run_dash.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 #include "ui/views/compliance/length_curves.h"
 

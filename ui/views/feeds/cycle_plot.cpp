@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/feeds/cycle_plot.h"
 
-#include "ui/plot/band_layer.h"
-#include "ui/plot/hair_line.h"
+#include "ui/plot/painted_layer.h"
 #include "ui/plot/plot_cursors.h"
 
 #include <QMouseEvent>

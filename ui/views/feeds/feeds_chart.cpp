@@ -3,7 +3,7 @@
 
 #include "ui/plot/feed_text.h"
 #include "ui/plot/plot_style.h"
-#include "ui/plot/quantity_line.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/simulation/stock_layers.h"
-#include "ui/plot/band_layer.h"
 #include "ui/plot/legend_drawing.h"
+#include "ui/plot/painted_layer.h"
 
 #include <QCoreApplication>
 #include <QPalette>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/layers/part_plot.h"
 
-#include "ui/plot/band_layer.h"
+#include "ui/plot/painted_layer.h"
 #include "ui/views/layers/layers_look.h"
 
 namespace sparkout {

@@ -3,7 +3,7 @@
 
 #include "core/project/part.h"
 #include "core/units.h"
-#include "ui/plot/run_dash.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/views/sweep/phase_text.h"
 
 #include <algorithm>

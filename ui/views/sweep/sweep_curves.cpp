@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/sweep/sweep_curves.h"
 
-#include "ui/plot/run_dash.h"
+#include "ui/plot/quantity_colour.h"
 
 #include <algorithm>
 #include <cmath>

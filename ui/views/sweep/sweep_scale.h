@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/number_ticker.h"
+#include "ui/plot/plot_style.h"
 #include "ui/text/shown_scale.h"
 
 #include <qcustomplot.h>
