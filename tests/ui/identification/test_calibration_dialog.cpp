@@ -13,7 +13,6 @@
 #include "ui/kit/font_size.h"
 #include "ui/plot/chart_plot.h"
 #include "ui/report/documents/cycle_card.h"
-#include "ui/report/documents/outcome_remarks.h"
 #include "ui/report/documents/passport.h"
 #include "ui/text/texts.h"
 

@@ -8,7 +8,6 @@
 #include "core/study/batch_edits.h"
 #include "core/version.h"
 #include "ui/report/parts/cell_text.h"
-#include "ui/report/parts/input_fact.h"
 #include "ui/text/field_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"

@@ -22,4 +22,7 @@ namespace sparkout::report {
 /// cuts.
 [[nodiscard]] std::optional<Figure> limitsFigure(const OutcomePtr& outcome, const Place& at);
 
+/// The part between its supports with its dimensions, the zones or sections and the gauge.
+[[nodiscard]] Figure partSketch(const OutcomePtr& outcome);
+
 } // namespace sparkout::report
