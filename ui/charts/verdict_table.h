@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/quality/light.h"
+#include "core/simulation/result.h"
 #include "core/study/outcome.h"
 #include "ui/charts/light_icon.h"
 #include "ui/tables/value_table.h"
@@ -43,5 +44,13 @@ namespace sparkout::verdict {
 /// The most important requirement of the verdict: the worst unmet, otherwise the closest; null
 /// without any.
 [[nodiscard]] const ConstraintResult* worst(const Outcome& outcome);
+
+} // namespace sparkout::verdict
+
+/// The texts of the verdict, plain.
+namespace sparkout::verdict {
+
+[[nodiscard]] QString time(const SimulationResult& result);   ///< "2.41 min (144.6 s)"
+[[nodiscard]] QString status(const SimulationResult& result); ///< including a shortfall of size
 
 } // namespace sparkout::verdict

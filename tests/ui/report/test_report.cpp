@@ -5,6 +5,7 @@
 #include "tests/ui/support/languages.h"
 #include "tests/ui/support/report_reading.h"
 #include "tests/ui/support/view_fixtures.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/pdf/pdf_details.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/format/pages.h"
@@ -15,7 +16,6 @@
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/output_text.h"
-#include "ui/views/verdict/verdict_text.h"
 #include "ui/window/dialogs/examples_dialog.h"
 
 #include <QRegularExpression>

@@ -15,7 +15,6 @@
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
-#include "ui/views/verdict/verdict_text.h"
 
 #include <algorithm>
 

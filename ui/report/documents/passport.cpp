@@ -7,6 +7,7 @@
 #include "core/study/outcome.h"
 #include "core/study/whole_batch.h"
 #include "ui/bars/bar_plot.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/measured/measured_boxes.h"
 #include "ui/measured/measured_text.h"
 #include "ui/plot/chart_plot.h"
@@ -28,7 +29,6 @@
 #include "ui/views/profiles/longitudinal_plot.h"
 #include "ui/views/profiles/profiles_plot.h"
 #include "ui/views/profiles/profiles_text.h"
-#include "ui/views/verdict/verdict_text.h"
 
 #include <algorithm>
 #include <iterator>

@@ -22,6 +22,7 @@
 #include "core/simulation/result.h"
 #include "core/simulation/trajectory.h"
 #include "core/units.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/report/format/formula_writer.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/operation_setup.h"
@@ -32,7 +33,6 @@
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
-#include "ui/views/verdict/verdict_text.h"
 
 #include <QFileInfo>
 #include <QLocale>

@@ -15,7 +15,6 @@
 #include "ui/views/feeds/feeds_note.h"
 #include "ui/views/feeds/feeds_overview.h"
 #include "ui/views/feeds/feeds_plot.h"
-#include "ui/views/feeds/trace_comparer.h"
 #include "ui/views/feeds/traces_plot.h"
 
 #include <QComboBox>

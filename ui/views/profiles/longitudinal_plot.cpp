@@ -9,7 +9,6 @@
 #include "ui/plot/plot_cursors.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
-#include "ui/views/profiles/profiles_table.h"
 #include "ui/views/profiles/profiles_text.h"
 
 #include <algorithm>

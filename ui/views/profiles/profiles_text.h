@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/study/length_lines.h"
 #include "core/study/profile_series.h"
+#include "ui/charts/profiles_look.h"
+#include "ui/tables/csv_table.h"
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 #include <vector>
@@ -34,6 +38,33 @@ public:
 
 private:
     static QString blankText(const ProfileSeries& series, const Profile& profile, int k);
+};
+
+/// A filtered profile with the chosen circles.
+[[nodiscard]] Profile shownProfile(Profile profile, ReferenceCircles circles,
+                                   std::optional<int> cutoff_upr);
+
+/// The chosen circles; null if none are chosen or none are fitted.
+[[nodiscard]] const RoundnessZone* shownZone(const Profile& profile, ReferenceCircles circles);
+
+/// The circles' line in the legend.
+[[nodiscard]] std::optional<ProfileLine> lineOf(ReferenceCircles circles);
+
+/// The drawn profiles as tables for a spreadsheet.
+class ProfilesTable {
+    Q_DECLARE_TR_FUNCTIONS(ProfilesTable)
+public:
+    /// A row for each angle, a column for each drawn profile with its name: deviations from the
+    /// target radius, unmagnified. A measured profile with other angles has a column for them.
+    static CsvTable across(const ProfileSeries& series, const std::vector<Profile>& drawn,
+                           const QStringList& names, ReferenceCircles circles,
+                           const ProfileLines& hidden);
+    /// A row for each zone or section, from the headstock end on or in the order of the zones.
+    static CsvTable along(const ProfileSeries& series, LengthQuantity quantity,
+                          const ProfileLines& hidden);
+
+private:
+    static QStringList circleNames(ReferenceCircles circles);
 };
 
 } // namespace sparkout

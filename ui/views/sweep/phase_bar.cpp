@@ -9,7 +9,6 @@
 #include "ui/plot/run_bar.h"
 #include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
-#include "ui/views/sweep/phase_text.h"
 
 #include <QLabel>
 #include <QProgressBar>

@@ -3,7 +3,7 @@
 
 #include "core/project/project.h"
 #include "ui/session/job.h"
-#include "ui/views/sweep/phase_outcome.h"
+#include "ui/views/sweep/phase_chart.h"
 
 #include <QWidget>
 

@@ -9,7 +9,7 @@
 #include "ui/kit/tool_row.h"
 #include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
-#include "ui/views/sweep/sweep_text.h"
+#include "ui/views/sweep/sweep_shown.h"
 
 #include <QCheckBox>
 #include <QLabel>

@@ -16,8 +16,7 @@
 #include "ui/views/sweep/phase_bar.h"
 #include "ui/views/sweep/phase_chart.h"
 #include "ui/views/sweep/sweep_axis_box.h"
-#include "ui/views/sweep/sweep_curves.h"
-#include "ui/views/sweep/sweep_map.h"
+#include "ui/views/sweep/sweep_charts.h"
 
 #include <QAction>
 #include <QComboBox>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/plot/plot_view.h"
-#include "ui/views/sweep/phase_outcome.h"
+#include "ui/views/sweep/phase_chart.h"
 #include "ui/views/sweep/sweep_shown.h"
 
 #include <array>

@@ -13,11 +13,7 @@
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
-#include "ui/views/verdict/form_section.h"
-#include "ui/views/verdict/narrow_table.h"
-#include "ui/views/verdict/remedy_section.h"
-#include "ui/views/verdict/verdict_shop.h"
-#include "ui/views/verdict/verdict_text.h"
+#include "ui/views/verdict/verdict_sections.h"
 
 #include <QEvent>
 #include <QGuiApplication>

@@ -8,7 +8,6 @@
 #include "ui/session/project_io.h"
 #include "ui/views/compliance/compliance_plot.h"
 #include "ui/views/compliance/compliance_view.h"
-#include "ui/views/compliance/shaft_scene.h"
 
 #include "tests/registry.h"
 

@@ -7,7 +7,7 @@
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/painted_layer.h"
 #include "ui/views/profiles/longitudinal_plot.h"
-#include "ui/views/profiles/profiles_layers.h"
+#include "ui/views/profiles/profile_cell.h"
 #include "ui/views/profiles/profiles_plot.h"
 #include "ui/views/profiles/profiles_view.h"
 

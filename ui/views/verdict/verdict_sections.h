@@ -3,6 +3,7 @@
 
 #include "core/remedies/remedies.h"
 #include "core/study/outcome.h"
+#include "ui/dialogs/copy_table.h"
 #include "words/remedy_words.h"
 
 #include <QWidget>
@@ -14,6 +15,69 @@ class QLabel;
 class QPushButton;
 
 namespace sparkout {
+
+class ValueModel;
+
+/// A table of numbers for a narrow panel: a row for each quantity, with little space between the
+/// columns. It is as high as its rows and scrolls sideways if its columns are too wide.
+class NarrowTable : public CopyTable {
+    Q_OBJECT
+public:
+    explicit NarrowTable(ValueModel& model, QWidget* parent = nullptr);
+
+    void fit(); ///< fits columns and height to the model
+
+private:
+    bool m_fitting = false;
+};
+
+/// The verdict's section on the form of each zone; hidden where a zone is one section.
+class FormSection : public QWidget {
+    Q_OBJECT
+public:
+    explicit FormSection(QWidget* parent = nullptr);
+
+    void setOutcome(const OutcomePtr& outcome);
+    void setGreyed(bool grey, const QPalette& palette); ///< of the labels
+    void retranslate();
+
+    [[nodiscard]] ValueModel* model() const { return m_model; }
+    [[nodiscard]] NarrowTable* table() const { return m_table; }
+
+private:
+    void showTitle();
+    void showTable();
+
+    OutcomePtr m_outcome;
+    QLabel* m_title;
+    ValueModel* m_model;
+    NarrowTable* m_table;
+};
+
+/// The verdict's section on the shop's figures: title, table, and values outside their band.
+class ShopSection : public QWidget {
+    Q_OBJECT
+public:
+    explicit ShopSection(QWidget* parent = nullptr);
+
+    void setOutcome(const OutcomePtr& outcome);
+    void setGreyed(bool grey, const QPalette& palette); ///< of the labels
+    void retranslate();
+
+    [[nodiscard]] ValueModel* model() const { return m_model; }
+    [[nodiscard]] NarrowTable* table() const { return m_table; }
+
+private:
+    void showTable();
+
+    QLabel* m_title;
+    ValueModel* m_model;
+    NarrowTable* m_table;
+    QWidget* m_remarksLine;
+    QLabel* m_icon;
+    QLabel* m_remarks;
+    OutcomePtr m_outcome;
+};
 
 /// The verdict's section on remedies: a line and a button for each, or the reason why no single
 /// setting helps. Hidden if there is nothing to show.
