@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/compare_plot.h"
 
-#include "ui/plot/feed_text.h"
 #include "ui/plot/painted_layer.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/plot/plot_style.h"

@@ -10,10 +10,9 @@
 #include "core/units.h"
 #include "ui/charts/margin_model.h"
 #include "ui/charts/verdict_table.h"
-#include "ui/tables/output_cells.h"
+#include "ui/text/field_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
-#include "ui/text/output_text.h"
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>

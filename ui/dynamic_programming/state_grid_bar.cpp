@@ -9,7 +9,6 @@
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/plot/plot_view.h"
-#include "ui/plot/run_bar.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -4,7 +4,7 @@
 #include "core/units.h"
 #include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/kit/font_size.h"
-#include "ui/kit/hatch.h"
+#include "ui/kit/theme.h"
 #include "ui/plot/painted_layer.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/dynamic_programming/state_grid_outcome.h"
+#include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/plot/chart_plot.h"
 
 #include <optional>

@@ -13,7 +13,7 @@
 #include "ui/kit/copyable_label.h"
 #include "ui/kit/metrics.h"
 #include "ui/tables/pasted_cells.h"
-#include "ui/tables/table_model.h"
+#include "ui/tables/value_table.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"

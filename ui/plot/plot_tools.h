@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/dialogs/table_file.h"
-#include "ui/plot/legend_drawing.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/plot_navigation.h"
 #include "ui/tables/csv_table.h"
 

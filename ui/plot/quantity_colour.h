@@ -2,10 +2,12 @@
 #pragma once
 
 #include "ui/kit/theme.h"
+#include "ui/plot/read_curves.h"
 
 #include <QColor>
 #include <QPen>
 #include <QPixmap>
+#include <QString>
 
 #include <cstddef>
 #include <optional>
@@ -106,5 +108,25 @@ namespace sparkout {
 
 /// A sample of the line for a list.
 [[nodiscard]] QPixmap runSample(int number, const QColor& colour, const QSize& size, qreal ratio);
+
+enum class StrokeStep;
+
+/// "E3/E1/E1 working stroke": a step of a double stroke with its code in each of the zones ground
+/// in it; empty if it has none.
+[[nodiscard]] QString strokeStepName(StrokeStep step);
+
+/// The name of a curve in the legend.
+[[nodiscard]] QString quantityName(Quantity quantity);
+
+/// The name with the unit: "actual feed, µm".
+[[nodiscard]] QString quantityWithUnit(Quantity quantity);
+
+/// The number format of its values.
+[[nodiscard]] Digits quantityDigits(Quantity quantity);
+
+/// The values at a time as two lines of plain text: the place in the cycle, and the numbers. Empty
+/// if the zone has no point there.
+[[nodiscard]] QString feedText(const FeedPoints& points, double time_s, const FeedSeries& series,
+                               bool wholeStrokes);
 
 } // namespace sparkout

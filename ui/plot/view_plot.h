@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/legend_drawing.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/plot_style.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/plot/read_curves.h"

@@ -12,10 +12,10 @@
 #include "ui/report/format/report_text.h"
 #include "ui/report/parts/operation_setup.h"
 #include "ui/session/document.h"
+#include "ui/text/field_text.h"
 #include "ui/text/language.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
-#include "ui/text/output_text.h"
 #include "ui/window/dialogs/examples_dialog.h"
 
 #include <QRegularExpression>

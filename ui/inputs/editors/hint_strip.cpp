@@ -3,7 +3,6 @@
 
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/kit/help_topic.h"
-#include "ui/kit/tool_tips.h"
 #include "ui/text/hint_text.h"
 
 #include <QAbstractButton>

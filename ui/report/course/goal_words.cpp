@@ -3,7 +3,7 @@
 
 #include "ui/plot/plot_style.h"
 #include "ui/report/course/lesson_markup.h"
-#include "ui/report/format/plot_figure.h"
+#include "ui/report/parts/run_figures.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"

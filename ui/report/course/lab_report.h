@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/course/work.h"
-#include "ui/report/course/institution.h"
+#include "ui/report/course/paper_writer.h"
 #include "ui/report/format/report.h"
 #include "ui/report/handout/handout_step.h"
 

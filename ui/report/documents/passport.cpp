@@ -14,7 +14,6 @@
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/documents/passport_inputs.h"
 #include "ui/report/documents/passport_prediction.h"
-#include "ui/report/format/plot_figure.h"
 #include "ui/report/format/report.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/operation_setup.h"

@@ -2,10 +2,8 @@
 #include "ui/report/handout/course_handout.h"
 
 #include "core/study/search_edits.h"
-#include "ui/dynamic_programming/state_grid_outcome.h"
 #include "ui/dynamic_programming/state_grid_plot.h"
 #include "ui/dynamic_programming/state_grid_text.h"
-#include "ui/report/format/plot_figure.h"
 #include "ui/report/handout/exercises.h"
 #include "ui/report/handout/worked_step.h"
 #include "ui/report/parts/operation_setup.h"

@@ -17,9 +17,9 @@
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/calibration_text.h"
 #include "ui/text/example_texts.h"
+#include "ui/text/field_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
-#include "ui/text/output_text.h"
 #include "ui/text/texts.h"
 
 #include <QFileInfo>

@@ -3,8 +3,7 @@
 
 #include "core/project/gauge.h"
 #include "ui/kit/tool_row.h"
-#include "ui/plot/cursor_strip.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/text/names.h"
 #include "ui/views/compliance/compliance_plot.h"

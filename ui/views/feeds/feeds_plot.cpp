@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/feeds/feeds_plot.h"
 
-#include "ui/plot/feed_text.h"
 #include "ui/plot/painted_layer.h"
 #include "ui/plot/plot_cursors.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 
 #include <QMouseEvent>

@@ -2,12 +2,12 @@
 #include "ui/views/layers/layers_surface.h"
 
 #include "core/units.h"
-#include "ui/charts/magnified_profile.h"
+#include "ui/charts/profiles_look.h"
 #include "ui/plot/painted_layer.h"
 #include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
-#include "ui/views/layers/layers_look.h"
+#include "ui/views/layers/layers_plot.h"
 
 #include <algorithm>
 #include <cmath>

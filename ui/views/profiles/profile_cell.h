@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/charts/magnified_profile.h"
 #include "ui/charts/profiles_look.h"
 #include "ui/plot/painted_layer.h"
 

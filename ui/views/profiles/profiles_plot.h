@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/charts/magnified_profile.h"
+#include "ui/charts/profiles_look.h"
 #include "ui/views/profiles/framed_plot.h"
 #include "ui/views/profiles/profile_cell.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/project/sweep.h"
 #include "core/quality/constraints.h"
-#include "ui/plot/run_bar.h"
+#include "ui/plot/plot_view.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
