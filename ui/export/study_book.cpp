@@ -8,7 +8,7 @@
 #include "core/version.h"
 #include "ui/charts/run_table.h"
 #include "ui/dialogs/table_file.h"
-#include "ui/report/documents/passport_inputs.h"
+#include "ui/report/documents/passport_sections.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/field_text.h"
 #include "ui/text/names.h"

@@ -14,7 +14,7 @@
 #include "ui/identification/fit_words.h"
 #include "ui/identification/stiffness_page.h"
 #include "ui/identification/trial_page.h"
-#include "ui/kit/copyable_label.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"

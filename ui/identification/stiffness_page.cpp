@@ -10,7 +10,7 @@
 #include "ui/fields/mark.h"
 #include "ui/identification/fit_words.h"
 #include "ui/identification/stiffness_sheet.h"
-#include "ui/kit/copyable_label.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/metrics.h"
 #include "ui/tables/pasted_cells.h"
 #include "ui/tables/value_table.h"

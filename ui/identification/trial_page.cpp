@@ -6,7 +6,7 @@
 #include "core/project/validate.h"
 #include "core/units.h"
 #include "ui/identification/fit_words.h"
-#include "ui/kit/copyable_label.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/metrics.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"

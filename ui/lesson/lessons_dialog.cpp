@@ -4,7 +4,7 @@
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
 #include "ui/files/own_lessons.h"
-#include "ui/kit/answer_buttons.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/lesson/lesson_text.h"

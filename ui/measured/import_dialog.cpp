@@ -6,7 +6,7 @@
 #include "core/project/part.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/fields/number_field.h"
-#include "ui/kit/answer_buttons.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/tool_row.h"

@@ -8,7 +8,7 @@
 #include "core/setup/shared_members.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
-#include "ui/kit/answer_buttons.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/part/part_drawing.h"

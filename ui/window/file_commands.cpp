@@ -8,7 +8,7 @@
 #include "ui/dialogs/notice_bar.h"
 #include "ui/dialogs/watched_work.h"
 #include "ui/files/guarded_file.h"
-#include "ui/kit/answer_buttons.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/help_topic.h"
 #include "ui/lesson/lesson_desk.h"

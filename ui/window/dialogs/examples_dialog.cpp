@@ -5,7 +5,7 @@
 #include "core/study/outcome.h"
 #include "core/study/whole_batch.h"
 #include "ui/charts/verdict_table.h"
-#include "ui/kit/answer_buttons.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/part/part_drawing.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/kit/copyable_label.h"
+#include "ui/kit/dialog_parts.h"
 
 #include <QLabel>
 

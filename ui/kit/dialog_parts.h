@@ -4,6 +4,10 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QPushButton>
+#include <QString>
+
+class QLabel;
+class QWidget;
 
 namespace sparkout {
 
@@ -26,5 +30,10 @@ private:
     QPushButton* m_accept;
     QPushButton* m_reject;
 };
+
+/// A plain text that wraps.
+[[nodiscard]] QLabel* plainLabel(const QString& text, QWidget* parent);
+/// The same, that can be copied.
+[[nodiscard]] QLabel* copyableLabel(QWidget* parent, const QString& text = {});
 
 } // namespace sparkout

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/batch/batch_summary.h"
+#include "core/project/given_factors.h"
 #include "ui/report/documents/report_kinds.h"
 #include "ui/report/format/report.h"
 
@@ -11,6 +12,17 @@
 #include <vector>
 
 namespace sparkout::report {
+
+/// The inputs of the cycle and its batch, for the accuracy passport.
+class PassportInputs {
+    Q_DECLARE_TR_FUNCTIONS(PassportInputs)
+public:
+    static Facts drawing(const Project& project);                ///< tolerances and other limits
+    static std::vector<Block> scenarios(const Subject& subject); ///< factors, laws, correlations
+    static QString law(const GivenFactor& factor);               ///< "uniform, 0.14…0.16"
+    static Table inputs(const Project& project);                 ///< all inputs of the model
+    static std::vector<Block> recomputing(const Subject& subject);
+};
 
 /// The predicted results of the cycle and its batch compared with the drawing, for the accuracy
 /// passport.
