@@ -98,7 +98,7 @@ CellFaults faultsOf(const CellFaults& faults, std::size_t line) {
 /// The first rows of a table of measurements as split into cells, by their first lines, with the
 /// faults of the cells.
 ValueTable previewTable(std::string_view text, const MeasuredTable& table,
-                        const CellFaults& faults) {
+                        const CellFaults& faults = {}) {
     ValueTable shown;
     TableReader rows(text, table.dialect.delimiter);
     if (!table.isKeyValue && rows.next()) {
